@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One function a kind of target, so that the modules' own lists hold names only.
+
+include(CMakePackageConfigHelpers)
+
+# Warnings of this project only: PCL's and VTK's headers come in as system headers.
+function(sedr_set_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+    -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${SEDR_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# sedr_add_module(filters SOURCES a.cpp b.cpp PUBLIC pcl_common ... PRIVATE ... PKGCONFIG pcl_common ...)
+# makes the library sedr_<name>, the target sedr::<name>, its install rules and its pkg-config file.
+function(sedr_add_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PKGCONFIG" ${ARGN})
+  set(target sedr_${name})
+  list(TRANSFORM ARG_SOURCES PREPEND src/)
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(sedr::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  sedr_set_warnings(${target})
+
+  install(TARGETS ${target} EXPORT sedr_${name}_targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT sedr_${name}_targets FILE sedr_${name}Targets.cmake NAMESPACE sedr::
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/SEDR)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  string(REPLACE ";" ", " SEDR_PC_REQUIRES "${ARG_PKGCONFIG}")
+  set(SEDR_PC_NAME ${target})
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/sedr.pc.in ${target}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${target}.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# sedr_add_tool(name LINK ...) makes the program pcl_<name> from <name>.cpp.
+function(sedr_add_tool name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(pcl_${name} ${name}.cpp)
+  target_link_libraries(pcl_${name} PRIVATE sedr_tools_common ${ARG_LINK})
+  sedr_set_warnings(pcl_${name})
+  install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# sedr_add_test(name SOURCES ... LINK ...) makes the GoogleTest program test_<name>.
+function(sedr_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
+  sedr_set_warnings(test_${name})
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
+endfunction()
+
+function(sedr_install_package)
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/SEDR)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SEDRConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/SEDRConfig.cmake INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/SEDRConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/SEDRConfig.cmake
+    ${PROJECT_BINARY_DIR}/SEDRConfigVersion.cmake DESTINATION ${destination})
+endfunction()

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/point_types.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A straight segment or a circular arc of a plan, metres. */
+struct PlanElement {
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< of an arc
+  double radius = 0;             ///< of an arc; 0 says that this is a segment
+  bool counter_clockwise = true; ///< sense in which an arc runs from start to end
+
+  std::size_t inliers = 0; ///< points that the element was fitted to
+  double residual = 0;     ///< their root mean square distance from it, metres
+
+  bool
+  isArc() const
+  {
+    return radius > 0;
+  }
+
+  /** @brief Signed angle an arc runs through, radians, positive counter-clockwise. An arc whose
+   * ends coincide is a whole circle. */
+  double
+  sweep() const;
+
+  double
+  length() const;
+
+  /** @brief Point at distance `s` from the start along the element. */
+  Eigen::Vector2d
+  pointAt(double s) const;
+
+  /** @brief Unit normal at distance `s`, to the left of the way from start to end. */
+  Eigen::Vector2d
+  normalAt(double s) const;
+
+  /** @brief Distance along the element of its point nearest to `p`, within [0, length()]. */
+  double
+  project(const Eigen::Vector2d& p) const;
+
+  double
+  distance(const Eigen::Vector2d& p) const
+  {
+    return (pointAt(project(p)) - p).norm();
+  }
+
+  /** @brief Signed area between the element and the chords from the origin, so that those of a
+   * closed loop add up to its area. */
+  double
+  areaUnder() const;
+};
+
+/** @brief A closed loop of elements: each ends where the next starts, the last where the first
+ * starts. Outer loops run counter-clockwise, loops of columns clockwise: the room is always on the
+ * left. */
+struct PlanLoop {
+  std::vector<PlanElement> elements;
+
+  /** @brief Positive where the loop runs counter-clockwise, square metres. */
+  double
+  area() const;
+
+  double
+  length() const;
+
+  /** @brief Whether `p` lies inside, by the winding number; whichever way the loop runs. */
+  bool
+  contains(const Eigen::Vector2d& p) const;
+
+  /** @brief Distance of `p` from the nearest element; infinite for an empty loop. */
+  double
+  distance(const Eigen::Vector2d& p) const;
+
+  /** @brief Index of the element nearest to `p`. */
+  std::size_t
+  nearest(const Eigen::Vector2d& p) const;
+
+  /** @brief Corners in order, arcs replaced by chords that stay within `tolerance` metres. */
+  std::vector<Eigen::Vector2d>
+  polygon(double tolerance) const;
+};
+
+/** @brief The same loop, run the other way. */
+PlanLoop
+reversed(const PlanLoop& loop);
+
+/** @brief A plane that is not vertical: a x + b y + c z + d = 0 with unit normal, c > 0. */
+struct PlanSlab {
+  Eigen::Vector4d plane = Eigen::Vector4d(0, 0, 1, 0);
+  std::size_t inliers = 0;
+  double residual = 0; ///< root mean square distance of the inliers, metres
+
+  double
+  heightAt(const Eigen::Vector2d& p) const
+  {
+    return -(plane[0] * p.x() + plane[1] * p.y() + plane[3]) / plane[2];
+  }
+};
+
+/** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer. Where
+ * details overlap, the later one of a room's list is what is there. */
+struct PlanDetail {
+  PlanLoop boundary; ///< counter-clockwise
+  PlanSlab slab;
+  /** One for each element of the boundary: 0 where it lies on a wall, 1 where it is an edge with a
+   * riser. */
+  std::vector<std::uint8_t> riser;
+};
+
+/** @brief A room: its walls and columns in plan, its floor and its ceiling. */
+struct PlanRoom {
+  std::uint32_t id = 0; ///< the `room` of its points, from 1
+  PlanLoop boundary;    ///< counter-clockwise
+  std::vector<PlanLoop> columns;
+  PlanSlab floor;
+  PlanSlab ceiling;
+  std::vector<PlanDetail> details;
+
+  /** @brief Whether `p` lies in the room: inside the boundary, outside every column. */
+  bool
+  contains(const Eigen::Vector2d& p) const;
+
+  /** @brief Index of the detail above `p`, or -1 below the main ceiling. */
+  int
+  detailAt(const Eigen::Vector2d& p) const;
+
+  /** @brief Height of whatever ceiling is above `p`. */
+  double
+  ceilingAt(const Eigen::Vector2d& p) const;
+
+  /** @brief Floor area without columns, square metres. */
+  double
+  area() const;
+
+  /** @brief Length of the outer loop, metres. */
+  double
+  perimeter() const
+  {
+    return boundary.length();
+  }
+};
+
+/** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7). */
+struct Floorplan {
+  std::vector<PlanRoom> rooms;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_types.h>
+#include <pcl/register_point_struct.h>
+
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What a point is; the value of the `label` field of every file of this library. */
+enum class StructureLabel : std::uint32_t {
+  Other = 0,
+  Ceiling = 1,
+  Floor = 2,
+  Wall = 3,
+  Detail = 4, ///< soffit, recess, coffer or beam: its underside and its risers
+  Column = 5
+};
+
+/** @brief Name of a label in lower case, "other" for values without one. */
+inline const char*
+toString(StructureLabel label)
+{
+  switch (label) {
+  case StructureLabel::Ceiling:
+    return "ceiling";
+  case StructureLabel::Floor:
+    return "floor";
+  case StructureLabel::Wall:
+    return "wall";
+  case StructureLabel::Detail:
+    return "detail";
+  case StructureLabel::Column:
+    return "column";
+  default:
+    return "other";
+  }
+}
+
+} // namespace sedr
+
+struct EIGEN_ALIGN16 _PointStructure {
+  PCL_ADD_POINT4D
+  PCL_ADD_NORMAL4D
+  union {
+    struct {
+      std::uint32_t label; ///< a pcl::sedr::StructureLabel
+      std::uint32_t room;  ///< 0 none, rooms count from 1
+      float curvature;
+    };
+    float data_c[4];
+  };
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+/** @brief A point of the reconstructed structure: position and normal (metres, z up, the normal
+ * into the room), label and room. */
+struct PointStructure : public _PointStructure {
+  PointStructure()
+  {
+    x = y = z = normal_x = normal_y = normal_z = 0.f;
+    data[3] = 1.f;
+    data_n[3] = 0.f;
+    label = room = 0;
+    curvature = 0.f;
+    data_c[3] = 0.f;
+  }
+};
+
+} // namespace pcl
+
+POINT_CLOUD_REGISTER_POINT_STRUCT(
+    pcl::_PointStructure,
+    (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(
+        float, normal_y, normal_y)(float, normal_z, normal_z)(
+        float, curvature, curvature)(std::uint32_t, label, label)(std::uint32_t,
+                                                                  room,
+                                                                  room))
+POINT_CLOUD_REGISTER_POINT_WRAPPER(pcl::PointStructure, pcl::_PointStructure)
+
+/** @brief The point types for which the libraries hold compiled classes; for any other type with
+ * x, y and z include the class's impl/ header. */
+#define SEDR_POINT_TYPES                                                                 \
+  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(  \
+      pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointStructure)

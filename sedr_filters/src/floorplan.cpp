@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double two_pi = 2 * M_PI;
+
+double
+cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double
+angleOf(const Eigen::Vector2d& v)
+{
+  return std::atan2(v.y(), v.x());
+}
+
+/** @brief `angle` brought into [0, 2 pi). */
+double
+positiveAngle(double angle)
+{
+  angle = std::fmod(angle, two_pi);
+  return angle < 0 ? angle + two_pi : angle;
+}
+
+/** @brief Angle that the way from start to end subtends at `p`: summed over a closed loop it is
+ * 2 pi times the winding number. */
+double
+turnAround(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  const Eigen::Vector2d a = e.start - p;
+  const Eigen::Vector2d b = e.end - p;
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+} // namespace
+
+double
+PlanElement::sweep() const
+{
+  const double from = angleOf(start - centre);
+  const double to = angleOf(end - centre);
+  if ((start - end).norm() <= 1e-9 * std::max(1.0, radius))
+    return counter_clockwise ? two_pi : -two_pi;
+  return counter_clockwise ? positiveAngle(to - from) : -positiveAngle(from - to);
+}
+
+double
+PlanElement::length() const
+{
+  return isArc() ? radius * std::abs(sweep()) : (end - start).norm();
+}
+
+Eigen::Vector2d
+PlanElement::pointAt(double s) const
+{
+  const double total = length();
+  if (total <= 0)
+    return start;
+  if (!isArc())
+    return start + (end - start) * (s / total);
+  const double angle = angleOf(start - centre) + sweep() * (s / total);
+  return centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+Eigen::Vector2d
+PlanElement::normalAt(double s) const
+{
+  if (isArc()) {
+    const Eigen::Vector2d outward = (pointAt(s) - centre) / radius;
+    return counter_clockwise ? -outward : outward;
+  }
+  const Eigen::Vector2d way = (end - start).normalized();
+  return {-way.y(), way.x()};
+}
+
+double
+PlanElement::project(const Eigen::Vector2d& p) const
+{
+  const double total = length();
+  if (!isArc()) {
+    const double s = total > 0 ? (p - start).dot(end - start) / total : 0;
+    return std::clamp(s, 0.0, total);
+  }
+  const double from = angleOf(start - centre);
+  const double to = angleOf(p - centre);
+  const double way = counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to);
+  const double s = way * radius;
+  if (s <= total)
+    return s;
+  return (p - start).norm() < (p - end).norm() ? 0 : total;
+}
+
+double
+PlanElement::areaUnder() const
+{
+  double area = cross(start, end) / 2;
+  if (isArc()) {
+    const double turn = sweep();
+    area += radius * radius * (turn - std::sin(turn)) / 2;
+  }
+  return area;
+}
+
+double
+PlanLoop::area() const
+{
+  double area = 0;
+  for (const auto& e : elements)
+    area += e.areaUnder();
+  return area;
+}
+
+double
+PlanLoop::length() const
+{
+  double length = 0;
+  for (const auto& e : elements)
+    length += e.length();
+  return length;
+}
+
+bool
+PlanLoop::contains(const Eigen::Vector2d& p) const
+{
+  // The chords give a winding number; a circular segment between arc and chord corrects it.
+  double turn = 0;
+  int correction = 0;
+  for (const auto& e : elements) {
+    turn += turnAround(e, p);
+    if (!e.isArc() || (p - e.centre).norm() >= e.radius)
+      continue;
+    const double side = cross(e.end - e.start, p - e.start);
+    const bool whole = std::abs(e.sweep()) >= two_pi - 1e-12;
+    if (whole || (e.counter_clockwise ? side < 0 : side > 0))
+      correction += e.counter_clockwise ? 1 : -1;
+  }
+  return std::lround(turn / two_pi) + correction != 0;
+}
+
+double
+PlanLoop::distance(const Eigen::Vector2d& p) const
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& e : elements)
+    nearest = std::min(nearest, e.distance(p));
+  return nearest;
+}
+
+std::size_t
+PlanLoop::nearest(const Eigen::Vector2d& p) const
+{
+  std::size_t best = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double d = elements[i].distance(p);
+    if (d < nearest) {
+      nearest = d;
+      best = i;
+    }
+  }
+  return best;
+}
+
+std::vector<Eigen::Vector2d>
+PlanLoop::polygon(double tolerance) const
+{
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& e : elements) {
+    std::size_t parts = 1;
+    if (e.isArc()) {
+      const double slack = std::min(1.0, std::max(tolerance, 1e-6) / e.radius);
+      const double step = 2 * std::acos(1 - slack);
+      parts = static_cast<std::size_t>(std::ceil(std::abs(e.sweep()) / step));
+      parts = std::max<std::size_t>(parts, 3);
+    }
+    for (std::size_t k = 0; k < parts; ++k)
+      corners.push_back(k == 0 ? e.start : e.pointAt(e.length() * k / parts));
+  }
+  return corners;
+}
+
+PlanLoop
+reversed(const PlanLoop& loop)
+{
+  PlanLoop result;
+  for (auto it = loop.elements.rbegin(); it != loop.elements.rend(); ++it) {
+    PlanElement e = *it;
+    std::swap(e.start, e.end);
+    e.counter_clockwise = !e.counter_clockwise;
+    result.elements.push_back(e);
+  }
+  return result;
+}
+
+bool
+PlanRoom::contains(const Eigen::Vector2d& p) const
+{
+  if (!boundary.contains(p))
+    return false;
+  return std::none_of(columns.begin(), columns.end(), [&](const PlanLoop& column) {
+    return column.contains(p);
+  });
+}
+
+int
+PlanRoom::detailAt(const Eigen::Vector2d& p) const
+{
+  for (std::size_t i = details.size(); i-- > 0;)
+    if (details[i].boundary.contains(p))
+      return static_cast<int>(i);
+  return -1;
+}
+
+double
+PlanRoom::ceilingAt(const Eigen::Vector2d& p) const
+{
+  const int detail = detailAt(p);
+  return (detail < 0 ? ceiling : details[static_cast<std::size_t>(detail)].slab).heightAt(p);
+}
+
+double
+PlanRoom::area() const
+{
+  double area = std::abs(boundary.area());
+  for (const auto& column : columns)
+    area -= std::abs(column.area());
+  return area;
+}
+
+} // namespace sedr
+} // namespace pcl
