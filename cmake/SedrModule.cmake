@@ -9,10 +9,11 @@ function(sedr_set_warnings target)
     -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${SEDR_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# sedr_add_module(filters SOURCES a.cpp b.cpp PUBLIC pcl_common ... PRIVATE ... PKGCONFIG pcl_common ...)
+# sedr_add_module(filters SOURCES a.cpp b.cpp PUBLIC pcl_common ... PRIVATE ...)
 # makes the library sedr_<name>, the target sedr::<name>, its install rules and its pkg-config file.
+# What a user of the installed library needs (PCL components, pkg-config modules) is what PUBLIC names.
 function(sedr_add_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PKGCONFIG" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target sedr_${name})
   list(TRANSFORM ARG_SOURCES PREPEND src/)
   add_library(${target} SHARED ${ARG_SOURCES})
@@ -31,8 +32,19 @@ function(sedr_add_module name)
   install(EXPORT sedr_${name}_targets FILE sedr_${name}Targets.cmake NAMESPACE sedr::
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/SEDR)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  string(REPLACE ";" ", " SEDR_PC_REQUIRES "${ARG_PKGCONFIG}")
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+  set(pcl_components ${ARG_PUBLIC})
+  list(FILTER pcl_components INCLUDE REGEX "^pcl_")
+  list(TRANSFORM pcl_components REPLACE "^pcl_" "")
+  set_property(GLOBAL PROPERTY SEDR_PCL_COMPONENTS_OF_${name} "${pcl_components}")
+
+  set(requires ${ARG_PUBLIC})
+  list(FILTER requires INCLUDE REGEX "^(pcl|sedr)_")
+  list(JOIN requires ", " SEDR_PC_REQUIRES)
   set(SEDR_PC_NAME ${target})
+  # The file says where it lies from where it is found, so that a moved installation works.
+  file(RELATIVE_PATH SEDR_PC_TO_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
   configure_file(${PROJECT_SOURCE_DIR}/cmake/sedr.pc.in ${target}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${target}.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -59,6 +71,9 @@ endfunction()
 
 function(sedr_install_package)
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/SEDR)
+  foreach(name IN ITEMS filters segmentation surface)
+    get_property(SEDR_PCL_COMPONENTS_OF_${name} GLOBAL PROPERTY SEDR_PCL_COMPONENTS_OF_${name})
+  endforeach()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SEDRConfig.cmake.in
     ${PROJECT_BINARY_DIR}/SEDRConfig.cmake INSTALL_DESTINATION ${destination})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/SEDRConfigVersion.cmake

@@ -202,21 +202,36 @@ reversed(const PlanLoop& loop)
   return result;
 }
 
+namespace {
+
+/** @brief Whether `p` is inside the outer loop and outside the others. */
+bool
+isBetween(const PlanLoop& outer, const std::vector<PlanLoop>& inner, const Eigen::Vector2d& p)
+{
+  return outer.contains(p) && std::none_of(inner.begin(), inner.end(), [&](const auto& loop) {
+           return loop.contains(p);
+         });
+}
+
+} // namespace
+
+bool
+PlanDetail::contains(const Eigen::Vector2d& p) const
+{
+  return isBetween(boundary, holes, p);
+}
+
 bool
 PlanRoom::contains(const Eigen::Vector2d& p) const
 {
-  if (!boundary.contains(p))
-    return false;
-  return std::none_of(columns.begin(), columns.end(), [&](const PlanLoop& column) {
-    return column.contains(p);
-  });
+  return isBetween(boundary, columns, p);
 }
 
 int
 PlanRoom::detailAt(const Eigen::Vector2d& p) const
 {
   for (std::size_t i = details.size(); i-- > 0;)
-    if (details[i].boundary.contains(p))
+    if (details[i].contains(p))
       return static_cast<int>(i);
   return -1;
 }

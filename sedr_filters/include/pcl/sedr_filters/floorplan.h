@@ -111,11 +111,12 @@ struct PlanSlab {
 /** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer. Where
  * details overlap, the later one of a room's list is what is there. */
 struct PlanDetail {
-  PlanLoop boundary; ///< counter-clockwise
+  PlanLoop boundary;           ///< counter-clockwise
+  std::vector<PlanLoop> holes; ///< clockwise: a soffit that runs around the room has one
   PlanSlab slab;
-  /** One for each element of the boundary: 0 where it lies on a wall, 1 where it is an edge with a
-   * riser. */
-  std::vector<std::uint8_t> riser;
+
+  bool
+  contains(const Eigen::Vector2d& p) const;
 };
 
 /** @brief A room: its walls and columns in plan, its floor and its ceiling. */

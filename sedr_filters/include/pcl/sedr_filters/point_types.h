@@ -44,14 +44,10 @@ toString(StructureLabel label)
 struct EIGEN_ALIGN16 _PointStructure {
   PCL_ADD_POINT4D
   PCL_ADD_NORMAL4D
-  union {
-    struct {
-      std::uint32_t label; ///< a pcl::sedr::StructureLabel
-      std::uint32_t room;  ///< 0 none, rooms count from 1
-      float curvature;
-    };
-    float data_c[4];
-  };
+  std::uint32_t label; ///< a pcl::sedr::StructureLabel
+  std::uint32_t room;  ///< 0 none, rooms count from 1
+  float curvature;
+  float padding;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
@@ -64,8 +60,7 @@ struct PointStructure : public _PointStructure {
     data[3] = 1.f;
     data_n[3] = 0.f;
     label = room = 0;
-    curvature = 0.f;
-    data_c[3] = 0.f;
+    curvature = padding = 0.f;
   }
 };
 

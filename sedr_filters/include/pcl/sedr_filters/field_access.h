@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PCLPointField.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Calls `f` with a value of the C++ type behind `datatype`, a constant of PCLPointField; not
+ * at all if it is none. */
+template <typename FunctionT>
+void
+withFieldType(std::uint8_t datatype, FunctionT f)
+{
+  switch (datatype) {
+  case pcl::PCLPointField::BOOL:
+    return f(bool{});
+  case pcl::PCLPointField::INT8:
+    return f(std::int8_t{});
+  case pcl::PCLPointField::UINT8:
+    return f(std::uint8_t{});
+  case pcl::PCLPointField::INT16:
+    return f(std::int16_t{});
+  case pcl::PCLPointField::UINT16:
+    return f(std::uint16_t{});
+  case pcl::PCLPointField::INT32:
+    return f(std::int32_t{});
+  case pcl::PCLPointField::UINT32:
+    return f(std::uint32_t{});
+  case pcl::PCLPointField::INT64:
+    return f(std::int64_t{});
+  case pcl::PCLPointField::UINT64:
+    return f(std::uint64_t{});
+  case pcl::PCLPointField::FLOAT32:
+    return f(float{});
+  case pcl::PCLPointField::FLOAT64:
+    return f(double{});
+  default:
+    return;
+  }
+}
+
+/** @brief The number at `where`, of type `datatype`; NaN for an unknown type. */
+inline double
+readField(const std::uint8_t* where, std::uint8_t datatype)
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  withFieldType(datatype, [&](auto typed) {
+    std::memcpy(&typed, where, sizeof typed);
+    value = static_cast<double>(typed);
+  });
+  return value;
+}
+
+/** @brief Writes `value` to `where` as a `datatype`: rounded to the nearest and kept within the
+ * range where that is an integer, NaN as 0. */
+inline void
+writeField(std::uint8_t* where, std::uint8_t datatype, double value)
+{
+  withFieldType(datatype, [&](auto typed) {
+    using T = decltype(typed);
+    constexpr auto low = std::numeric_limits<T>::lowest();
+    constexpr auto high = std::numeric_limits<T>::max();
+    if constexpr (!std::is_integral<T>::value)
+      typed = static_cast<T>(value);
+    else if (value >= static_cast<double>(high)) // itself perhaps above any T, once a double
+      typed = high;
+    else if (value <= static_cast<double>(low))
+      typed = low;
+    else
+      typed = std::isnan(value) ? T{0} : static_cast<T>(std::round(value));
+    std::memcpy(where, &typed, sizeof typed);
+  });
+}
+
+/** @brief Bytes of one value of type `datatype`, 0 for an unknown type. */
+inline std::size_t
+fieldSize(std::uint8_t datatype)
+{
+  std::size_t size = 0;
+  withFieldType(datatype, [&](auto typed) { size = sizeof typed; });
+  return size;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <string>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A floor plan as JSON: {"format": "sedr-floorplan", "version": 1, "unit": "m", "rooms":
+ * [...]}. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers, residual),
+ * boundary, columns and details. A loop is a list of elements: start and end, for arcs centre,
+ * radius and counter_clockwise, inliers and residual. Numbers are written so that they read back
+ * exactly. */
+std::string
+floorplanToJson(const Floorplan& plan);
+
+/** @brief Reads what floorplanToJson() wrote.
+ * @param[out] problem what is wrong, a sentence; empty if nothing is
+ * @return an empty plan if there is a problem */
+Floorplan
+floorplanFromJson(const std::string& text, std::string& problem);
+
+} // namespace sedr
+} // namespace pcl

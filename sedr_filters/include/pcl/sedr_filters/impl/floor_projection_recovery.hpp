@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/common/io.h>
+#include <pcl/impl/pcl_base.hpp>
+#include <pcl/sedr_filters/floor_projection_recovery.h>
+#include <pcl/sedr_filters/floor_recovery.h>
+#include <pcl/sedr_filters/point_types.h>
+
+#include <cmath>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Moves a point down or up onto `plane`, and makes it a point of a floor. */
+template <typename PointT>
+void
+projectOntoFloor(const Eigen::Vector4d& plane, PointT& p)
+{
+  p.z = static_cast<float>(-(plane[0] * p.x + plane[1] * p.y + plane[3]) / plane[2]);
+  if constexpr (pcl::traits::has_normal<PointT>::value) {
+    p.normal_x = static_cast<float>(plane[0]);
+    p.normal_y = static_cast<float>(plane[1]);
+    p.normal_z = static_cast<float>(plane[2]);
+  }
+  if constexpr (pcl::traits::has_label<PointT>::value)
+    p.label = static_cast<std::uint32_t>(StructureLabel::Floor);
+}
+
+} // namespace sedr
+
+template <typename PointT>
+void
+FloorProjectionRecovery<PointT>::filter(PointCloud& output)
+{
+  if (input_) {
+    Filter<PointT>::filter(output);
+    return;
+  }
+  clearResults();
+  fail("FloorProjectionRecovery", "no input cloud was set");
+  output.clear();
+}
+
+template <typename PointT>
+void
+FloorProjectionRecovery<PointT>::clearResults()
+{
+  clearError();
+  removed_indices_->clear();
+  source_indices_.clear();
+  number_of_projected_ = 0;
+}
+
+template <typename PointT>
+bool
+FloorProjectionRecovery<PointT>::validate()
+{
+  constexpr const char* name = "FloorProjectionRecovery";
+  if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
+    return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
+  std::string problem = sedr::indicesProblem(*indices_, input_->size());
+  if (!problem.empty())
+    return fail(name, "floor " + problem);
+  if (!ceiling_ || ceiling_->empty())
+    return fail(name,
+                "the ceiling has 0 points, there is nothing to complete the " +
+                    std::to_string(indices_->size()) + " points of the floor from");
+  problem = sedr::indicesProblem(*ceiling_, input_->size());
+  if (!problem.empty())
+    return fail(name, "ceiling " + problem);
+  if (detail_)
+    problem = sedr::indicesProblem(*detail_, input_->size());
+  return problem.empty() || fail(name, "detail " + problem);
+}
+
+template <typename PointT>
+bool
+FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
+                                           Eigen::Vector4d& plane)
+{
+  constexpr const char* name = "FloorProjectionRecovery";
+  if (!plane_) {
+    const double height = sedr::meanHeight(sedr::PointView(*input_), floor_in_scope);
+    plane = {0, 0, 1, -height};
+    return !floor_in_scope.empty() ||
+           fail(name,
+                "none of the " + std::to_string(indices_->size()) +
+                    " floor points lies under the " + std::to_string(ceiling_->size()) +
+                    " ceiling points, and no floor plane was set");
+  }
+  if (plane_->values.size() != 4)
+    return fail(name,
+                "a floor plane has 4 coefficients, " + std::to_string(plane_->values.size()) +
+                    " were set");
+  for (int k = 0; k < 4; ++k)
+    plane[k] = plane_->values[static_cast<std::size_t>(k)];
+  const double length = plane.head<3>().norm();
+  constexpr double steepest = 0.1; // cosine, about 84 degrees from level
+  if (!plane.allFinite() || !(length > 0) || std::abs(plane[2]) < steepest * length)
+    return fail(name,
+                "the floor plane must not stand upright, its normal is (" +
+                    std::to_string(plane[0]) + ", " + std::to_string(plane[1]) + ", " +
+                    std::to_string(plane[2]) + ")");
+  plane /= plane[2] < 0 ? -length : length;
+  return true;
+}
+
+template <typename PointT>
+bool
+FloorProjectionRecovery<PointT>::recover(sedr::FloorRecovery& recovery,
+                                         Eigen::Vector4d& plane)
+{
+  recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_),
+                                sedr::PointView(*input_),
+                                *indices_,
+                                *ceiling_,
+                                detail_ ? *detail_ : Indices());
+  return findPlane(recovery.kept, plane);
+}
+
+template <typename PointT>
+void
+FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
+{
+  clearResults();
+  output.clear();
+  output.height = 1;
+  output.is_dense = true;
+  sedr::FloorRecovery recovery;
+  Eigen::Vector4d plane;
+  if (!validate() || !recover(recovery, plane)) {
+    if (extract_removed_indices_)
+      *removed_indices_ = sedr::indicesInRange(*indices_, input_->size());
+    return;
+  }
+  source_indices_ = recovery.kept;
+  source_indices_.insert(
+      source_indices_.end(), recovery.sources.begin(), recovery.sources.end());
+  number_of_projected_ = recovery.sources.size();
+  output.reserve(source_indices_.size());
+  for (const auto i : source_indices_)
+    output.push_back((*input_)[i]);
+  for (std::size_t i = recovery.kept.size(); i < output.size(); ++i)
+    sedr::projectOntoFloor(plane, output[i]);
+  if (extract_removed_indices_)
+    *removed_indices_ = recovery.removed;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_FloorProjectionRecovery(T)                                           \
+  template class PCL_EXPORTS pcl::FloorProjectionRecovery<T>;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/refinement.h>
+#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+
+#include <cmath>
+#include <string>
+
+namespace pcl {
+
+template <typename PointT>
+bool
+VerticalHoleRepair<PointT>::validate(std::vector<std::uint32_t>& labels,
+                                     std::vector<std::uint32_t>& rooms)
+{
+  constexpr const char* name = "VerticalHoleRepair";
+  if (!plan_ || plan_->rooms.empty())
+    return fail(name, "no floor plan with rooms was set");
+  if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
+    return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
+  const std::string problem = sedr::indicesProblem(*indices_, input_->size());
+  if (!problem.empty())
+    return fail(name, problem);
+  labels = labels_.empty() ? sedr::labelsOf(*input_) : labels_;
+  rooms = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
+  if (labels.size() != input_->size() || rooms.size() != input_->size())
+    return fail(name,
+                "the cloud has " + std::to_string(input_->size()) + " points, but " +
+                    std::to_string(labels.size()) + " labels and " +
+                    std::to_string(rooms.size()) + " rooms are known");
+  return true;
+}
+
+template <typename PointT>
+void
+VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
+{
+  this->clearError();
+  removed_indices_->clear();
+  sources_.clear();
+  repaired_.clear();
+  surface_points_.clear();
+  output.clear();
+  output.height = 1;
+  output.is_dense = true;
+  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> rooms;
+  if (!validate(labels, rooms))
+    return;
+
+  // Points that were refined lie on the plan already: this finds their surface and its normal.
+  constexpr double on_surface = 0.01;
+  const sedr::Refinement refined = sedr::refineToPlan(
+      sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);
+  std::vector<bool> is_used(refined.sources.size(), false);
+  for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_)) {
+    const bool is_new = repaired.source < 0;
+    PointT p{};
+    if (is_new)
+      repaired_.push_back(static_cast<index_t>(output.size()));
+    else {
+      is_used[static_cast<std::size_t>(repaired.source)] = true;
+      p = (*input_)[refined.sources[static_cast<std::size_t>(repaired.source)]];
+    }
+    sedr::setSurfacePoint(repaired.point, p);
+    sources_.push_back(
+        is_new ? -1 : refined.sources[static_cast<std::size_t>(repaired.source)]);
+    surface_points_.push_back(repaired.point);
+    output.push_back(p);
+  }
+  if (!extract_removed_indices_)
+    return;
+  std::size_t next = 0;
+  for (const auto i : *indices_) {
+    const bool is_on_plan = next < refined.sources.size() && refined.sources[next] == i;
+    if (!is_on_plan || !is_used[next])
+      removed_indices_->push_back(i);
+    next += is_on_plan ? 1 : 0;
+  }
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_VerticalHoleRepair(T)                                            \
+  template class PCL_EXPORTS pcl::VerticalHoleRepair<T>;

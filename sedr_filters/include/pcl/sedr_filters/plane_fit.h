@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Least squares of a horizontal or leaning plane through `points[indices]`, in the
+ * distance along its normal. Fewer than three points, or points on one line, give the horizontal
+ * plane through their mean height. O(n). */
+PlanSlab
+fitSlab(const PointView& points, const std::vector<int>& indices);
+
+/** @brief As fitSlab(), but outliers are left out: starting from `start`, the points within
+ * `band` metres are fitted, and the band then shrinks to 2.5 robust standard deviations of what it
+ * holds, a few times over. */
+PlanSlab
+fitSlabRobustly(const PointView& points,
+                const std::vector<int>& indices,
+                const PlanSlab& start,
+                double band);
+
+/** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the horizontal, with
+ * inliers within `tolerance` metres, refined by fitSlabRobustly(). Deterministic for a `seed`. */
+PlanSlab
+findSlab(const PointView& points,
+         const std::vector<int>& indices,
+         double tolerance,
+         double maximum_tilt,
+         std::uint64_t seed);
+
+/** @brief Distance of a point from a slab, metres, positive above it. */
+inline double
+distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)
+{
+  return slab.plane.head<3>().dot(p.cast<double>()) + slab.plane[3];
+}
+
+/** @brief The horizontal plane at `height`. */
+inline PlanSlab
+horizontalSlab(double height)
+{
+  PlanSlab slab;
+  slab.plane = Eigen::Vector4d(0, 0, 1, -height);
+  return slab;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/plan_surfaces.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A cell of a room's surfaces, and the point that stands for it. */
+struct SurfaceCell {
+  SurfacePoint centre;
+  bool is_occupied = false; ///< whether a scanned point lies in it
+  std::size_t source = 0;   ///< that point, the one nearest to the centre
+  double distance = 0;      ///< of it from the centre, metres
+};
+
+/** @brief The surfaces of a room cut into cells of nearly one size: upright surfaces along their
+ * elements and up their heights, each into equal parts; floor and ceilings by a grid in plan. The
+ * cells cover the whole room without gaps, so the empty ones are its holes (paper, section 2.4). */
+class SurfaceCells {
+public:
+  /** @param room must stay where it is
+   * @param size edge of a cell, metres, > 0 */
+  SurfaceCells(const PlanRoom& room, double size);
+
+  /** @brief Says that point `source` of the scan, on the structure already, lies in its cell.
+   * @return false where the room has no such surface */
+  bool
+  occupy(const SurfacePoint& point, std::size_t source);
+
+  /** @brief All cells: walls, columns and risers, then floor, then ceiling. */
+  const std::vector<SurfaceCell>&
+  cells() const
+  {
+    return cells_;
+  }
+
+private:
+  /** @brief Cells of an upright surface: column after column along the element. */
+  struct Strip {
+    UprightSurface surface;
+    double length = 0;
+    std::vector<std::size_t> first; ///< of each column, and one past the last
+    std::vector<UprightSpan> spans; ///< of each column
+  };
+
+  void
+  addStrip(const UprightSurface& surface);
+
+  void
+  addSlabs();
+
+  /** @brief Index of a plan cell in the grid of floor and ceiling. */
+  bool
+  planIndex(const Eigen::Vector2d& place, std::size_t& index) const;
+
+  std::size_t
+  findUpright(const SurfacePoint& point) const;
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  const PlanRoom& room_;
+  double size_;
+  std::vector<Strip> strips_;
+  std::vector<SurfaceCell> cells_;
+  Eigen::Vector2d origin_;
+  std::size_t width_ = 0;
+  std::size_t height_ = 0;
+  std::vector<std::size_t> floor_;   ///< cell of each plan cell, or none
+  std::vector<std::size_t> ceiling_; ///< likewise
+};
+
+} // namespace sedr
+} // namespace pcl

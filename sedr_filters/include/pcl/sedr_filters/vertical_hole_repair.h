@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/plan_surfaces.h>
+#include <pcl/sedr_filters/stage_error.h>
+
+#include <pcl/filters/filter.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pcl {
+
+/** @brief Fills the holes of a refined structure (paper, section 2.4): per cell of a wall, the empty
+ * cells in z between floor and ceiling are filled, so that doors, windows and what furniture hid
+ * are closed; likewise the faces of columns, the risers of details, floor and ceilings. Frame: z
+ * up, metres.
+ *
+ * The input is what StructureRefinement gives: points on the surfaces of the plan. The output has
+ * one point for every cell of every surface: the scanned point nearest to the cell's middle, or a
+ * new one there, so that it covers the structure evenly and wholly. Normals, labels and rooms are
+ * set where the point type has them; other fields of new points are zero. Non-finite points and
+ * points on no surface are removed. O(n e + c) for n points, e elements and c cells.
+ * @code
+ * pcl::VerticalHoleRepair<pcl::PointStructure> repair;
+ * repair.setInputCloud(refined);
+ * repair.setFloorplan(plan);
+ * repair.filter(*whole);
+ * @endcode */
+template <typename PointT>
+class VerticalHoleRepair : public Filter<PointT>, public sedr::StageError {
+public:
+  using Ptr = shared_ptr<VerticalHoleRepair<PointT>>;
+  using ConstPtr = shared_ptr<const VerticalHoleRepair<PointT>>;
+  using PointCloud = typename Filter<PointT>::PointCloud;
+
+  /** @param extract_removed_indices whether getRemovedIndices() is filled: with the points that are
+   * in no cell, and those that share their cell with one nearer to its middle */
+  explicit VerticalHoleRepair(bool extract_removed_indices = false)
+  : Filter<PointT>(extract_removed_indices)
+  {
+    this->filter_name_ = "VerticalHoleRepair";
+  }
+
+  /** @brief The model that the points lie on. Needed. */
+  void
+  setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
+  {
+    plan_ = plan;
+  }
+  std::shared_ptr<const sedr::Floorplan>
+  getFloorplan() const
+  {
+    return plan_;
+  }
+
+  /** @brief sedr::StructureLabel of every point of the cloud; empty: from the point type. */
+  void
+  setLabels(std::vector<std::uint32_t> labels)
+  {
+    labels_ = std::move(labels);
+  }
+
+  /** @brief Room of every point of the cloud, 0 none; empty: from the point type. */
+  void
+  setRooms(std::vector<std::uint32_t> rooms)
+  {
+    rooms_ = std::move(rooms);
+  }
+
+  /** @brief Edge of a cell, metres, > 0. Default 0.05. */
+  void
+  setGridSize(double size)
+  {
+    grid_size_ = size;
+  }
+  double
+  getGridSize() const
+  {
+    return grid_size_;
+  }
+
+  /** @brief Source in the input cloud of every point of the output, -1 for one that fills a hole. */
+  const Indices&
+  getSourceIndices() const
+  {
+    return sources_;
+  }
+
+  /** @brief Indices in the output of the points that fill holes, increasing: what was not seen. */
+  const Indices&
+  getRepairedIndices() const
+  {
+    return repaired_;
+  }
+
+  /** @brief Position, normal, label and room of every point of the output, in double precision. */
+  const std::vector<sedr::SurfacePoint>&
+  getSurfacePoints() const
+  {
+    return surface_points_;
+  }
+
+protected:
+  void
+  applyFilter(PointCloud& output) override;
+
+private:
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::indices_;
+  using Filter<PointT>::removed_indices_;
+  using Filter<PointT>::extract_removed_indices_;
+
+  bool
+  validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
+
+  std::shared_ptr<const sedr::Floorplan> plan_;
+  std::vector<std::uint32_t> labels_;
+  std::vector<std::uint32_t> rooms_;
+  double grid_size_ = 0.05;
+  Indices sources_;
+  Indices repaired_;
+  std::vector<sedr::SurfacePoint> surface_points_;
+};
+
+} // namespace pcl

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "sedr-floorplan";
+constexpr int format_version = 1;
+
+Json
+toJson(const Eigen::Vector2d& p)
+{
+  return Json::array({p.x(), p.y()});
+}
+
+Eigen::Vector2d
+pointFrom(const Json& json)
+{
+  if (json.size() != 2)
+    throw std::invalid_argument("a point has 2 coordinates, not " +
+                                std::to_string(json.size()));
+  return {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+Json
+toJson(const PlanElement& e)
+{
+  Json json{{"type", e.isArc() ? "arc" : "segment"},
+            {"start", toJson(e.start)},
+            {"end", toJson(e.end)}};
+  if (e.isArc()) {
+    json["centre"] = toJson(e.centre);
+    json["radius"] = e.radius;
+    json["counter_clockwise"] = e.counter_clockwise;
+  }
+  json["inliers"] = e.inliers;
+  json["residual"] = e.residual;
+  return json;
+}
+
+PlanElement
+elementFrom(const Json& json)
+{
+  PlanElement e;
+  e.start = pointFrom(json.at("start"));
+  e.end = pointFrom(json.at("end"));
+  if (json.at("type") == "arc") {
+    e.centre = pointFrom(json.at("centre"));
+    e.radius = json.at("radius").get<double>();
+    e.counter_clockwise = json.at("counter_clockwise").get<bool>();
+    if (!(e.radius > 0) || !std::isfinite(e.radius))
+      throw std::invalid_argument("the radius of an arc must be above 0 m, it is " +
+                                  std::to_string(e.radius));
+  }
+  e.inliers = json.at("inliers").get<std::size_t>();
+  e.residual = json.at("residual").get<double>();
+  return e;
+}
+
+Json
+toJson(const PlanLoop& loop)
+{
+  Json json = Json::array();
+  for (const auto& e : loop.elements)
+    json.push_back(toJson(e));
+  return json;
+}
+
+PlanLoop
+loopFrom(const Json& json)
+{
+  PlanLoop loop;
+  for (const auto& e : json)
+    loop.elements.push_back(elementFrom(e));
+  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
+    const auto& next = loop.elements[(i + 1) % loop.elements.size()];
+    const double gap = (loop.elements[i].end - next.start).norm();
+    if (!(gap < 1e-6))
+      throw std::invalid_argument("a loop is open by " + std::to_string(gap) +
+                                  " m after element " + std::to_string(i));
+  }
+  if (loop.elements.empty())
+    throw std::invalid_argument("a loop has no elements");
+  return loop;
+}
+
+Json
+loopsToJson(const std::vector<PlanLoop>& loops)
+{
+  Json json = Json::array();
+  for (const auto& loop : loops)
+    json.push_back(toJson(loop));
+  return json;
+}
+
+std::vector<PlanLoop>
+loopsFrom(const Json& json)
+{
+  std::vector<PlanLoop> loops;
+  for (const auto& loop : json)
+    loops.push_back(loopFrom(loop));
+  return loops;
+}
+
+Json
+toJson(const PlanSlab& slab)
+{
+  return {{"plane", {slab.plane[0], slab.plane[1], slab.plane[2], slab.plane[3]}},
+          {"inliers", slab.inliers},
+          {"residual", slab.residual}};
+}
+
+PlanSlab
+slabFrom(const Json& json)
+{
+  PlanSlab slab;
+  for (std::size_t k = 0; k < 4; ++k)
+    slab.plane[static_cast<Eigen::Index>(k)] = json.at("plane").at(k).get<double>();
+  if (!slab.plane.allFinite() || !(slab.plane[2] > 0))
+    throw std::invalid_argument("the plane of a floor or ceiling must face up, its c is " +
+                                std::to_string(slab.plane[2]));
+  slab.inliers = json.at("inliers").get<std::size_t>();
+  slab.residual = json.at("residual").get<double>();
+  return slab;
+}
+
+Json
+toJson(const PlanRoom& room)
+{
+  Json details = Json::array();
+  for (const auto& detail : room.details)
+    details.push_back({{"slab", toJson(detail.slab)},
+                       {"boundary", toJson(detail.boundary)},
+                       {"holes", loopsToJson(detail.holes)}});
+  return {{"id", room.id},
+          {"area", room.area()},
+          {"perimeter", room.perimeter()},
+          {"floor", toJson(room.floor)},
+          {"ceiling", toJson(room.ceiling)},
+          {"boundary", toJson(room.boundary)},
+          {"columns", loopsToJson(room.columns)},
+          {"details", details}};
+}
+
+PlanRoom
+roomFrom(const Json& json)
+{
+  PlanRoom room;
+  room.id = json.at("id").get<std::uint32_t>();
+  room.floor = slabFrom(json.at("floor"));
+  room.ceiling = slabFrom(json.at("ceiling"));
+  room.boundary = loopFrom(json.at("boundary"));
+  room.columns = loopsFrom(json.at("columns"));
+  for (const auto& d : json.at("details")) {
+    PlanDetail detail;
+    detail.slab = slabFrom(d.at("slab"));
+    detail.boundary = loopFrom(d.at("boundary"));
+    detail.holes = loopsFrom(d.at("holes"));
+    room.details.push_back(std::move(detail));
+  }
+  return room;
+}
+
+} // namespace
+
+std::string
+floorplanToJson(const Floorplan& plan)
+{
+  Json rooms = Json::array();
+  for (const auto& room : plan.rooms)
+    rooms.push_back(toJson(room));
+  const Json json{{"format", format_name},
+                  {"version", format_version},
+                  {"unit", "m"},
+                  {"rooms", rooms}};
+  return json.dump(1) + "\n";
+}
+
+Floorplan
+floorplanFromJson(const std::string& text, std::string& problem)
+{
+  problem.clear();
+  Floorplan plan;
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != format_name)
+      throw std::invalid_argument("it is not a floor plan");
+    if (json.at("version") != format_version)
+      throw std::invalid_argument("it has version " + json.at("version").dump() +
+                                  ", version " + std::to_string(format_version) +
+                                  " can be read");
+    for (const auto& room : json.at("rooms"))
+      plan.rooms.push_back(roomFrom(room));
+  }
+  catch (const std::exception& error) {
+    problem = std::string("the floor plan cannot be read: ") + error.what();
+    plan.rooms.clear();
+  }
+  return plan;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The points of `indices` within `band` of the slab. */
+std::vector<int>
+withinBand(const PointView& points,
+           const std::vector<int>& indices,
+           const PlanSlab& slab,
+           double band)
+{
+  std::vector<int> inside;
+  for (const int i : indices)
+    if (std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <= band)
+      inside.push_back(i);
+  return inside;
+}
+
+/** @brief 1.4826 times the median distance: the standard deviation, outliers left aside. */
+double
+robustDeviation(const PointView& points,
+                const std::vector<int>& indices,
+                const PlanSlab& slab)
+{
+  std::vector<double> distances;
+  distances.reserve(indices.size());
+  for (const int i : indices)
+    distances.push_back(std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 1.4826 * *middle;
+}
+
+/** @brief The plane through three points, c > 0; false where it leans more than allowed. */
+bool
+planeThrough(const Eigen::Vector3d& a,
+             const Eigen::Vector3d& b,
+             const Eigen::Vector3d& c,
+             double minimum_cosine,
+             PlanSlab& slab)
+{
+  Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double length = normal.norm();
+  if (length < 1e-9)
+    return false;
+  normal *= (normal.z() < 0 ? -1 : 1) / length;
+  if (normal.z() < minimum_cosine)
+    return false;
+  slab.plane << normal, -normal.dot(a);
+  return true;
+}
+
+} // namespace
+
+PlanSlab
+fitSlab(const PointView& points, const std::vector<int>& indices)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int i : indices)
+    mean += points[static_cast<std::size_t>(i)].cast<double>();
+  if (!indices.empty())
+    mean /= static_cast<double>(indices.size());
+
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const int i : indices) {
+    const Eigen::Vector3d d = points[static_cast<std::size_t>(i)].cast<double>() - mean;
+    scatter.noalias() += d * d.transpose();
+  }
+  PlanSlab slab = horizontalSlab(mean.z());
+  slab.inliers = indices.size();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const bool is_flat = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
+  if (indices.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
+    const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
+    slab.plane << up, -up.dot(mean);
+  }
+  double sum = 0;
+  for (const int i : indices)
+    sum += std::pow(distanceAbove(slab, points[static_cast<std::size_t>(i)]), 2);
+  slab.residual = indices.empty() ? 0 : std::sqrt(sum / static_cast<double>(indices.size()));
+  return slab;
+}
+
+PlanSlab
+fitSlabRobustly(const PointView& points,
+                const std::vector<int>& indices,
+                const PlanSlab& start,
+                double band)
+{
+  PlanSlab slab = start;
+  const double widest = band;
+  for (int round = 0; round < 6; ++round) {
+    const std::vector<int> inside = withinBand(points, indices, slab, band);
+    if (inside.size() < 3)
+      break;
+    slab = fitSlab(points, inside);
+    band = std::clamp(2.5 * robustDeviation(points, inside, slab), 1e-4, widest);
+  }
+  return slab;
+}
+
+PlanSlab
+findSlab(const PointView& points,
+         const std::vector<int>& indices,
+         double tolerance,
+         double maximum_tilt,
+         std::uint64_t seed)
+{
+  constexpr int trials = 300;
+  constexpr std::size_t most_scored = 2000;
+
+  std::mt19937_64 random(seed);
+  const double minimum_cosine = std::cos(maximum_tilt);
+  std::vector<int> scored;
+  const std::size_t step = indices.size() / most_scored + 1;
+  for (std::size_t k = 0; k < indices.size(); k += step)
+    scored.push_back(indices[k]);
+
+  // What the search starts from: the horizontal plane at the middle height.
+  std::vector<float> heights;
+  for (const int i : scored)
+    heights.push_back(points[static_cast<std::size_t>(i)].z());
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  PlanSlab best = horizontalSlab(heights.empty() ? 0 : *middle);
+  std::size_t best_score = withinBand(points, scored, best, tolerance).size();
+
+  const auto draw = [&]() {
+    const std::size_t k = random() % indices.size();
+    return Eigen::Vector3d(
+        points[static_cast<std::size_t>(indices[k])].cast<double>());
+  };
+  for (int trial = 0; trial < trials && indices.size() >= 3; ++trial) {
+    PlanSlab slab;
+    const Eigen::Vector3d a = draw();
+    const Eigen::Vector3d b = draw();
+    if (!planeThrough(a, b, draw(), minimum_cosine, slab))
+      continue;
+    const std::size_t score = withinBand(points, scored, slab, tolerance).size();
+    if (score > best_score) {
+      best_score = score;
+      best = slab;
+    }
+  }
+  const PlanSlab refined = fitSlabRobustly(points, indices, best, tolerance);
+  return refined.plane[2] >= minimum_cosine ? refined : best;
+}
+
+} // namespace sedr
+} // namespace pcl

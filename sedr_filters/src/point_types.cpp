@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/point_types.h>
+
+#include <pcl/filters/impl/filter.hpp>
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/impl/pcl_base.hpp>
+
+// PCL holds its base classes compiled for its own point types only.
+template class PCL_EXPORTS pcl::PCLBase<pcl::PointStructure>;
+template class PCL_EXPORTS pcl::Filter<pcl::PointStructure>;
+template class PCL_EXPORTS pcl::FilterIndices<pcl::PointStructure>;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/refinement.h>
+
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/surface_cells.h>
+
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The rooms of a plan by id, with their upright surfaces. */
+std::map<std::uint32_t, std::vector<UprightSurface>>
+surfacesById(const Floorplan& plan)
+{
+  std::map<std::uint32_t, std::vector<UprightSurface>> surfaces;
+  for (const auto& room : plan.rooms)
+    surfaces[room.id] = uprightSurfaces(room);
+  return surfaces;
+}
+
+} // namespace
+
+Refinement
+refineToPlan(const PointView& points,
+             const std::vector<int>& indices,
+             const std::vector<std::uint32_t>& labels,
+             const std::vector<std::uint32_t>& rooms,
+             const Floorplan& plan,
+             double farthest,
+             unsigned threads)
+{
+  const auto surfaces = surfacesById(plan);
+  std::map<std::uint32_t, const PlanRoom*> room_of;
+  for (const auto& room : plan.rooms)
+    room_of[room.id] = &room;
+
+  std::vector<SurfacePoint> snapped(indices.size());
+  std::vector<std::uint8_t> is_structure(indices.size(), 0);
+  parallelBlocks(indices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<std::size_t>(indices[k]);
+      const auto room = room_of.find(rooms[i]);
+      if (room == room_of.end() || !points.isFinite(i))
+        continue;
+      is_structure[k] = snapToRoom(*room->second,
+                                   surfaces.at(rooms[i]),
+                                   points[i].cast<double>(),
+                                   static_cast<StructureLabel>(labels[i]),
+                                   farthest,
+                                   snapped[k])
+                            ? 1
+                            : 0;
+    }
+  });
+
+  Refinement result;
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (is_structure[k]) {
+      result.sources.push_back(indices[k]);
+      result.points.push_back(snapped[k]);
+    }
+  return result;
+}
+
+std::vector<RepairedPoint>
+repairHoles(const std::vector<SurfacePoint>& refined, const Floorplan& plan, double cell_size)
+{
+  std::map<std::uint32_t, std::vector<std::size_t>> points_of;
+  for (std::size_t i = 0; i < refined.size(); ++i)
+    points_of[refined[i].room].push_back(i);
+  std::vector<RepairedPoint> repaired;
+  for (const auto& room : plan.rooms) {
+    SurfaceCells cells(room, cell_size);
+    for (const std::size_t i : points_of[room.id])
+      cells.occupy(refined[i], i);
+    for (const auto& cell : cells.cells()) {
+      if (cell.is_occupied)
+        repaired.push_back({refined[cell.source], static_cast<int>(cell.source)});
+      else
+        repaired.push_back({cell.centre, -1});
+    }
+  }
+  return repaired;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/surface_cells.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Number of equal parts of about `size`, at least one. */
+std::size_t
+partsOf(double length, double size)
+{
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length / size)));
+}
+
+/** @brief A riser lower than this is no step but two fits of one height, metres. */
+constexpr double least_riser = 0.01;
+
+Eigen::Vector3d
+normalOf(const PlanSlab& slab, double sign)
+{
+  return sign * slab.plane.head<3>();
+}
+
+} // namespace
+
+SurfaceCells::SurfaceCells(const PlanRoom& room, double size) : room_(room), size_(size)
+{
+  for (const auto& surface : uprightSurfaces(room_))
+    addStrip(surface);
+  addSlabs();
+}
+
+void
+SurfaceCells::addStrip(const UprightSurface& surface)
+{
+  Strip strip{surface, surface.element->length(), {}, {}};
+  const std::size_t columns = partsOf(strip.length, size_);
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double s = strip.length * (static_cast<double>(c) + 0.5) / static_cast<double>(columns);
+    const UprightSpan span = surface.spanAt(s);
+    strip.first.push_back(cells_.size());
+    strip.spans.push_back(span);
+    if (!(span.high - span.low > least_riser))
+      continue;
+    const std::size_t rows = partsOf(span.high - span.low, size_);
+    const Eigen::Vector2d place = surface.element->pointAt(s);
+    for (std::size_t r = 0; r < rows; ++r) {
+      SurfaceCell cell;
+      cell.centre.position << place,
+          span.low + (span.high - span.low) * (static_cast<double>(r) + 0.5) /
+                         static_cast<double>(rows);
+      cell.centre.normal = surface.normalAt(s);
+      cell.centre.label = surface.label;
+      cell.centre.room = room_.id;
+      cells_.push_back(cell);
+    }
+  }
+  strip.first.push_back(cells_.size());
+  strips_.push_back(std::move(strip));
+}
+
+void
+SurfaceCells::addSlabs()
+{
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (const auto& corner : room_.boundary.polygon(size_ / 10)) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  if (!low.allFinite())
+    return;
+  origin_ = low;
+  width_ = static_cast<std::size_t>((high.x() - low.x()) / size_) + 1;
+  height_ = static_cast<std::size_t>((high.y() - low.y()) / size_) + 1;
+  floor_.assign(width_ * height_, none);
+  ceiling_.assign(width_ * height_, none);
+  for (const bool is_floor : {true, false})
+    for (std::size_t i = 0; i < floor_.size(); ++i) {
+      const Eigen::Vector2d place =
+          origin_ + size_ * Eigen::Vector2d(static_cast<double>(i % width_) + 0.5,
+                                            static_cast<double>(i / width_) + 0.5);
+      if (!room_.contains(place))
+        continue;
+      const int detail = is_floor ? -1 : room_.detailAt(place);
+      const PlanSlab& slab = is_floor ? room_.floor
+                             : detail < 0
+                                 ? room_.ceiling
+                                 : room_.details[static_cast<std::size_t>(detail)].slab;
+      SurfaceCell cell;
+      cell.centre.position << place, slab.heightAt(place);
+      cell.centre.normal = normalOf(slab, is_floor ? 1 : -1);
+      cell.centre.label = is_floor     ? StructureLabel::Floor
+                          : detail < 0 ? StructureLabel::Ceiling
+                                       : StructureLabel::Detail;
+      cell.centre.room = room_.id;
+      (is_floor ? floor_ : ceiling_)[i] = cells_.size();
+      cells_.push_back(cell);
+    }
+}
+
+bool
+SurfaceCells::planIndex(const Eigen::Vector2d& place, std::size_t& index) const
+{
+  const Eigen::Vector2d cell = ((place - origin_) / size_).array().floor();
+  if (cell.x() < 0 || cell.y() < 0 || cell.x() >= static_cast<double>(width_) ||
+      cell.y() >= static_cast<double>(height_))
+    return false;
+  index = static_cast<std::size_t>(cell.y()) * width_ + static_cast<std::size_t>(cell.x());
+  return true;
+}
+
+std::size_t
+SurfaceCells::findUpright(const SurfacePoint& point) const
+{
+  const Eigen::Vector2d place = point.position.head<2>();
+  std::size_t best = none;
+  double least = size_;
+  for (const auto& strip : strips_) {
+    if (strip.surface.label != point.label)
+      continue;
+    const double s = strip.surface.element->project(place);
+    const double d = (strip.surface.element->pointAt(s) - place).norm();
+    if (d >= least)
+      continue;
+    const std::size_t columns = strip.spans.size();
+    const auto c = std::min(
+        columns - 1, static_cast<std::size_t>(s / strip.length * static_cast<double>(columns)));
+    const std::size_t rows = strip.first[c + 1] - strip.first[c];
+    const UprightSpan& span = strip.spans[c];
+    const double t = (point.position.z() - span.low) / (span.high - span.low);
+    if (rows == 0 || !(t >= 0 && t <= 1))
+      continue;
+    least = d;
+    best = strip.first[c] +
+           std::min(rows - 1, static_cast<std::size_t>(t * static_cast<double>(rows)));
+  }
+  return best;
+}
+
+bool
+SurfaceCells::occupy(const SurfacePoint& point, std::size_t source)
+{
+  // Undersides and risers of details share a label: the normal tells them apart.
+  const bool is_slab = std::abs(point.normal.z()) > 0.5;
+  std::size_t index = none;
+  std::size_t plan = 0;
+  if (!is_slab)
+    index = findUpright(point);
+  else if (planIndex(point.position.head<2>(), plan))
+    index = (point.label == StructureLabel::Floor ? floor_ : ceiling_)[plan];
+  if (index == none)
+    return false;
+  SurfaceCell& cell = cells_[index];
+  const double distance = (point.position - cell.centre.position).norm();
+  if (cell.is_occupied && cell.distance <= distance)
+    return true;
+  cell.is_occupied = true;
+  cell.source = source;
+  cell.distance = distance;
+  return true;
+}
+
+} // namespace sedr
+} // namespace pcl

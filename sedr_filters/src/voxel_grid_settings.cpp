@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/console/print.h>
+#include <pcl/sedr_filters/voxel_grid_settings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::int64_t int_max = std::numeric_limits<int>::max();
+constexpr std::int64_t layout_limit = std::int64_t{1} << 27;
+
+/** @brief Voxels sort by z, then y, then x. */
+bool
+isBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
+{
+  return std::make_tuple(a.z(), a.y(), a.x()) < std::make_tuple(b.z(), b.y(), b.x());
+}
+
+} // namespace
+
+Eigen::Vector3i
+VoxelGridSettings::getNrDivisions() const
+{
+  Eigen::Vector3i divisions;
+  for (int axis = 0; axis < 3; ++axis)
+    divisions[axis] = static_cast<int>(
+        std::min(int_max, std::int64_t{max_box_[axis]} - min_box_[axis] + 1));
+  return divisions;
+}
+
+Eigen::Vector3i
+VoxelGridSettings::getDivisionMultiplier() const
+{
+  const Eigen::Vector3i divisions = getNrDivisions();
+  const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
+  return {1, divisions.x(), static_cast<int>(std::min(int_max, slice))};
+}
+
+int
+VoxelGridSettings::getCentroidIndexAt(const Eigen::Vector3i& ijk) const
+{
+  const auto it = std::lower_bound(layout_.begin(), layout_.end(), ijk, isBefore);
+  return it != layout_.end() && *it == ijk ? static_cast<int>(it - layout_.begin()) : -1;
+}
+
+std::vector<int>
+VoxelGridSettings::getLeafLayout() const
+{
+  if (layout_.empty())
+    return {};
+  const Eigen::Vector3i divisions = getNrDivisions();
+  const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
+  if (slice > layout_limit || slice * divisions.z() > layout_limit) {
+    PCL_ERROR("[pcl::ParallelVoxelGrid] the leaf layout would hold %d x %d x %d entries, more "
+              "than 2^27: use getCentroidIndexAt\n",
+              divisions.x(),
+              divisions.y(),
+              divisions.z());
+    return {};
+  }
+  std::vector<int> dense(static_cast<std::size_t>(slice * divisions.z()), -1);
+  for (std::size_t i = 0; i < layout_.size(); ++i) {
+    const Eigen::Vector3i from_min = layout_[i] - min_box_;
+    dense[static_cast<std::size_t>(from_min.x() + from_min.y() * divisions.x() +
+                                   from_min.z() * slice)] = static_cast<int>(i);
+  }
+  return dense;
+}
+
+std::string
+VoxelGridSettings::parameterProblem() const
+{
+  if ((leaf_size_.array() > 0).all() && leaf_size_.allFinite() && inverseLeaf().allFinite())
+    return {};
+  std::ostringstream problem;
+  problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x() << " x "
+          << leaf_size_.y() << " x " << leaf_size_.z() << " m";
+  return problem.str();
+}
+
+void
+VoxelGridSettings::clearLayout()
+{
+  min_box_.setZero();
+  max_box_.setZero();
+  layout_.clear();
+}
+
+void
+VoxelGridSettings::finishPartition(const PointView& points, VoxelPartition& partition)
+{
+  min_box_ = partition.min;
+  max_box_ = partition.max;
+  if (min_points_per_voxel_ > 1) {
+    VoxelPartition kept;
+    for (std::size_t v = 0; v < partition.size(); ++v) {
+      if (partition.pointsIn(v) < min_points_per_voxel_)
+        continue;
+      kept.begin.push_back(kept.order.size());
+      for (std::size_t i = partition.begin[v]; i < partition.begin[v + 1]; ++i)
+        kept.order.push_back(partition.order[i]);
+    }
+    kept.begin.push_back(kept.order.size());
+    partition.order.swap(kept.order);
+    partition.begin.swap(kept.begin);
+  }
+  layout_.clear();
+  if (!save_leaf_layout_)
+    return;
+  layout_.reserve(partition.size());
+  for (std::size_t v = 0; v < partition.size(); ++v)
+    layout_.push_back(
+        voxelOf(points[static_cast<std::size_t>(partition.order[partition.begin[v]])],
+                inverseLeaf()));
+}
+
+pcl::Indices
+VoxelGridSettings::removedIndices(const pcl::Indices& indices,
+                                  const VoxelPartition& partition,
+                                  std::size_t cloud_size)
+{
+  std::vector<bool> stayed(cloud_size, false);
+  for (const auto i : partition.order)
+    stayed[static_cast<std::size_t>(i)] = true;
+  pcl::Indices removed;
+  for (const auto i : indices)
+    if (!stayed[static_cast<std::size_t>(i)])
+      removed.push_back(i);
+  return removed;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A stretch of a grid column that is occupied without a gap, metres. */
+struct ColumnRun {
+  float low = 0;
+  float high = 0;
+};
+
+/** @brief The points of each grid column within a box of cells, sorted by height. Points that are
+ * not finite or outside of the box are left out. O(n log n). */
+class ColumnTable {
+public:
+  ColumnTable(const CellGrid& grid,
+              const CellBox& box,
+              const PointView& points,
+              const std::vector<int>& indices);
+
+  /** @brief One point of a column. */
+  struct Entry {
+    float z;
+    int index;
+  };
+
+  const Entry*
+  begin(Cell cell) const;
+  const Entry*
+  end(Cell cell) const;
+
+  /** @brief Whether a point of the column lies within [low, high]. */
+  bool
+  hasWithin(Cell cell, double low, double high) const;
+
+  /** @brief Share of the `bins` equal parts of [low, high] in which the column or one of its
+   * neighbours within `radius` cells holds a point. */
+  double
+  share(Cell cell, double low, double high, int bins, int radius) const;
+
+  /** @brief The stretches of the column that gaps of more than `gap` metres part, lowest first. */
+  std::vector<ColumnRun>
+  runs(Cell cell, double gap) const;
+
+  const CellBox&
+  box() const
+  {
+    return frame_.box();
+  }
+
+private:
+  CellMask frame_; ///< holds the box and numbers the cells
+  std::vector<std::size_t> first_;
+  std::vector<Entry> entries_;
+};
+
+} // namespace sedr
+} // namespace pcl

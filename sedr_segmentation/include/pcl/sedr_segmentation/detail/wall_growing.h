@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief How walls grow from their seeds (paper, section 2.3.2). */
+struct WallGrowingOptions {
+  double distance = 0.10; ///< in plan, seed to wall point, metres
+  /** From this height up the seeds above it count, below it the others; NaN: no
+   * division. */
+  double slice_height = std::numeric_limits<double>::quiet_NaN();
+  /** For the support; NaN: the median of the floor. */
+  double floor_height = std::numeric_limits<double>::quiet_NaN();
+  double minimum_support = 0; ///< of a rim, share 0 to 1; 0 asks for none
+  unsigned int threads = 0;   ///< 0 takes all processors
+
+  bool hasSlice() const { return !std::isnan(slice_height); }
+};
+
+/** @brief What is wrong with the options, a sentence; empty if nothing is. */
+std::string problemOf(const WallGrowingOptions& options);
+
+/** @brief The parts of a room: finite points, ascending, each in one part only. */
+struct WallParts {
+  pcl::Indices ceiling;
+  pcl::Indices floor;
+  pcl::Indices details;    ///< none without a slice
+  pcl::Indices candidates; ///< for walls: what no other part holds
+};
+
+/** @brief Sorts the indices a user gave into parts. Null pointers stand for no points.
+ */
+WallParts wallParts(const PointView& points,
+                    const pcl::Indices& candidates,
+                    const pcl::Indices* ceiling,
+                    const pcl::Indices* floor,
+                    const pcl::Indices* details,
+                    const WallGrowingOptions& options);
+
+/** @brief What a run with these options misses among the parts, a sentence; empty if
+ * nothing. */
+std::string problemOf(const WallParts& parts, const WallGrowingOptions& options);
+
+/** @brief The elements of two ascending lists, each once. */
+pcl::Indices unite(const pcl::Indices& a, const pcl::Indices& b);
+
+/** @brief Indices of finite points, ascending. */
+struct WallSeeds {
+  pcl::Indices above; ///< of the whole height where there is no slice
+  pcl::Indices below;
+};
+
+/** @brief The candidates that are near a seed in plan. O((n + s) log s) for n
+ * candidates and s seeds. */
+pcl::Indices growWalls(const PointView& points,
+                       const WallParts& parts,
+                       const WallSeeds& seeds,
+                       const WallGrowingOptions& options);
+
+/** @brief The grid of cells of `size` or, where coordinates are too large for 32-bit
+ * cells of that size, of the least size above it whose cells reach all finite points.
+ * O(n). */
+CellGrid gridOver(const PointView& points, double size);
+
+/** @brief The seeds of walls in plan, sorted into cells: says exactly whether a point
+ * lies near one. Memory O(seeds), whatever their extent. */
+class SeedPlan {
+public:
+  /** @param grid cells no smaller than `distance`, which reach all points
+   * @param seeds indices of finite points
+   * @param distance metres, > 0 */
+  SeedPlan(const PointView& points,
+           const CellGrid& grid,
+           const pcl::Indices& seeds,
+           double distance);
+
+  /** @brief Whether a seed lies within the distance of (x, y), itself included. O(log
+   * n). */
+  bool isNear(double x, double y) const;
+
+private:
+  bool isNearInRow(Cell first, const Eigen::Vector2d& point) const;
+
+  CellGrid grid_;
+  double square_distance_;
+  std::vector<CellKey> keys_; ///< of the seeds, ascending
+  std::vector<Eigen::Vector2d> seeds_;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+
+#include <cmath>
+#include <string>
+
+namespace pcl {
+
+template <typename PointT>
+bool
+FloorplanFitting<PointT>::checkPart(const char* name,
+                                    const IndicesConstPtr& indices,
+                                    bool is_needed)
+{
+  if (!indices || indices->empty())
+    return !is_needed ||
+           fail("FloorplanFitting", std::string("no ") + name + " points were set");
+  const std::string problem = sedr::indicesProblem(*indices, input_->size());
+  return problem.empty() || fail("FloorplanFitting", std::string(name) + " " + problem);
+}
+
+template <typename PointT>
+bool
+FloorplanFitting<PointT>::validate()
+{
+  constexpr const char* name = "FloorplanFitting";
+  const auto& p = parameters_;
+  const auto isPositive = [&](const char* what, double value) {
+    return (value > 0 && std::isfinite(value)) ||
+           fail(name,
+                std::string(what) + " must be above 0 m, it is " + std::to_string(value));
+  };
+  if (!isPositive("the distance threshold", p.loop.tolerance) ||
+      !isPositive("the grid size", p.cell_size) ||
+      !isPositive("the minimum length", p.loop.minimum_length) ||
+      !isPositive("the minimum radius", p.loop.minimum_radius))
+    return false;
+  if (!(p.loop.maximum_radius > p.loop.minimum_radius))
+    return fail(name,
+                "the maximum radius " + std::to_string(p.loop.maximum_radius) +
+                    " m must be above the minimum radius " +
+                    std::to_string(p.loop.minimum_radius) + " m");
+  const std::string problem = sedr::indicesProblem(*indices_, input_->size());
+  if (!problem.empty())
+    return fail(name, problem);
+  if (!rooms_.empty() && rooms_.size() != input_->size())
+    return fail(name,
+                "the cloud has " + std::to_string(input_->size()) + " points, but rooms of " +
+                    std::to_string(rooms_.size()) + " were set");
+  return checkPart("ceiling", ceiling_, true) && checkPart("floor", floor_, true) &&
+         checkPart("detail", details_, false) && checkPart("wall", walls_, false);
+}
+
+template <typename PointT>
+bool
+FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
+{
+  if (!validate())
+    return false;
+  sedr::PlanEvidence evidence;
+  evidence.all = *indices_;
+  evidence.ceiling = *ceiling_;
+  evidence.floor = *floor_;
+  if (details_)
+    evidence.details = *details_;
+  if (walls_)
+    evidence.walls = *walls_;
+  evidence.room = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
+  std::string problem;
+  plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem, warnings_);
+  return problem.empty() || fail("FloorplanFitting", problem);
+}
+
+template <typename PointT>
+bool
+FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
+{
+  plan.rooms.clear();
+  warnings_.clear();
+  this->clearError();
+  if (!this->initCompute())
+    return fail("FloorplanFitting", "no input cloud was set");
+  const bool is_done = run(plan);
+  this->deinitCompute();
+  return is_done;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_FloorplanFitting(T) template class PCL_EXPORTS pcl::FloorplanFitting<T>;

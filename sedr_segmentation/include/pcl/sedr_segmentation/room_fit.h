@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief How a room's plan is fitted; lengths in metres. */
+struct RoomFitParameters {
+  LoopParameters loop;
+  double cell_size = 0.05;
+  double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
+  double minimum_detail_area = 0.25; ///< square metres
+};
+
+/** @brief What a room's plan is fitted to: indices into the points. */
+struct RoomEvidence {
+  std::vector<int> around;  ///< all points of the room and near it
+  std::vector<int> ceiling; ///< of the main ceiling
+  std::vector<int> details; ///< of soffits, beams, recesses; may be empty
+  std::vector<int> floor;
+  std::vector<int> walls;
+};
+
+/** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust least squares,
+ * the loop of walls along the outline of ceiling and details, the loops of columns in it, and for
+ * every detail its plane and its loop.
+ * @param[out] problem why there is no room, a sentence; empty otherwise */
+PlanRoom
+fitRoom(const PointView& points,
+        const RoomEvidence& evidence,
+        const RoomFitParameters& parameters,
+        std::string& problem);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/detail/boundary_points.h>
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr float two_pi = 2 * static_cast<float>(M_PI);
+
+/** Neighbours asked for first: an inner point has directions all around among so few.
+ */
+constexpr unsigned int first_look = 32;
+
+/** @brief Looks at the nearest few points and, only where they leave a gap, at all.
+ * More neighbours never widen a gap, so the answer is that of all. */
+class BoundaryTest {
+public:
+  BoundaryTest(const PointView& points,
+               const NeighbourSearch& search,
+               const BoundaryOptions& options)
+      : points_(points)
+      , search_(search)
+      , options_(options)
+  {}
+
+  bool operator()(pcl::index_t index)
+  {
+    if (options_.neighbours > first_look && !hasGap(index, first_look))
+      return false;
+    return hasGap(index, options_.neighbours) && neighbours_.size() >= 3 &&
+           !directions_.empty();
+  }
+
+private:
+  bool hasGap(pcl::index_t index, unsigned int k)
+  {
+    search_(index, k, neighbours_);
+    return widestGap(points_, index, neighbours_, directions_) > options_.angle;
+  }
+
+  const PointView& points_;
+  const NeighbourSearch& search_;
+  const BoundaryOptions& options_;
+  pcl::Indices neighbours_;
+  std::vector<float> directions_;
+};
+
+} // namespace
+
+std::string
+problemOf(const BoundaryOptions& options)
+{
+  if (options.neighbours < 3)
+    return "the number of neighbors must be at least 3, it is " +
+           std::to_string(options.neighbours);
+  if (!(options.angle > 0 && options.angle < two_pi))
+    return "the angle threshold must be above 0 and below 2 pi radians, it is " +
+           std::to_string(options.angle);
+  return {};
+}
+
+pcl::Indices
+finiteIndices(const PointView& points, const pcl::Indices& indices)
+{
+  pcl::Indices finite;
+  finite.reserve(indices.size());
+  for (const auto i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      finite.push_back(i);
+  std::sort(finite.begin(), finite.end());
+  finite.erase(std::unique(finite.begin(), finite.end()), finite.end());
+  return finite;
+}
+
+float
+widestGap(const PointView& points,
+          pcl::index_t index,
+          const pcl::Indices& neighbours,
+          std::vector<float>& directions)
+{
+  const Eigen::Vector3f point = points[static_cast<std::size_t>(index)];
+  directions.clear();
+  for (const auto i : neighbours) {
+    const Eigen::Vector3f way = points[static_cast<std::size_t>(i)] - point;
+    if (way.x() != 0 || way.y() != 0)
+      directions.push_back(std::atan2(way.y(), way.x()));
+  }
+  if (directions.empty())
+    return two_pi;
+  std::sort(directions.begin(), directions.end());
+  float widest = two_pi - directions.back() + directions.front();
+  for (std::size_t i = 1; i < directions.size(); ++i)
+    widest = std::max(widest, directions[i] - directions[i - 1]);
+  return widest;
+}
+
+pcl::Indices
+boundaryPoints(const PointView& points,
+               const pcl::Indices& indices,
+               const NeighbourSearch& search,
+               const BoundaryOptions& options)
+{
+  std::vector<std::uint8_t> is_boundary(indices.size());
+  const auto testBlock = [&](std::size_t begin, std::size_t end) {
+    BoundaryTest test(points, search, options);
+    for (std::size_t i = begin; i < end; ++i)
+      is_boundary[i] = test(indices[i]);
+  };
+  parallelBlocks(indices.size(), 256, options.threads, testBlock);
+
+  pcl::Indices boundary;
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (is_boundary[i])
+      boundary.push_back(indices[i]);
+  return boundary;
+}
+
+pcl::Indices
+boundaryPoints(const PointView& points,
+               const pcl::Indices& indices,
+               Nearness nearness,
+               const BoundaryOptions& options)
+{
+  const pcl::Indices finite = finiteIndices(points, indices);
+  if (finite.empty())
+    return {};
+
+  // A cloud of these points only, so that one search tree serves every point type.
+  const auto slab = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  slab->reserve(finite.size());
+  for (const auto i : finite) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    slab->push_back({p.x(), p.y(), nearness == Nearness::Plan ? 0.f : p.z()});
+  }
+  pcl::search::KdTree<pcl::PointXYZ> tree(false);
+  tree.setInputCloud(slab);
+  const auto search = [&](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
+    thread_local std::vector<float> square_distances;
+    tree.nearestKSearch((*slab)[static_cast<std::size_t>(index)], static_cast<int>(k),
+                        nearest, square_distances);
+  };
+
+  pcl::Indices all(finite.size());
+  std::iota(all.begin(), all.end(), 0);
+  pcl::Indices boundary = boundaryPoints(PointView(*slab), all, search, options);
+  for (auto& i : boundary)
+    i = finite[static_cast<std::size_t>(i)];
+  return boundary;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/column_table.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+ColumnTable::ColumnTable(const CellGrid& grid,
+                         const CellBox& box,
+                         const PointView& points,
+                         const std::vector<int>& indices)
+: frame_(box)
+{
+  const auto cellIndex = [&](const Eigen::Vector3f& p, std::size_t& cell) {
+    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()) ||
+        !frame_.isInside(grid.at(p.x(), p.y())))
+      return false;
+    cell = frame_.indexOf(grid.at(p.x(), p.y()));
+    return true;
+  };
+  first_.assign(frame_.values().size() + 1, 0);
+  std::size_t cell = 0;
+  for (const int i : indices)
+    if (cellIndex(points[static_cast<std::size_t>(i)], cell))
+      ++first_[cell + 1];
+  for (std::size_t c = 1; c < first_.size(); ++c)
+    first_[c] += first_[c - 1];
+  entries_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end());
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cellIndex(p, cell))
+      entries_[next[cell]++] = {p.z(), i};
+  }
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c)
+    std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(first_[c]),
+              entries_.begin() + static_cast<std::ptrdiff_t>(first_[c + 1]),
+              [](const Entry& a, const Entry& b) {
+                return a.z != b.z ? a.z < b.z : a.index < b.index;
+              });
+}
+
+const ColumnTable::Entry*
+ColumnTable::begin(Cell cell) const
+{
+  return frame_.isInside(cell) ? entries_.data() + first_[frame_.indexOf(cell)]
+                               : entries_.data();
+}
+
+const ColumnTable::Entry*
+ColumnTable::end(Cell cell) const
+{
+  return frame_.isInside(cell) ? entries_.data() + first_[frame_.indexOf(cell) + 1]
+                               : entries_.data();
+}
+
+bool
+ColumnTable::hasWithin(Cell cell, double low, double high) const
+{
+  const Entry* it = std::lower_bound(begin(cell), end(cell), low, [](const Entry& e, double z) {
+    return e.z < z;
+  });
+  return it != end(cell) && it->z <= high;
+}
+
+double
+ColumnTable::share(Cell cell, double low, double high, int bins, int radius) const
+{
+  if (high <= low || bins <= 0)
+    return 0;
+  int occupied = 0;
+  for (int b = 0; b < bins; ++b) {
+    const double from = low + (high - low) * b / bins;
+    const double to = low + (high - low) * (b + 1) / bins;
+    bool is_occupied = false;
+    for (int dy = -radius; dy <= radius && !is_occupied; ++dy)
+      for (int dx = -radius; dx <= radius && !is_occupied; ++dx)
+        is_occupied = hasWithin({cell.x + dx, cell.y + dy}, from, to);
+    occupied += is_occupied ? 1 : 0;
+  }
+  return static_cast<double>(occupied) / bins;
+}
+
+std::vector<ColumnRun>
+ColumnTable::runs(Cell cell, double gap) const
+{
+  std::vector<ColumnRun> result;
+  for (const Entry* e = begin(cell); e != end(cell); ++e) {
+    if (result.empty() || e->z - result.back().high > gap)
+      result.push_back({e->z, e->z});
+    result.back().high = e->z;
+  }
+  return result;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/detail_fit.h>
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/column_table.h>
+#include <pcl/sedr_segmentation/horizontal_levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The height of every cell of a room: 0 the main ceiling, k the k-th underside, -1 none. */
+struct HeightMap {
+  CellMask room;
+  std::vector<std::int32_t> label;
+  std::vector<PlanSlab> undersides; ///< of labels 1, 2, ...
+};
+
+/** @brief The levels among the detail points. */
+std::vector<Level>
+undersideLevels(const PointView& points,
+                const RoomEvidence& evidence,
+                const RoomFitParameters& parameters)
+{
+  LevelParameters p;
+  p.tolerance = parameters.slab_tolerance;
+  p.cell_size = parameters.cell_size;
+  p.minimum_area = parameters.minimum_detail_area;
+  p.seed = parameters.loop.seed;
+  return findLevels(points, evidence.details, p);
+}
+
+/** @brief A step of less than this between two heights is unevenness, metres. */
+constexpr double least_step = 0.06;
+
+/** @brief Mean height of a slab over the main ceiling, above the cells of a mask. */
+double
+heightOverCeiling(const PlanRoom& room,
+                  const PlanSlab& slab,
+                  const CellMask& cells,
+                  const CellGrid& grid)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
+    sum += slab.heightAt(p) - room.ceiling.heightAt(p);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+/** @brief Labels the cells of the ceiling and of each connected underside. */
+HeightMap
+seenHeights(const PointView& points,
+            const RoomEvidence& evidence,
+            const PlanRoom& room_plan,
+            const CellMask& room,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const auto least = static_cast<std::size_t>(
+      parameters.minimum_detail_area / (grid.size() * grid.size()));
+  HeightMap map{room, std::vector<std::int32_t>(room.values().size(), -1), {}};
+  const CellMask ceiling =
+      intersect(CellMask(CellSet(grid, points, evidence.ceiling), room.box()), room);
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (ceiling.values()[i])
+      map.label[i] = 0;
+  for (const Level& level : undersideLevels(points, evidence, parameters)) {
+    CellMask cells = intersect(CellMask(level.cells, room.box()), room);
+    if (std::abs(heightOverCeiling(room_plan, level.slab, cells, grid)) < least_step)
+      continue;
+    cells = subtract(eroded(dilated(cells, 2), 2), ceiling);
+    cells = intersect(cells, dilated(eroded(cells, 1), 2));
+    const MaskRegions regions = labelRegions(cells, true);
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (regions.sizes[r] < least)
+        continue;
+      map.undersides.push_back(level.slab);
+      for (std::size_t i = 0; i < map.label.size(); ++i)
+        if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
+          map.label[i] = static_cast<std::int32_t>(map.undersides.size());
+    }
+  }
+  return map;
+}
+
+/** @brief Gives every other cell of the room the label that is nearest by steps. */
+void
+fillHeights(HeightMap& map)
+{
+  growLabels(map.room, std::numeric_limits<int>::max(), map.label);
+}
+
+/** @brief The curves of a loop, as known curves for what meets it. */
+void
+appendCurves(const PlanLoop& loop, std::vector<PlanCurve>& curves)
+{
+  for (const auto& e : loop.elements) {
+    PlanCurve curve = lineThrough(e.start, e.end);
+    if (e.isArc()) {
+      curve.point = e.centre;
+      curve.radius = e.radius;
+    }
+    if (e.length() > 0.1)
+      curves.push_back(curve);
+  }
+}
+
+/** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie on it. */
+void
+appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
+{
+  for (const auto& e : loop.elements)
+    for (double s = 0.005; s < e.length(); s += 0.01)
+      points.push_back(e.pointAt(s));
+}
+
+/** @brief Points in plan that show edges of details: those of risers, which lie on no underside. */
+std::vector<Eigen::Vector2d>
+riserPoints(const PointView& points,
+            const RoomEvidence& evidence,
+            const PlanRoom& room,
+            const HeightMap& map,
+            const RoomFitParameters& parameters)
+{
+  std::vector<Eigen::Vector2d> risers;
+  for (const int i : evidence.details) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const auto isOn = [&](const PlanSlab& slab) {
+      return std::abs(distanceAbove(slab, p)) < parameters.slab_tolerance;
+    };
+    if (!isOn(room.ceiling) &&
+        std::none_of(map.undersides.begin(), map.undersides.end(), isOn))
+      risers.push_back(p.head<2>().cast<double>());
+  }
+  return risers;
+}
+
+/** @brief Slab of a label. */
+const PlanSlab&
+slabOf(const HeightMap& map, const PlanRoom& room, std::int32_t label)
+{
+  return label == 0 ? room.ceiling : map.undersides[static_cast<std::size_t>(label - 1)];
+}
+
+/** @brief Whether something closes the step along most of the edge between an underside and what
+ * is beside it. A shelf below a soffit has no riser: it is furniture. */
+bool
+hasRisers(const HeightMap& map,
+          const PlanRoom& room,
+          const ColumnTable& columns,
+          const CellGrid& grid,
+          std::int32_t label)
+{
+  std::size_t edges = 0;
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i < map.label.size(); ++i) {
+    if (map.label[i] != label)
+      continue;
+    const Cell cell = map.room.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      const std::int32_t other =
+          map.room.at(to) ? map.label[map.room.indexOf(to)] : std::int32_t{-1};
+      if (other < 0 || other == label)
+        continue;
+      const Eigen::Vector2d p = grid.centre(cell);
+      const double a = slabOf(map, room, label).heightAt(p);
+      const double b = slabOf(map, room, other).heightAt(p);
+      ++edges;
+      if (std::abs(a - b) < 0.1 ||
+          columns.share(cell, std::min(a, b) + 0.02, std::max(a, b) - 0.02, 4, 2) >= 0.5)
+        ++closed;
+    }
+  }
+  return 2 * closed >= edges;
+}
+
+/** @brief Takes out the undersides without risers, one by one, and gives their cells to what is
+ * beside them. */
+void
+dropUnsupported(HeightMap& map,
+                const PlanRoom& room,
+                const ColumnTable& columns,
+                const CellGrid& grid)
+{
+  for (std::size_t k = map.undersides.size(); k >= 1; --k) {
+    const auto label = static_cast<std::int32_t>(k);
+    if (hasRisers(map, room, columns, grid, label))
+      continue;
+    for (auto& l : map.label)
+      l = l == label ? -1 : l;
+    fillHeights(map);
+  }
+}
+
+PlanDetail
+fitDetail(const HeightMap& map,
+          std::int32_t label,
+          const PlanPoints& risers,
+          const std::vector<PlanCurve>& walls,
+          const RoomFitParameters& parameters)
+{
+  CellMask cells(map.room.box());
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    cells.values()[i] = map.label[i] == label ? 1 : 0;
+  PlanDetail detail;
+  detail.slab = map.undersides[static_cast<std::size_t>(label - 1)];
+  double largest = 0;
+  const double least_hole = parameters.minimum_detail_area;
+  for (const auto& contour : traceContours(cells, parameters.cell_size)) {
+    const double area = signedArea(contour);
+    if (area > largest) {
+      largest = area;
+      detail.boundary = fitLoop(contour, risers, walls, parameters.loop);
+    }
+    else if (area < -least_hole)
+      detail.holes.push_back(fitLoop(contour, risers, walls, parameters.loop));
+  }
+  return detail;
+}
+
+} // namespace
+
+std::vector<PlanDetail>
+fitDetails(const PointView& points,
+           const RoomEvidence& evidence,
+           const PlanRoom& room,
+           const CellMask& cells,
+           const RoomFitParameters& parameters)
+{
+  HeightMap map = seenHeights(points, evidence, room, cells, parameters);
+  fillHeights(map);
+  const CellGrid grid(parameters.cell_size);
+  dropUnsupported(map, room, ColumnTable(grid, cells.box(), points, evidence.around), grid);
+  std::vector<Eigen::Vector2d> edges = riserPoints(points, evidence, room, map, parameters);
+  appendPoints(room.boundary, edges);
+  const PlanPoints risers(std::move(edges), 0.1);
+  std::vector<PlanCurve> walls;
+  appendCurves(room.boundary, walls);
+  for (const auto& column : room.columns)
+    appendCurves(column, walls);
+
+  std::vector<PlanDetail> details;
+  for (std::size_t k = 1; k <= map.undersides.size(); ++k) {
+    PlanDetail detail = fitDetail(map, static_cast<std::int32_t>(k), risers, walls, parameters);
+    if (!detail.boundary.elements.empty())
+      details.push_back(std::move(detail));
+  }
+  std::stable_sort(details.begin(), details.end(), [](const auto& a, const auto& b) {
+    return a.boundary.area() > b.boundary.area();
+  });
+  return details;
+}
+
+} // namespace sedr
+} // namespace pcl

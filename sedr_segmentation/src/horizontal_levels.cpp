@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/horizontal_levels.h>
+
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A point on its way to a level. */
+struct Candidate {
+  int index;
+  float z;
+  std::size_t cell;
+};
+
+/** @brief The points with their cells, sorted by cell and height. */
+std::vector<Candidate>
+sortIntoColumns(const PointView& points,
+                const std::vector<int>& indices,
+                const CellGrid& grid,
+                const CellSet& cells)
+{
+  std::vector<Candidate> columns;
+  columns.reserve(indices.size());
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (std::isfinite(p.z()) && grid.holds(p.x(), p.y()))
+      columns.push_back({i, p.z(), cells.find(grid.at(p.x(), p.y()))});
+  }
+  std::sort(columns.begin(), columns.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.cell != b.cell)
+      return a.cell < b.cell;
+    return a.z != b.z ? a.z < b.z : a.index < b.index;
+  });
+  return columns;
+}
+
+/** @brief Leaves out the points of vertical surfaces: those that see others of their column both
+ * above and below, between one and three tolerances away. */
+std::vector<Candidate>
+withoutWalls(const std::vector<Candidate>& columns, double tolerance)
+{
+  const auto hasWithin = [&](std::size_t i, double from, double to) {
+    const auto before = [](const Candidate& a, const Candidate& b) {
+      return a.cell != b.cell ? a.cell < b.cell : a.z < b.z;
+    };
+    const Candidate low{0, static_cast<float>(columns[i].z + from), columns[i].cell};
+    const auto it = std::lower_bound(columns.begin(), columns.end(), low, before);
+    return it != columns.end() && it->cell == columns[i].cell && it->z <= columns[i].z + to;
+  };
+  std::vector<Candidate> horizontal;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (!hasWithin(i, tolerance, 3 * tolerance) || !hasWithin(i, -3 * tolerance, -tolerance))
+      horizontal.push_back(columns[i]);
+  std::sort(horizontal.begin(),
+            horizontal.end(),
+            [](const Candidate& a, const Candidate& b) {
+              return a.z != b.z ? a.z < b.z : a.index < b.index;
+            });
+  return horizontal;
+}
+
+/** @brief A stretch [first, last) of candidates sorted by height, and its number of cells. */
+struct Window {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t cells = 0;
+};
+
+/** @brief The window of the given height that holds points in most cells. O(n). */
+Window
+densestWindow(const std::vector<Candidate>& sorted, double height, std::size_t cell_count)
+{
+  Window best;
+  std::vector<std::uint32_t> points_in_cell(cell_count, 0);
+  std::size_t occupied = 0;
+  std::size_t first = 0;
+  for (std::size_t last = 0; last < sorted.size(); ++last) {
+    if (points_in_cell[sorted[last].cell]++ == 0)
+      ++occupied;
+    for (; sorted[last].z - sorted[first].z > height; ++first)
+      if (--points_in_cell[sorted[first].cell] == 0)
+        --occupied;
+    if (occupied > best.cells)
+      best = {first, last + 1, occupied};
+  }
+  return best;
+}
+
+CellSet
+cellsOf(const std::vector<Candidate>& candidates,
+        const std::vector<std::size_t>& chosen,
+        const CellSet& cells)
+{
+  std::vector<CellKey> keys;
+  for (const std::size_t k : chosen)
+    keys.push_back(cells.keys()[candidates[k].cell]);
+  return CellSet(std::move(keys));
+}
+
+/** @brief Positions of the candidates within `band` of the slab. */
+std::vector<std::size_t>
+nearSlab(const PointView& points,
+         const std::vector<Candidate>& candidates,
+         const PlanSlab& slab,
+         double band)
+{
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const auto p = points[static_cast<std::size_t>(candidates[k].index)];
+    if (std::abs(distanceAbove(slab, p)) <= band)
+      near.push_back(k);
+  }
+  return near;
+}
+
+/** @brief Whether the candidates are denser at the slab than around it: within half a tolerance
+ * more of them than in the two shells, twice as thick together, one to two tolerances away. Clutter
+ * is as dense everywhere. */
+bool
+standsOut(const PointView& points,
+          const std::vector<Candidate>& candidates,
+          const PlanSlab& slab,
+          double tolerance)
+{
+  std::size_t at_slab = 0;
+  std::size_t around = 0;
+  for (const auto& c : candidates) {
+    const double d =
+        std::abs(distanceAbove(slab, points[static_cast<std::size_t>(c.index)]));
+    at_slab += d <= tolerance / 2 ? 1 : 0;
+    around += d > tolerance && d <= 2 * tolerance ? 1 : 0;
+  }
+  return at_slab > around;
+}
+
+/** @brief Takes `positions`, increasing, out of the candidates. */
+void
+erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positions)
+{
+  std::size_t next = 0;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (next < positions.size() && positions[next] == k)
+      ++next;
+    else
+      candidates[kept++] = candidates[k];
+  }
+  candidates.resize(kept);
+}
+
+/** @brief The plane of the candidates of a window; those just outside count, as it may lean. */
+PlanSlab
+slabOfWindow(const PointView& points,
+             const std::vector<Candidate>& candidates,
+             const Window& window,
+             const LevelParameters& parameters,
+             std::uint64_t seed)
+{
+  const double low = candidates[window.first].z - 2 * parameters.tolerance;
+  const double high = candidates[window.last - 1].z + 2 * parameters.tolerance;
+  std::vector<int> around;
+  for (const auto& c : candidates)
+    if (c.z >= low && c.z <= high)
+      around.push_back(c.index);
+  return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
+}
+
+/** @brief Square cells of the classification, coarse enough to bridge what furniture hides. */
+constexpr double coarse_cell = 0.2;
+
+CellSet
+coarsened(const CellSet& cells, double cell_size)
+{
+  const CellGrid fine(cell_size);
+  const CellGrid coarse(std::max(coarse_cell, cell_size));
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Eigen::Vector2d c = fine.centre(cells[i]);
+    keys.push_back(keyOf(coarse.at(c.x(), c.y())));
+  }
+  return CellSet(std::move(keys));
+}
+
+/** @brief Height of a level above the middle of a coarse cell. */
+double
+heightAt(const Level& level, Cell cell, double cell_size)
+{
+  return level.slab.heightAt(CellGrid(std::max(coarse_cell, cell_size)).centre(cell));
+}
+
+/** @brief Share of the cells of `region` that level `f` covers at least a room's height below
+ * `ceiling`. */
+double
+shareBelow(const std::vector<Level>& levels,
+           const CellSet& region,
+           std::size_t ceiling,
+           const CellSet& coarse_f,
+           std::size_t f,
+           const LevelParameters& parameters)
+{
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Cell cell = region[i];
+    const double gap = heightAt(levels[ceiling], cell, parameters.cell_size) -
+                       heightAt(levels[f], cell, parameters.cell_size);
+    if (gap >= parameters.minimum_room_height && coarse_f.contains(cell))
+      ++covered;
+  }
+  return region.empty() ? 0 : static_cast<double>(covered) / static_cast<double>(region.size());
+}
+
+/** @brief Share of a level's cells above which there is no other level. */
+double
+shareOnTop(const std::vector<Level>& levels,
+           const std::vector<CellSet>& coarse,
+           std::size_t of,
+           const LevelParameters& parameters)
+{
+  std::size_t topmost = 0;
+  for (std::size_t i = 0; i < coarse[of].size(); ++i) {
+    const Cell cell = coarse[of][i];
+    const double height = heightAt(levels[of], cell, parameters.cell_size);
+    bool is_top = true;
+    for (std::size_t other = 0; other < levels.size() && is_top; ++other)
+      is_top = other == of || !coarse[other].contains(cell) ||
+               heightAt(levels[other], cell, parameters.cell_size) <=
+                   height + 2 * parameters.tolerance;
+    topmost += is_top ? 1 : 0;
+  }
+  return static_cast<double>(topmost) / static_cast<double>(coarse[of].size());
+}
+
+/** @brief A connected part of all ceilings together: roughly a room, steps and soffits included. */
+struct CeilingRegion {
+  CellSet coarse;
+  std::size_t main_level = 0; ///< the one with most cells
+};
+
+std::vector<CeilingRegion>
+ceilingRegions(const std::vector<Level>& levels, const LevelParameters& parameters)
+{
+  CellSet all;
+  for (const auto& level : levels)
+    if (level.kind == LevelKind::Ceiling)
+      all = unite(all, level.cells);
+  const CellRegions regions = labelRegions(all);
+  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    keys[regions.label[i]].push_back(all.keys()[i]);
+
+  const double cell_area = parameters.cell_size * parameters.cell_size;
+  std::vector<CeilingRegion> result;
+  for (auto& k : keys) {
+    if (static_cast<double>(k.size()) * cell_area < parameters.minimum_area)
+      continue;
+    const CellSet cells(std::move(k));
+    CeilingRegion region;
+    region.coarse = coarsened(cells, parameters.cell_size);
+    std::size_t most = 0;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const std::size_t shared =
+          levels[l].kind == LevelKind::Ceiling ? intersect(levels[l].cells, cells).size() : 0;
+      if (shared <= most)
+        continue;
+      most = shared;
+      region.main_level = l;
+    }
+    result.push_back(std::move(region));
+  }
+  return result;
+}
+
+/** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of the region,
+ * and any other that has a third of it. */
+void
+markFloorsBelow(std::vector<Level>& levels,
+                const std::vector<CellSet>& coarse,
+                const CeilingRegion& region,
+                const LevelParameters& parameters)
+{
+  bool has_floor = false;
+  for (std::size_t f = 0; f < levels.size(); ++f) {
+    if (levels[f].kind == LevelKind::Ceiling)
+      continue;
+    const double share =
+        shareBelow(levels, region.coarse, region.main_level, coarse[f], f, parameters);
+    if (share < (has_floor ? 1.0 / 3 : 0.1))
+      continue;
+    levels[f].kind = LevelKind::Floor;
+    has_floor = true;
+  }
+}
+
+/** @brief The level nearest to each point, if within the tolerance; else the number of levels. */
+std::vector<std::size_t>
+nearestLevels(const std::vector<Level>& levels,
+              const std::vector<Candidate>& columns,
+              const PointView& points,
+              double tolerance)
+{
+  std::vector<std::size_t> nearest(columns.size(), levels.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    double least = tolerance;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const double d = std::abs(distanceAbove(
+          levels[l].slab, points[static_cast<std::size_t>(columns[k].index)]));
+      if (d > least || (d == least && nearest[k] != levels.size()))
+        continue;
+      least = d;
+      nearest[k] = l;
+    }
+  }
+  return nearest;
+}
+
+/** @brief Marks the columns of walls: those with points just below a ceiling, or just above a floor,
+ * where a room has none. */
+std::vector<std::uint8_t>
+columnsThatGoOn(const std::vector<Candidate>& columns,
+                std::size_t cell_count,
+                const PointView& points,
+                const Level& level,
+                double tolerance)
+{
+  std::vector<std::uint8_t> goes_on(cell_count, 0);
+  if (level.kind == LevelKind::Other)
+    return goes_on;
+  const double into_room = level.kind == LevelKind::Ceiling ? -1 : 1;
+  for (const auto& c : columns) {
+    const double d =
+        into_room * distanceAbove(level.slab, points[static_cast<std::size_t>(c.index)]);
+    if (d > 1.5 * tolerance && d < 4 * tolerance)
+      goes_on[c.cell] = 1;
+  }
+  return goes_on;
+}
+
+/** @brief The cells of a set that lie in a block of five by five with more cells of the set than a
+ * strip two cells wide has: an uneven part of a ceiling does, the last centimetres of a wall below
+ * it do not. */
+CellSet
+withoutFringes(const CellSet& cells)
+{
+  std::vector<CellKey> kept;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::vector<CellKey> block;
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        const Cell cell{cells[i].x + dx, cells[i].y + dy};
+        if (cells.contains(cell))
+          block.push_back(keyOf(cell));
+      }
+    if (block.size() > 10)
+      kept.insert(kept.end(), block.begin(), block.end());
+  }
+  return CellSet(std::move(kept));
+}
+
+} // namespace
+
+std::vector<Level>
+findLevels(const PointView& points,
+           const std::vector<int>& indices,
+           const LevelParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const CellSet cells(grid, points, indices);
+  std::vector<Candidate> candidates = withoutWalls(
+      sortIntoColumns(points, indices, grid, cells), parameters.tolerance);
+  const auto minimum_cells = static_cast<std::size_t>(
+      std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9));
+
+  std::vector<Level> levels;
+  while (true) {
+    const Window window =
+        densestWindow(candidates, 2 * parameters.tolerance, cells.size());
+    if (window.cells < std::max<std::size_t>(minimum_cells, 1))
+      break;
+    Level level;
+    level.slab = slabOfWindow(
+        points, candidates, window, parameters, parameters.seed + levels.size());
+    std::vector<std::size_t> own =
+        nearSlab(points, candidates, level.slab, parameters.tolerance);
+    level.cells = cellsOf(candidates, own, cells);
+    if (level.cells.size() >= minimum_cells &&
+        standsOut(points, candidates, level.slab, parameters.tolerance))
+      levels.push_back(std::move(level));
+    else { // no plane there after all: the window's points are clutter
+      own.resize(window.last - window.first);
+      std::iota(own.begin(), own.end(), window.first);
+    }
+    erase(candidates, own);
+  }
+
+  std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
+    return a.slab.plane[3] / a.slab.plane[2] > b.slab.plane[3] / b.slab.plane[2];
+  });
+  return levels;
+}
+
+void
+collectInliers(std::vector<Level>& levels,
+               const PointView& points,
+               const std::vector<int>& indices,
+               const LevelParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const CellSet cells(grid, points, indices);
+  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
+  const std::vector<std::size_t> nearest =
+      nearestLevels(levels, columns, points, parameters.tolerance);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    Level& level = levels[l];
+    level.inliers.clear();
+    const std::vector<std::uint8_t> goes_on =
+        columnsThatGoOn(columns, cells.size(), points, level, parameters.tolerance);
+    // Cells with points on the plane itself, and cells with points near it only.
+    const double on_plane = std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);
+    std::vector<CellKey> on;
+    std::vector<CellKey> near;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (nearest[k] != l || goes_on[columns[k].cell])
+        continue;
+      const auto p = points[static_cast<std::size_t>(columns[k].index)];
+      (std::abs(distanceAbove(level.slab, p)) <= on_plane ? on : near)
+          .push_back(cells.keys()[columns[k].cell]);
+    }
+    const CellSet core(std::move(on));
+    level.cells = unite(core, withoutFringes(subtract(CellSet(std::move(near)), core)));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (nearest[k] == l && level.cells.contains(cells[columns[k].cell]))
+        level.inliers.push_back(columns[k].index);
+    std::sort(level.inliers.begin(), level.inliers.end());
+  }
+}
+
+void
+classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
+{
+  std::vector<CellSet> coarse;
+  for (auto& level : levels) {
+    coarse.push_back(coarsened(level.cells, parameters.cell_size));
+    level.kind = LevelKind::Other;
+  }
+  for (std::size_t c = 0; c < levels.size(); ++c) {
+    if (shareOnTop(levels, coarse, c, parameters) < 0.5)
+      continue;
+    double below = 0;
+    for (std::size_t f = 0; f < levels.size(); ++f)
+      below = std::max(below, shareBelow(levels, coarse[c], c, coarse[f], f, parameters));
+    if (below >= 0.1)
+      levels[c].kind = LevelKind::Ceiling;
+  }
+  for (const CeilingRegion& region : ceilingRegions(levels, parameters))
+    markFloorsBelow(levels, coarse, region, parameters);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Cosine of the largest angle between a contour and the curve it follows. */
+const double least_cosine = std::cos(35.0 * M_PI / 180.0);
+
+/** @brief How well a sample agrees with a curve: from its weight down to 0 at the tolerance. */
+double
+agreement(const ContourSample& sample, const PlanCurve& curve, double tolerance)
+{
+  const double d = curve.distance(sample.position) / tolerance;
+  if (d >= 1 ||
+      std::abs(curve.tangentAt(sample.position).dot(sample.tangent)) < least_cosine)
+    return 0;
+  return sample.weight() * (1 - d * d);
+}
+
+double
+score(const std::vector<ContourSample>& samples,
+      const std::vector<std::size_t>& open,
+      const PlanCurve& curve,
+      double tolerance)
+{
+  double sum = 0;
+  for (const std::size_t i : open)
+    sum += agreement(samples[i], curve, tolerance);
+  return sum;
+}
+
+/** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on one wall. */
+class CurveSearch {
+public:
+  CurveSearch(const std::vector<ContourSample>& samples, const LoopParameters& parameters)
+  : samples_(samples), parameters_(parameters), random_(parameters.seed)
+  {}
+
+  /** @brief The best line through open samples, refined. */
+  PlanCurve
+  bestLine(const std::vector<std::size_t>& open, double& best_score)
+  {
+    PlanCurve best;
+    for (int trial = 0; trial < trials; ++trial) {
+      const std::size_t i = open[random_() % open.size()];
+      const std::size_t j = (i + 3 + random_() % 60) % samples_.size();
+      keepBetter(lineThrough(samples_[i].position, samples_[j].position),
+                 open,
+                 best,
+                 best_score);
+    }
+    return refined(best, open, best_score);
+  }
+
+  /** @brief The best circle within the limits of radius, refined; radius 0 where there is none. */
+  PlanCurve
+  bestCircle(const std::vector<std::size_t>& open, double& best_score)
+  {
+    PlanCurve best;
+    for (int trial = 0; trial < 2 * trials; ++trial) {
+      const std::size_t i = open[random_() % open.size()];
+      const std::size_t step = 3 + random_() % 40;
+      const PlanCurve circle =
+          circleThrough(samples_[i].position,
+                        samples_[(i + step) % samples_.size()].position,
+                        samples_[(i + 2 * step) % samples_.size()].position);
+      if (circle.radius >= parameters_.minimum_radius &&
+          circle.radius <= parameters_.maximum_radius)
+        keepBetter(circle, open, best, best_score);
+    }
+    return best.isCircle() ? refined(best, open, best_score) : best;
+  }
+
+private:
+  static constexpr int trials = 400;
+
+  void
+  keepBetter(const PlanCurve& curve,
+             const std::vector<std::size_t>& open,
+             PlanCurve& best,
+             double& best_score) const
+  {
+    const double s = score(samples_, open, curve, parameters_.tolerance);
+    if (s > best_score) {
+      best_score = s;
+      best = curve;
+    }
+  }
+
+  PlanCurve
+  refined(PlanCurve curve, const std::vector<std::size_t>& open, double& best_score) const
+  {
+    std::vector<WeightedPoint> inliers;
+    for (const std::size_t i : open)
+      if (agreement(samples_[i], curve, parameters_.tolerance) > 0)
+        inliers.push_back({samples_[i].position, samples_[i].weight()});
+    if (inliers.size() < 4)
+      return curve;
+    const PlanCurve fitted = fitRobustly(inliers,
+                                         curve,
+                                         parameters_.tolerance,
+                                         parameters_.minimum_radius,
+                                         parameters_.maximum_radius);
+    const double s = score(samples_, open, fitted, parameters_.tolerance);
+    if (s <= best_score)
+      return curve;
+    best_score = s;
+    return fitted;
+  }
+
+  const std::vector<ContourSample>& samples_;
+  const LoopParameters& parameters_;
+  std::mt19937_64 random_;
+};
+
+void
+eraseExplained(const std::vector<ContourSample>& samples,
+               const PlanCurve& curve,
+               double tolerance,
+               std::vector<std::size_t>& open)
+{
+  open.erase(std::remove_if(open.begin(),
+                            open.end(),
+                            [&](std::size_t i) {
+                              return agreement(samples[i], curve, tolerance) > 0;
+                            }),
+             open.end());
+}
+
+/** @brief The increasing `all` without the increasing `some`. */
+std::vector<std::size_t>
+difference(const std::vector<std::size_t>& all, const std::vector<std::size_t>& some)
+{
+  std::vector<std::size_t> rest;
+  std::set_difference(
+      all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/** @brief Adds up to six lines through the open samples, best first. */
+void
+proposeLines(CurveSearch& search,
+             const std::vector<ContourSample>& samples,
+             std::vector<std::size_t> open,
+             const LoopParameters& parameters,
+             double least_score,
+             std::vector<PlanCurve>& curves)
+{
+  for (int k = 0; k < 6 && open.size() >= 3; ++k) {
+    double line_score = 0;
+    const PlanCurve line = search.bestLine(open, line_score);
+    if (line_score < least_score)
+      break;
+    curves.push_back(line);
+    eraseExplained(samples, line, parameters.tolerance, open);
+  }
+}
+
+/** @brief The most that a sample may cost, in units of (half a tolerance) squared. */
+constexpr double most_cost = 9;
+
+/** @brief What a sample that no points support costs on a curve. The wall may be hidden behind
+ * furniture, so that it runs outside of the contour, or an opening may have led the contour astray,
+ * so that it runs inside: both are cheap over some tenths of a metre, beyond which it is costly. */
+double
+costUnsupported(const ContourSample& sample, const PlanCurve& curve)
+{
+  constexpr double farthest_outside = 0.6;
+  constexpr double farthest_inside = 0.3;
+  const Eigen::Vector2d inwards(-sample.tangent.y(), sample.tangent.x());
+  const double inside = (curve.project(sample.position) - sample.position).dot(inwards);
+  const double d = curve.distance(sample.position);
+  const double excess = inside < 0 ? d / farthest_outside : d / farthest_inside;
+  const double cheap = (inside < 0 ? 0.05 : 0.2) + 0.45 * excess;
+  return excess <= 1 ? cheap : sample.weight() * most_cost;
+}
+
+/** @brief What a sample costs on a curve. */
+double
+costOf(const ContourSample& sample, const PlanCurve& curve, double tolerance)
+{
+  const double cosine = std::abs(curve.tangentAt(sample.position).dot(sample.tangent));
+  const double turned = cosine < least_cosine ? sample.weight() : 0;
+  if (!sample.isSupported())
+    return costUnsupported(sample, curve) + turned;
+  const double d = curve.distance(sample.position) / (tolerance / 2);
+  return sample.weight() * std::min(d * d, most_cost) + turned;
+}
+
+/** @brief What a change of curve costs. */
+constexpr double change_cost = 6;
+
+/** @brief The curves as seen from one sample. */
+class CurvesAt {
+public:
+  void
+  look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
+  {
+    places_.clear();
+    tangents_.clear();
+    for (const auto& curve : curves) {
+      places_.push_back(curve.project(sample.position));
+      tangents_.push_back(curve.tangentAt(sample.position));
+    }
+  }
+
+  /** @brief What it costs to step from one curve to another that runs beside it, as walls rarely
+   * do; nothing where they meet at an angle or touch. */
+  double
+  sideStep(std::size_t a, std::size_t b, double tolerance) const
+  {
+    if (std::abs(tangents_[a].dot(tangents_[b])) < 0.97)
+      return 0;
+    return 4 * std::min(1.0, (places_[a] - places_[b]).norm() / tolerance);
+  }
+
+private:
+  std::vector<Eigen::Vector2d> places_;
+  std::vector<Eigen::Vector2d> tangents_;
+};
+
+} // namespace
+
+std::vector<PlanCurve>
+findCurves(const std::vector<ContourSample>& samples,
+           const std::vector<PlanCurve>& known,
+           const LoopParameters& parameters)
+{
+  constexpr std::size_t most_curves = 120;
+  // A circle must explain clearly more than a line, or straight walls would bend.
+  constexpr double circle_advantage = 1.15;
+  constexpr double circle_surplus = 3;
+
+  std::vector<PlanCurve> curves = known;
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    open.push_back(i);
+  for (const auto& curve : known)
+    eraseExplained(samples, curve, parameters.tolerance, open);
+
+  const double edge = samples.size() < 2
+                          ? 1
+                          : std::max(1e-6, (samples[1].position - samples[0].position).norm());
+  const double least_score = std::max(2.0, 0.5 * parameters.minimum_length / edge);
+  CurveSearch search(samples, parameters);
+  while (open.size() >= 3 && curves.size() < most_curves) {
+    double line_score = 0;
+    double circle_score = 0;
+    const PlanCurve line = search.bestLine(open, line_score);
+    const PlanCurve circle = search.bestCircle(open, circle_score);
+    const bool is_circle = circle.isCircle() &&
+                           circle_score > circle_advantage * line_score + circle_surplus;
+    if (std::max(line_score, is_circle ? circle_score : 0.0) < least_score)
+      break;
+    curves.push_back(is_circle ? circle : line);
+    std::vector<std::size_t> left = open;
+    eraseExplained(samples, curves.back(), parameters.tolerance, left);
+    if (is_circle) // a square column is nearly a circle: its sides are proposed as well
+      proposeLines(search, samples, difference(open, left), parameters, least_score, curves);
+    open.swap(left);
+  }
+  return curves;
+}
+
+std::vector<std::size_t>
+assignCurves(const std::vector<ContourSample>& samples,
+             const std::vector<PlanCurve>& curves,
+             const LoopParameters& parameters)
+{
+  const std::size_t n = samples.size();
+  const std::size_t k = curves.size();
+  // Two rounds: by the second, what the first sample was given no longer matters.
+  const std::size_t rounds = 2 * n;
+  std::vector<double> cost(k, 0);
+  std::vector<double> next(k, 0);
+  std::vector<std::uint16_t> from(rounds * k);
+  CurvesAt here;
+  for (std::size_t step = 0; step < rounds; ++step) {
+    const ContourSample& sample = samples[step % n];
+    here.look(sample, curves);
+    for (std::size_t c = 0; c < k; ++c) {
+      std::size_t best = c;
+      double least = cost[c];
+      for (std::size_t other = 0; other < k; ++other) {
+        if (cost[other] + change_cost >= least)
+          continue;
+        const double changed =
+            cost[other] + change_cost + here.sideStep(other, c, parameters.tolerance);
+        if (changed < least) {
+          least = changed;
+          best = other;
+        }
+      }
+      from[step * k + c] = static_cast<std::uint16_t>(best);
+      next[c] = least + costOf(sample, curves[c], parameters.tolerance);
+    }
+    cost.swap(next);
+  }
+  auto current =
+      static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+  std::vector<std::size_t> assigned(n);
+  for (std::size_t step = rounds; step-- > 0;) {
+    // The middle of the two rounds has neighbours on both sides.
+    if (step >= n / 2 && step < n / 2 + n)
+      assigned[step % n] = current;
+    current = from[step * k + current];
+  }
+  return assigned;
+}
+
+} // namespace sedr
+} // namespace pcl

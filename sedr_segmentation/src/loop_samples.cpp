@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Samples on either side that a tangent is taken over: half a metre in all at 5 cm. */
+constexpr std::size_t tangent_reach = 4;
+
+/** @brief Fewest points across the contour that show a wall; and the least share of what the walls
+ * of the loop have on average. */
+constexpr std::size_t least_evidence = 3;
+constexpr double least_evidence_share = 0.2;
+
+/** @brief The stretch of sorted offsets that shows the wall. */
+struct WallStretch {
+  double offset = 0; ///< mean of the stretch
+  std::size_t count = 0;
+};
+
+/** @brief Mean and number of the offsets within `width` of each other, for the stretch with most of
+ * them, near ones before far ones. The contour runs up to a cell inside of the wall, so the wall is
+ * looked for at `expected`. */
+WallStretch
+findWall(std::vector<double>& offsets, double width, double expected, double reach)
+{
+  std::sort(offsets.begin(), offsets.end());
+  std::vector<WallStretch> stretches;
+  double sum = 0;
+  for (std::size_t first = 0, last = 0; last < offsets.size(); ++last) {
+    sum += offsets[last];
+    for (; offsets[last] - offsets[first] > width; ++first)
+      sum -= offsets[first];
+    const std::size_t count = last - first + 1;
+    const double mean = sum / static_cast<double>(count);
+    if (std::abs(mean - expected) <= reach)
+      stretches.push_back({mean, count});
+  }
+  WallStretch best;
+  double best_score = 0;
+  for (const auto& s : stretches) {
+    const double score =
+        static_cast<double>(s.count) * (1.2 - std::abs(s.offset - expected) / reach);
+    if (score > best_score) {
+      best_score = score;
+      best = s;
+    }
+  }
+  return best;
+}
+
+/** @brief Measures the evidence of each sample by that of the others; thin evidence is none. */
+void
+judgeSupport(const std::vector<std::size_t>& counts, std::vector<ContourSample>& samples)
+{
+  std::vector<std::size_t> found;
+  for (const std::size_t c : counts)
+    if (c >= least_evidence)
+      found.push_back(c);
+  if (found.empty())
+    return;
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+  std::nth_element(found.begin(), middle, found.end());
+  const auto median = static_cast<double>(*middle);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double share = static_cast<double>(counts[i]) / median;
+    if (counts[i] >= least_evidence && share >= least_evidence_share)
+      samples[i].support = std::min(1.0, share);
+  }
+}
+
+/** @brief Takes the support from stretches too short to be a wall of their own. */
+void
+dropShortSupport(std::size_t least_samples, std::vector<ContourSample>& samples)
+{
+  const std::size_t n = samples.size();
+  std::size_t start = 0;
+  while (start < n && samples[start].isSupported())
+    ++start;
+  for (std::size_t k = 0, length = 0; start < n && k <= n; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (k < n && samples[i].isSupported()) {
+      ++length;
+      continue;
+    }
+    for (; length > 0 && length < least_samples; --length)
+      samples[(i + n - length) % n].support = 0;
+    length = 0;
+  }
+}
+
+} // namespace
+
+std::vector<ContourSample>
+sampleContour(const Contour& contour,
+              const PlanPoints& evidence,
+              const LoopParameters& parameters)
+{
+  const std::size_t n = contour.size();
+  const auto corner = [&](std::size_t i) { return contour[i % n]; };
+  const std::size_t reach = std::max<std::size_t>(1, std::min(tangent_reach, n / 8));
+  const double edge = n > 1 ? (contour[1] - contour[0]).norm() : 0;
+  // Farther away it is another wall, such as the other face of a partition.
+  const double farthest = std::min(parameters.reach, 1.2 * parameters.tolerance);
+
+  std::vector<ContourSample> samples(n);
+  std::vector<std::size_t> counts(n, 0);
+  std::vector<Eigen::Vector2d> walls(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    ContourSample& sample = samples[i];
+    // The staircase of cells is evened out before looking across it.
+    sample.position.setZero();
+    for (std::size_t k = 0; k < 4; ++k)
+      sample.position += corner(i + n - 1 + k) / 4;
+    const Eigen::Vector2d way = corner(i + 1 + reach) - corner(i + n - reach);
+    sample.tangent = way.norm() > 0
+                         ? Eigen::Vector2d(way.normalized())
+                         : Eigen::Vector2d((corner(i + 1) - corner(i)).normalized());
+    const Eigen::Vector2d across(-sample.tangent.y(), sample.tangent.x());
+
+    std::vector<double> offsets;
+    const Eigen::Vector2d middle = sample.position;
+    evidence.forEachWithin(
+        middle, std::hypot(parameters.reach, edge), [&](const Eigen::Vector2d& p) {
+          const Eigen::Vector2d d = p - middle;
+          if (std::abs(d.dot(sample.tangent)) <= edge)
+            offsets.push_back(d.dot(across));
+        });
+    const WallStretch wall = findWall(offsets, parameters.tolerance, -edge / 2, farthest);
+    counts[i] = wall.count;
+    walls[i] = sample.position + wall.offset * across;
+  }
+  judgeSupport(counts, samples);
+  if (edge > 0)
+    dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5), samples);
+  for (std::size_t i = 0; i < n; ++i)
+    if (samples[i].isSupported())
+      samples[i].position = walls[i];
+  return samples;
+}
+
+double
+sampleTolerance(const std::vector<ContourSample>& samples, const LoopParameters& parameters)
+{
+  const std::size_t n = samples.size();
+  std::vector<double> deviations;
+  for (std::size_t i = 0; n >= 5 && i < n; ++i) {
+    const Eigen::Vector2d a = samples[(i + n - 2) % n].position;
+    const Eigen::Vector2d b = samples[(i + 2) % n].position;
+    const Eigen::Vector2d way = b - a;
+    const Eigen::Vector2d d = samples[i].position - a;
+    if (way.norm() > 0)
+      deviations.push_back(std::abs(way.x() * d.y() - way.y() * d.x()) / way.norm());
+  }
+  if (deviations.empty())
+    return parameters.tolerance;
+  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  // The deviation from the middle of two neighbours has 1.5 times the variance of a sample.
+  const double noise = 1.4826 * *middle / std::sqrt(1.5);
+  return std::clamp(4 * noise, parameters.tolerance / 2, parameters.tolerance);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/plan_curve.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+Eigen::Vector2d
+leftOf(const Eigen::Vector2d& v)
+{
+  return {-v.y(), v.x()};
+}
+
+/** @brief Sets the number of inliers and their residual. */
+PlanCurve
+judged(PlanCurve curve, const std::vector<WeightedPoint>& points)
+{
+  double sum = 0;
+  double weight = 0;
+  for (const auto& p : points) {
+    sum += p.weight * std::pow(curve.distance(p.position), 2);
+    weight += p.weight;
+  }
+  curve.inliers = points.size();
+  curve.residual = weight > 0 ? std::sqrt(sum / weight) : 0;
+  return curve;
+}
+
+double
+robustDeviation(const std::vector<WeightedPoint>& points, const PlanCurve& curve)
+{
+  std::vector<double> distances;
+  for (const auto& p : points)
+    distances.push_back(curve.distance(p.position));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 1.4826 * *middle;
+}
+
+std::vector<Eigen::Vector2d>
+lineMeetsLine(const PlanCurve& a, const PlanCurve& b)
+{
+  const double sine = a.direction.dot(leftOf(b.direction));
+  if (std::abs(sine) < 1e-9)
+    return {};
+  const double t = (b.point - a.point).dot(leftOf(b.direction)) / sine;
+  return {a.point + t * a.direction};
+}
+
+std::vector<Eigen::Vector2d>
+lineMeetsCircle(const PlanCurve& line, const PlanCurve& circle)
+{
+  const Eigen::Vector2d foot = line.project(circle.point);
+  const double height = (foot - circle.point).norm();
+  const double half = circle.radius * circle.radius - height * height;
+  if (half < 0)
+    return {};
+  const Eigen::Vector2d along = std::sqrt(half) * line.direction;
+  return {foot - along, foot + along};
+}
+
+std::vector<Eigen::Vector2d>
+circleMeetsCircle(const PlanCurve& a, const PlanCurve& b)
+{
+  const Eigen::Vector2d way = b.point - a.point;
+  const double d = way.norm();
+  if (d < 1e-9)
+    return {};
+  const double x = (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d);
+  const double half = a.radius * a.radius - x * x;
+  if (half < 0)
+    return {};
+  const Eigen::Vector2d foot = a.point + way * (x / d);
+  const Eigen::Vector2d along = leftOf(way / d) * std::sqrt(half);
+  return {foot - along, foot + along};
+}
+
+} // namespace
+
+double
+PlanCurve::distance(const Eigen::Vector2d& p) const
+{
+  return isCircle() ? std::abs((p - point).norm() - radius)
+                    : std::abs((p - point).dot(leftOf(direction)));
+}
+
+Eigen::Vector2d
+PlanCurve::project(const Eigen::Vector2d& p) const
+{
+  if (!isCircle())
+    return point + (p - point).dot(direction) * direction;
+  const Eigen::Vector2d way = p - point;
+  const double d = way.norm();
+  return d > 0 ? Eigen::Vector2d(point + way * (radius / d))
+               : Eigen::Vector2d(point + radius * Eigen::Vector2d::UnitX());
+}
+
+Eigen::Vector2d
+PlanCurve::tangentAt(const Eigen::Vector2d& p) const
+{
+  return isCircle() ? leftOf((project(p) - point) / radius) : direction;
+}
+
+PlanCurve
+lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  PlanCurve line;
+  line.point = a;
+  const double d = (b - a).norm();
+  if (d > 0)
+    line.direction = (b - a) / d;
+  return line;
+}
+
+PlanCurve
+circleThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+{
+  const Eigen::Vector2d u = b - a;
+  const Eigen::Vector2d v = c - a;
+  const double twice_area = u.x() * v.y() - u.y() * v.x();
+  if (std::abs(twice_area) < 1e-12)
+    return lineThrough(a, c);
+  const Eigen::Vector2d w(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
+                          u.x() * v.squaredNorm() - v.x() * u.squaredNorm());
+  PlanCurve circle;
+  circle.point = a + w / (2 * twice_area);
+  circle.radius = (circle.point - a).norm();
+  return circle;
+}
+
+PlanCurve
+fitLine(const std::vector<WeightedPoint>& points)
+{
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double weight = 0;
+  for (const auto& p : points) {
+    mean += p.weight * p.position;
+    weight += p.weight;
+  }
+  if (weight > 0)
+    mean /= weight;
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const auto& p : points) {
+    const Eigen::Vector2d d = p.position - mean;
+    scatter.noalias() += p.weight * d * d.transpose();
+  }
+  PlanCurve line;
+  line.point = mean;
+  line.direction =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(1);
+  return judged(line, points);
+}
+
+PlanCurve
+fitCircle(const std::vector<WeightedPoint>& points, const PlanCurve& start)
+{
+  PlanCurve circle = start;
+  for (int round = 0; round < 20; ++round) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (const auto& p : points) {
+      const Eigen::Vector2d way = p.position - circle.point;
+      const double d = std::max(way.norm(), 1e-12);
+      const Eigen::Vector3d row(-way.x() / d, -way.y() / d, -1);
+      normal.noalias() += p.weight * row * row.transpose();
+      right.noalias() += p.weight * (circle.radius - d) * row;
+    }
+    const Eigen::Vector3d step = normal.ldlt().solve(right);
+    if (!step.allFinite())
+      return start;
+    circle.point += step.head<2>();
+    circle.radius += step[2];
+    if (circle.radius <= 0 || circle.radius > 1e6)
+      return start;
+    if (step.norm() < 1e-10)
+      break;
+  }
+  return judged(circle, points);
+}
+
+PlanCurve
+fitRobustly(const std::vector<WeightedPoint>& points,
+            const PlanCurve& start,
+            double band,
+            double minimum_radius,
+            double maximum_radius)
+{
+  PlanCurve curve = start;
+  const double widest = band;
+  for (int round = 0; round < 6; ++round) {
+    std::vector<WeightedPoint> inside;
+    for (const auto& p : points)
+      if (curve.distance(p.position) <= band)
+        inside.push_back(p);
+    if (inside.size() < (start.isCircle() ? 4u : 2u))
+      return round == 0 ? start : curve;
+    curve = start.isCircle() ? fitCircle(inside, curve) : fitLine(inside);
+    band = std::clamp(2.5 * robustDeviation(inside, curve), 2e-4, widest);
+  }
+  const bool is_refused = curve.isCircle() && (curve.radius < minimum_radius ||
+                                               curve.radius > maximum_radius);
+  return is_refused ? start : curve;
+}
+
+std::vector<Eigen::Vector2d>
+intersections(const PlanCurve& a, const PlanCurve& b)
+{
+  if (a.isCircle())
+    return b.isCircle() ? circleMeetsCircle(a, b) : lineMeetsCircle(b, a);
+  return b.isCircle() ? lineMeetsCircle(a, b) : lineMeetsLine(a, b);
+}
+
+} // namespace sedr
+} // namespace pcl

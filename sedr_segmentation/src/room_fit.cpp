@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/room_fit.h>
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/detail_fit.h>
+#include <pcl/sedr_segmentation/room_outline.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The plane of a slab: RANSAC with the small tolerance first, as the detection's was wide. */
+PlanSlab
+slabOf(const PointView& points,
+       const std::vector<int>& indices,
+       const RoomFitParameters& parameters)
+{
+  constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
+  return findSlab(
+      points, indices, parameters.slab_tolerance, maximum_tilt, parameters.loop.seed);
+}
+
+/** @brief Whether a point is part of something upright: its column is occupied without a gap over
+ * at least 20 cm there. */
+bool
+isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
+{
+  constexpr double gap = 0.15;
+  constexpr double least_length = 0.2;
+  const std::vector<ColumnRun> runs = columns.runs(grid.at(p.x(), p.y()), gap);
+  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
+    return p.z() >= run.low && p.z() <= run.high && run.high - run.low >= least_length;
+  });
+}
+
+/** @brief The wall points of the upper half of the room in plan: furniture hides the lower. */
+PlanPoints
+wallEvidence(const PointView& points,
+             const RoomEvidence& evidence,
+             const PlanRoom& room,
+             const ColumnTable& columns,
+             const CellGrid& grid)
+{
+  std::vector<Eigen::Vector2d> upper;
+  for (const int i : evidence.walls) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d place = p.head<2>().cast<double>();
+    const double top = room.ceiling.heightAt(place);
+    const double middle = (room.floor.heightAt(place) + top) / 2;
+    if (p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p))
+      upper.push_back(place);
+  }
+  return {std::move(upper), 0.1};
+}
+
+/** @brief The longest contour that runs counter-clockwise (a region's) or clockwise (a hole's). */
+Contour
+outerContour(const CellMask& mask, double cell_size)
+{
+  Contour best;
+  double most = 0;
+  for (auto& contour : traceContours(mask, cell_size)) {
+    const double area = signedArea(contour);
+    if (area <= most)
+      continue;
+    most = area;
+    best = std::move(contour);
+  }
+  return best;
+}
+
+PlanLoop
+columnLoop(const CellMask& column, const PlanPoints& walls, const RoomFitParameters& parameters)
+{
+  // The hole is up to a cell wider than the column on every side, so its contour is the hole's.
+  Contour contour = outerContour(column, parameters.cell_size);
+  std::reverse(contour.begin(), contour.end());
+  return fitLoop(contour, walls, {}, parameters.loop);
+}
+
+} // namespace
+
+PlanRoom
+fitRoom(const PointView& points,
+        const RoomEvidence& evidence,
+        const RoomFitParameters& parameters,
+        std::string& problem)
+{
+  PlanRoom room;
+  const CellGrid grid(parameters.cell_size);
+  std::vector<int> slabs = evidence.ceiling;
+  slabs.insert(slabs.end(), evidence.details.begin(), evidence.details.end());
+  const CellSet seen(grid, points, slabs);
+  const CellBox box = grown(boxOf(seen), 14);
+  problem = maskProblem(box);
+  if (!problem.empty())
+    return room;
+
+  room.ceiling = slabOf(points, evidence.ceiling, parameters);
+  room.floor = slabOf(points, evidence.floor, parameters);
+  const ColumnTable columns(grid, box, points, evidence.around);
+  const RoomOutline outline =
+      outlineRoom(CellMask(seen, box), grid, columns, room.ceiling, room.floor);
+  const PlanPoints walls = wallEvidence(points, evidence, room, columns, grid);
+
+  const Contour contour = outerContour(outline.room, grid.size());
+  room.boundary = fitLoop(contour, walls, {}, parameters.loop);
+  if (room.boundary.elements.size() < 1 || !(room.boundary.area() > 0)) {
+    problem = "no closed outline could be fitted to " + std::to_string(seen.size()) +
+              " ceiling cells";
+    return room;
+  }
+  for (const CellMask& column : outline.columns) {
+    const PlanLoop loop = columnLoop(column, walls, parameters);
+    if (!loop.elements.empty() && loop.area() < 0)
+      room.columns.push_back(loop);
+  }
+  if (!evidence.details.empty())
+    room.details = fitDetails(points, evidence, room, outline.room, parameters);
+  return room;
+}
+
+} // namespace sedr
+} // namespace pcl

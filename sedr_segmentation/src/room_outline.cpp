@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/room_outline.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Radius in cells within which notches and protrusions are questioned. */
+constexpr double notch_radius = 8;
+constexpr double protrusion_radius = 3;
+
+/** @brief Fewest cells of a column: 20 cm by 20 cm at 5 cm. */
+constexpr std::size_t least_column_cells = 12;
+
+class Outliner {
+public:
+  Outliner(const CellGrid& grid,
+           const ColumnTable& columns,
+           const PlanSlab& ceiling,
+           const PlanSlab& floor)
+  : grid_(grid), columns_(columns), ceiling_(ceiling), floor_(floor)
+  {}
+
+  RoomOutline
+  outline(const CellMask& seen) const
+  {
+    RoomOutline result;
+    // What was not hit: gaps of up to two cells each way.
+    CellMask room = eroded(dilated(seen, 2), 2);
+    const CellMask holes = enclosedCells(room);
+    const MaskRegions regions = labelRegions(holes, true);
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
+      if (regions.sizes[r] >= least_column_cells && isColumn(hole))
+        result.columns.push_back(hole);
+    }
+    room = unite(room, holes);
+    room = withoutFalseNotches(room);
+    room = withoutFalseProtrusions(room);
+    result.room = largestRegion(room);
+    return result;
+  }
+
+private:
+  /** @brief Whether a wall goes up in the column or beside it. */
+  bool
+  isWall(Cell cell) const
+  {
+    const double top = ceiling_.heightAt(grid_.centre(cell));
+    const double floor = floor_.heightAt(grid_.centre(cell));
+    return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+  }
+
+  /** @brief Whether the hole is closed by a wall, from near the floor up to the ceiling. */
+  bool
+  isColumn(const CellMask& hole) const
+  {
+    const CellMask rim = subtract(dilated(hole, 1.5), eroded(hole, 1));
+    std::size_t tall = 0;
+    std::size_t full = 0;
+    for (std::size_t i = 0; i < rim.values().size(); ++i) {
+      if (!rim.values()[i])
+        continue;
+      const Cell cell = rim.cellAt(i);
+      const double top = ceiling_.heightAt(grid_.centre(cell));
+      const double floor = floor_.heightAt(grid_.centre(cell));
+      tall += columns_.hasWithin(cell, top - 0.25, top - 0.08) ? 1 : 0;
+      full += columns_.share(cell, floor + 0.1, top - 0.1, 10, 0) >= 0.5 ? 1 : 0;
+    }
+    // The rim is two to three cells wide, and the column's face is in one of them.
+    return 3 * tall >= rim.count() && 4 * full >= rim.count();
+  }
+
+  /** @brief Share of the common edge of `part` and `other` along which a wall stands. */
+  double
+  wallShare(const CellMask& part, const CellMask& other) const
+  {
+    std::size_t edges = 0;
+    std::size_t walls = 0;
+    for (std::size_t i = 0; i < part.values().size(); ++i) {
+      if (!part.values()[i])
+        continue;
+      const Cell cell = part.cellAt(i);
+      const bool is_edge = other.at({cell.x + 1, cell.y}) || other.at({cell.x - 1, cell.y}) ||
+                           other.at({cell.x, cell.y + 1}) || other.at({cell.x, cell.y - 1});
+      if (!is_edge)
+        continue;
+      ++edges;
+      walls += isWall(cell) ? 1 : 0;
+    }
+    return edges == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(edges);
+  }
+
+  CellMask
+  withoutFalseNotches(const CellMask& room) const
+  {
+    CellMask closed = eroded(dilated(room, notch_radius), notch_radius);
+    closed = unite(closed, enclosedCells(closed));
+    const CellMask notches = subtract(closed, room);
+    const MaskRegions regions = labelRegions(notches, false);
+    CellMask result = room;
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      const CellMask notch = regionMask(notches, regions, static_cast<std::int32_t>(r));
+      if (wallShare(notch, room) < 0.5)
+        result = unite(result, notch);
+    }
+    return result;
+  }
+
+  CellMask
+  withoutFalseProtrusions(const CellMask& room) const
+  {
+    const CellMask opened = dilated(eroded(room, protrusion_radius), protrusion_radius);
+    const CellMask parts = subtract(room, opened);
+    const CellMask outside = inverted(room);
+    const MaskRegions regions = labelRegions(parts, false);
+    CellMask result = room;
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
+      if (regions.sizes[r] >= 4 && wallShare(part, outside) < 0.5)
+        result = subtract(result, part);
+    }
+    return result;
+  }
+
+  static CellMask
+  largestRegion(const CellMask& mask)
+  {
+    const MaskRegions regions = labelRegions(mask, false);
+    if (regions.sizes.empty())
+      return mask;
+    const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end());
+    return regionMask(
+        mask, regions, static_cast<std::int32_t>(largest - regions.sizes.begin()));
+  }
+
+  const CellGrid& grid_;
+  const ColumnTable& columns_;
+  const PlanSlab& ceiling_;
+  const PlanSlab& floor_;
+};
+
+} // namespace
+
+RoomOutline
+outlineRoom(const CellMask& seen,
+            const CellGrid& grid,
+            const ColumnTable& columns,
+            const PlanSlab& ceiling,
+            const PlanSlab& floor)
+{
+  return Outliner(grid, columns, ceiling, floor).outline(seen);
+}
+
+} // namespace sedr
+} // namespace pcl

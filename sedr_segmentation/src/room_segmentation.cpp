@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/room_segmentation.h>
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/column_table.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A connected piece of one ceiling. */
+struct Piece {
+  std::size_t level = 0;
+  std::size_t floor = 0;
+  CellMask cells;
+  std::size_t size = 0;
+};
+
+/** @brief What all steps look at. */
+struct Storey {
+  const std::vector<Level>& levels;
+  const RoomParameters& parameters;
+  CellGrid grid;
+  CellBox box;
+  ColumnTable columns;
+
+  double
+  heightOf(std::size_t level, Cell cell) const
+  {
+    return levels[level].slab.heightAt(grid.centre(cell));
+  }
+
+  /** @brief Whether a wall goes up to `top` in this column. */
+  bool
+  isWallBelow(Cell cell, double top) const
+  {
+    return columns.share(cell, top - 0.6, top - 0.1, 5, 0) >= 0.6;
+  }
+
+  /** @brief Whether the column is a wall from the floor up to the ceiling: a cupboard is not. */
+  bool
+  isWall(Cell cell, double floor, double top) const
+  {
+    return columns.share(cell, top - 0.36, top - 0.12, 2, 1) >= 1 &&
+           columns.share(cell, floor + 0.2, top - 0.15, 8, 0) >= 0.5;
+  }
+};
+
+/** @brief The pieces of one ceiling level. */
+std::vector<Piece>
+piecesOf(const Storey& storey, std::size_t level)
+{
+  const CellMask seen(storey.levels[level].cells, storey.box);
+  // Closing bridges what was not hit; walls stay out.
+  CellMask closed = eroded(dilated(seen, 2), 2);
+  for (std::size_t i = 0; i < closed.values().size(); ++i)
+    if (closed.values()[i] && !seen.values()[i]) {
+      const Cell cell = closed.cellAt(i);
+      closed.values()[i] = storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
+    }
+  const CellMask core = eroded(closed, 1.5);
+  MaskRegions regions = labelRegions(core, true);
+  growLabels(closed, 3, regions.label);
+
+  const double cell_area = storey.grid.size() * storey.grid.size();
+  std::vector<Piece> pieces;
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    if (static_cast<double>(regions.sizes[r]) * cell_area < 0.25 * storey.parameters.minimum_area)
+      continue;
+    Piece piece;
+    piece.level = level;
+    piece.cells = regionMask(closed, regions, static_cast<std::int32_t>(r));
+    piece.size = piece.cells.count();
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/** @brief The lowest floor with a tenth of the piece, else the one with most of it; false where no
+ * floor lies below at all. */
+bool
+findFloor(const Storey& storey, Piece& piece)
+{
+  double best = 0;
+  for (std::size_t f = 0; f < storey.levels.size(); ++f) {
+    if (storey.levels[f].kind != LevelKind::Floor)
+      continue;
+    std::size_t covered = 0;
+    const CellSet& cells = storey.levels[f].cells;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (piece.cells.at(cells[i]) &&
+          storey.heightOf(f, cells[i]) < storey.heightOf(piece.level, cells[i]) - 1.5)
+        ++covered;
+    const double share = static_cast<double>(covered) / static_cast<double>(piece.size);
+    if (share > best && best < storey.parameters.minimum_floor_share) {
+      best = share;
+      piece.floor = f;
+    }
+  }
+  return best > 0;
+}
+
+/** @brief How two pieces face each other, in cell edges. */
+struct Frontier {
+  std::size_t wall = 0;
+  std::size_t plain = 0;            ///< nothing below: a step, a soffit
+  std::vector<CellKey> below_lintel; ///< something above, nothing below: a beam or a doorway
+};
+
+/** @brief The cells from `cell` back to the piece that it was reached from. */
+std::vector<Cell>
+wayBack(std::size_t i,
+        const CellMask& domain,
+        const std::vector<std::size_t>& parent)
+{
+  std::vector<Cell> way;
+  for (; i != CellSet::npos; i = parent[i])
+    way.push_back(domain.cellAt(i));
+  return way;
+}
+
+void
+judgeMeeting(const Storey& storey,
+             const Piece& a,
+             const Piece& b,
+             const std::vector<Cell>& way,
+             Frontier& frontier)
+{
+  const double top =
+      std::min(storey.heightOf(a.level, way.front()), storey.heightOf(b.level, way.front()));
+  const double floor =
+      std::max(storey.heightOf(a.floor, way.front()), storey.heightOf(b.floor, way.front()));
+  bool has_lintel = false;
+  for (const Cell cell : way) {
+    if (storey.isWall(cell, floor, top)) {
+      ++frontier.wall;
+      return;
+    }
+    has_lintel = has_lintel || storey.columns.hasWithin(cell, top - 0.5, top - 0.12);
+  }
+  if (has_lintel)
+    frontier.below_lintel.push_back(keyOf(way.front()));
+  else
+    ++frontier.plain;
+}
+
+/** @brief Where pieces face each other across at most half a metre each. */
+std::map<std::pair<std::size_t, std::size_t>, Frontier>
+frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
+{
+  constexpr int steps = 6;
+  CellMask everywhere(storey.box);
+  std::fill(everywhere.values().begin(), everywhere.values().end(), std::uint8_t{1});
+  std::vector<std::int32_t> label(everywhere.values().size(), -1);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    for (std::size_t i = 0; i < label.size(); ++i)
+      if (pieces[p].cells.values()[i] && label[i] < 0)
+        label[i] = static_cast<std::int32_t>(p);
+  const std::vector<std::size_t> parent = growLabels(everywhere, steps, label);
+
+  std::map<std::pair<std::size_t, std::size_t>, Frontier> frontiers;
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    const Cell cell = everywhere.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      if (label[i] < 0 || !everywhere.at(to))
+        continue;
+      const std::size_t j = everywhere.indexOf(to);
+      if (label[j] < 0 || label[j] == label[i])
+        continue;
+      const auto a = static_cast<std::size_t>(std::min(label[i], label[j]));
+      const auto b = static_cast<std::size_t>(std::max(label[i], label[j]));
+      std::vector<Cell> way = wayBack(i, everywhere, parent);
+      const std::vector<Cell> other = wayBack(j, everywhere, parent);
+      way.insert(way.end(), other.begin(), other.end());
+      judgeMeeting(storey, pieces[a], pieces[b], way, frontiers[{a, b}]);
+    }
+  }
+  return frontiers;
+}
+
+/** @brief Number of cell edges around a piece. */
+std::size_t
+perimeterOf(const CellMask& cells)
+{
+  std::size_t edges = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Cell c = cells.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}})
+      edges += cells.at({c.x + d.x, c.y + d.y}) ? 0 : 1;
+  }
+  return edges;
+}
+
+/** @brief Whether the frontier is open: one room, not two. It must be a good part of the outline of
+ * the smaller piece, else it is a passage. */
+bool
+isOpen(const Frontier& frontier,
+       const Piece& a,
+       const Piece& b,
+       const RoomParameters& parameters)
+{
+  const double total = static_cast<double>(frontier.wall + frontier.plain +
+                                           frontier.below_lintel.size());
+  const auto around = static_cast<double>(std::min(perimeterOf(a.cells), perimeterOf(b.cells)));
+  const double open = static_cast<double>(frontier.plain + frontier.below_lintel.size());
+  if (open < parameters.minimum_open_share * around)
+    return false;
+  if (static_cast<double>(frontier.plain) >= 0.5 * total)
+    return true;
+  const CellRegions spans = labelRegions(CellSet(frontier.below_lintel));
+  const double widest = spans.sizes.empty() ? 0
+                                            : static_cast<double>(spans.sizes[0]) *
+                                                  parameters.cell_size;
+  return widest > parameters.widest_door &&
+         static_cast<double>(frontier.plain + frontier.below_lintel.size()) > 0.5 * total;
+}
+
+/** @brief Group of every piece after joining the open frontiers. */
+std::vector<std::size_t>
+groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
+{
+  std::vector<std::size_t> group(pieces.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (const auto& [pair, frontier] : frontiersOf(storey, pieces)) {
+    if (!isOpen(frontier, pieces[pair.first], pieces[pair.second], storey.parameters))
+      continue;
+    const std::size_t kept = std::min(group[pair.first], group[pair.second]);
+    const std::size_t gone = std::max(group[pair.first], group[pair.second]);
+    std::replace(group.begin(), group.end(), gone, kept);
+  }
+  return group;
+}
+
+/** @brief Share of the outline of a room below which a wall stands within three cells. */
+double
+wallShare(const Storey& storey, const CellMask& scope, const Piece& main)
+{
+  // What was not seen within the room is no outline: gaps between its ceilings are closed.
+  const CellMask closed = eroded(dilated(scope, 8), 8);
+  const CellMask solid = unite(closed, enclosedCells(closed));
+  const CellMask rim = subtract(dilated(solid, 1), solid);
+  std::size_t walls = 0;
+  for (std::size_t i = 0; i < rim.values().size(); ++i) {
+    if (!rim.values()[i])
+      continue;
+    const Cell cell = rim.cellAt(i);
+    const double top = storey.heightOf(main.level, cell);
+    const double floor = storey.heightOf(main.floor, cell);
+    walls += storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+  }
+  const std::size_t all = rim.count();
+  return all == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(all);
+}
+
+/** @brief A box around all ceilings that are large enough to be one. */
+CellBox
+boxOfCeilings(const std::vector<Level>& levels, const RoomParameters& parameters)
+{
+  std::vector<CellKey> keys;
+  const double cell_area = parameters.cell_size * parameters.cell_size;
+  for (const auto& level : levels) {
+    if (level.kind != LevelKind::Ceiling)
+      continue;
+    const CellRegions regions = labelRegions(level.cells);
+    for (std::size_t i = 0; i < level.cells.size(); ++i)
+      if (static_cast<double>(regions.sizes[regions.label[i]]) * cell_area >=
+          0.1 * parameters.minimum_area)
+        keys.push_back(level.cells.keys()[i]);
+  }
+  return keys.empty() ? CellBox{{0, 0}, {-1, -1}} : grown(boxOf(CellSet(std::move(keys))), 12);
+}
+
+/** @brief Makes a room of the pieces of one group, if it is one. */
+bool
+makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomRegion& room)
+{
+  const Piece& main = **std::max_element(
+      members.begin(), members.end(), [](const Piece* a, const Piece* b) {
+        return a->size < b->size;
+      });
+  CellMask scope = main.cells;
+  for (const Piece* piece : members)
+    scope = unite(scope, piece->cells);
+  const double area = static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
+  if (area < storey.parameters.minimum_area ||
+      wallShare(storey, scope, main) < storey.parameters.minimum_wall_share)
+    return false;
+  room.ceiling_level = main.level;
+  room.floor_level = main.floor;
+  room.ceiling = main.cells.toSet();
+  room.scope = scope.toSet();
+  return true;
+}
+
+} // namespace
+
+std::vector<RoomRegion>
+segmentRooms(const PointView& points,
+             const std::vector<int>& indices,
+             const std::vector<Level>& levels,
+             const RoomParameters& parameters,
+             std::string& problem)
+{
+  const CellBox box = boxOfCeilings(levels, parameters);
+  problem = maskProblem(box);
+  if (!problem.empty() || box.count() == 0)
+    return {};
+  const CellGrid grid(parameters.cell_size);
+  const Storey storey{levels, parameters, grid, box, ColumnTable(grid, box, points, indices)};
+
+  std::vector<Piece> pieces;
+  for (std::size_t l = 0; l < levels.size(); ++l)
+    if (levels[l].kind == LevelKind::Ceiling)
+      for (auto& piece : piecesOf(storey, l))
+        if (findFloor(storey, piece))
+          pieces.push_back(std::move(piece));
+  const std::vector<std::size_t> group = groupPieces(storey, pieces);
+
+  std::vector<RoomRegion> rooms;
+  for (std::size_t g = 0; g < pieces.size(); ++g) {
+    std::vector<const Piece*> members;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      if (group[p] == g)
+        members.push_back(&pieces[p]);
+    RoomRegion room;
+    if (!members.empty() && makeRoom(storey, members, room))
+      rooms.push_back(std::move(room));
+  }
+  std::stable_sort(rooms.begin(), rooms.end(), [](const RoomRegion& a, const RoomRegion& b) {
+    return a.scope.size() > b.scope.size();
+  });
+  return rooms;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/common/point_tests.h>
+#include <pcl/impl/pcl_base.hpp>
+#include <pcl/kdtree/impl/kdtree_flann.hpp>
+#include <pcl/search/impl/kdtree.hpp>
+#include <pcl/search/impl/organized.hpp>
+#include <pcl/search/impl/search.hpp>
+#include <pcl/sedr_surface/structural_poisson.h>
+
+#include <cmath>
+
+namespace pcl {
+
+template <typename PointNT>
+StructuralPoisson<PointNT>::StructuralPoisson()
+{
+  this->check_tree_ = false;
+}
+
+template <typename PointNT>
+StructuralPoisson<PointNT>::~StructuralPoisson() = default;
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::reconstruct(pcl::PolygonMesh& output)
+{
+  output = pcl::PolygonMesh();
+  if (input_)
+    output.header = input_->header;
+  performReconstruction(output);
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::reconstruct(PointCloud& points,
+                                        std::vector<pcl::Vertices>& polygons)
+{
+  // The output may be the input: it is written only when all is read.
+  PointCloud surface;
+  if (input_)
+    surface.header = input_->header;
+  polygons.clear();
+  performReconstruction(surface, polygons);
+  points.swap(surface);
+  points.header = surface.header = input_ ? input_->header : pcl::PCLHeader();
+}
+
+template <typename PointNT>
+bool
+StructuralPoisson<PointNT>::checkParameters()
+{
+  const sedr::PoissonParameters& solver = parameters_.solver;
+  const auto check = [this](bool right, const char* rule, double value) {
+    if (right)
+      return true;
+    std::string number = std::to_string(value);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.')
+      number.pop_back();
+    return fail("StructuralPoisson", std::string(rule) + ", it is " + number);
+  };
+  return check(solver.depth >= 3 && solver.depth <= 14,
+               "the depth must lie from 3 to 14",
+               solver.depth) &&
+         check(solver.min_depth >= 0 && solver.min_depth <= solver.depth,
+               "the least depth must lie from 0 to the depth",
+               solver.min_depth) &&
+         check(solver.point_weight >= 0 && std::isfinite(solver.point_weight),
+               "the point weight must be 0 or more",
+               solver.point_weight) &&
+         check(solver.scale > 1 && solver.scale <= 10,
+               "the scale must lie above 1 and up to 10",
+               solver.scale) &&
+         check(solver.samples_per_node > 0 && std::isfinite(solver.samples_per_node),
+               "the samples per node must be above 0",
+               solver.samples_per_node) &&
+         check(solver.threads >= 1,
+               "the number of solver threads must be 1 or more",
+               solver.threads) &&
+         check(parameters_.cell_ratio >= 0.1 && parameters_.cell_ratio <= 10,
+               "the cell ratio must lie from 0.1 to 10",
+               parameters_.cell_ratio) &&
+         check(parameters_.support_distance > 0,
+               "the support distance must be above 0 m",
+               parameters_.support_distance) &&
+         check(parameters_.min_points >= 10,
+               "the least number of points must be 10 or more",
+               static_cast<double>(parameters_.min_points));
+}
+
+template <typename PointNT>
+std::uint32_t
+StructuralPoisson<PointNT>::roomOf(pcl::index_t index) const
+{
+  if (!room_labels_.empty())
+    return room_labels_[static_cast<std::size_t>(index)];
+  if constexpr (pcl::traits::has_field<PointNT, pcl::fields::room>::value)
+    return (*input_)[index].room;
+  else
+    return 0;
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::gather(std::map<std::uint32_t, Room>& rooms) const
+{
+  for (const auto index : *indices_) {
+    const PointNT& point = (*input_)[index];
+    Room& room = rooms[roomOf(index)];
+    const Eigen::Vector3f normal = point.getNormalVector3fMap();
+    const float length = normal.norm();
+    if (!pcl::isXYZFinite(point) || !std::isfinite(length) || length < 1e-6f) {
+      ++room.skipped;
+      continue;
+    }
+    room.scaled += std::abs(length - 1) > 1e-3f;
+    room.points.push_back({point.getVector3fMap(), normal / length});
+    room.indices.push_back(index);
+  }
+  if (rooms.size() > 1)
+    rooms.erase(0); // no room's points
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::addRoom(std::uint32_t number, const Room& room)
+{
+  sedr::RoomPoissonReport report;
+  report.room = number;
+  report.skipped_points = room.skipped;
+  report.scaled_normals = room.scaled;
+  sedr::TriangleMesh surface;
+  std::vector<std::uint32_t> nearest;
+  if (sedr::reconstructRoom(room.points, parameters_, surface, nearest, report)) {
+    surface.rooms.assign(surface.triangles.size(), number);
+    if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value) {
+      surface.labels.reserve(nearest.size());
+      for (const auto i : nearest)
+        surface.labels.push_back((*input_)[room.indices[i]].label);
+    }
+    mesh_.append(surface);
+  }
+  reports_.push_back(report);
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::summarize()
+{
+  closed_ = true;
+  std::string failures;
+  for (const sedr::RoomPoissonReport& report : reports_) {
+    const std::size_t all = report.points + report.skipped_points;
+    if (report.skipped_points > 0)
+      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu points are not finite or have no "
+               "normal\n",
+               report.room,
+               report.skipped_points,
+               all);
+    if (report.scaled_normals > 0)
+      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu normals were not of unit length\n",
+               report.room,
+               report.scaled_normals,
+               all);
+    if (report.unsupported_share > 0.05)
+      PCL_WARN("[pcl::StructuralPoisson] room %u: %.1f %% of the surface lie further than %.2f m "
+               "from all points\n",
+               report.room,
+               100 * report.unsupported_share,
+               parameters_.support_distance);
+    closed_ = closed_ && report.closed;
+    if (!report.problem.empty())
+      failures += (failures.empty() ? "room " : "; room ") + std::to_string(report.room) +
+                  (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
+                  report.problem;
+  }
+  if (!failures.empty())
+    fail("StructuralPoisson", failures);
+}
+
+template <typename PointNT>
+bool
+StructuralPoisson<PointNT>::run()
+{
+  clearError();
+  reports_.clear();
+  mesh_ = sedr::TriangleMesh();
+  closed_ = false;
+  if (!input_)
+    return fail("StructuralPoisson", "no input cloud is set");
+  if (input_->empty())
+    return fail("StructuralPoisson", "the input cloud is empty");
+  if (!checkParameters())
+    return false;
+  if (!room_labels_.empty() && room_labels_.size() != input_->size())
+    return fail("StructuralPoisson",
+                std::to_string(room_labels_.size()) + " room labels are set for " +
+                    std::to_string(input_->size()) + " points");
+  if (!initCompute())
+    return fail("StructuralPoisson", "PCL refuses the input cloud and its indices");
+  std::string problem = sedr::indicesProblem(*indices_, input_->size());
+  if (problem.empty() && indices_->empty())
+    problem = "no indices are selected of " + std::to_string(input_->size()) + " points";
+  if (problem.empty()) {
+    std::map<std::uint32_t, Room> rooms;
+    gather(rooms);
+    for (const auto& room : rooms)
+      addRoom(room.first, room.second);
+  }
+  deinitCompute();
+  if (!problem.empty())
+    return fail("StructuralPoisson", problem);
+  summarize();
+  return !mesh_.empty();
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::performReconstruction(pcl::PolygonMesh& output)
+{
+  run();
+  sedr::toPolygonMesh(mesh_, output);
+}
+
+template <typename PointNT>
+void
+StructuralPoisson<PointNT>::performReconstruction(PointCloud& points,
+                                                  std::vector<pcl::Vertices>& polygons)
+{
+  run();
+  std::vector<Eigen::Vector3d> normals(mesh_.vertices.size(), Eigen::Vector3d::Zero());
+  points.resize(mesh_.vertices.size());
+  polygons.resize(mesh_.triangles.size());
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const sedr::Triangle& triangle = mesh_.triangles[t];
+    polygons[t].vertices.assign(triangle.begin(), triangle.end());
+    for (const auto v : triangle) {
+      normals[v] += mesh_.scaledNormal(t);
+      if constexpr (pcl::traits::has_field<PointNT, pcl::fields::room>::value)
+        points[v].room = mesh_.rooms[t];
+      if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value)
+        points[v].label = mesh_.labels[t];
+    }
+  }
+  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    points[v].getVector3fMap() = mesh_.vertices[v].template cast<float>();
+    points[v].getNormalVector3fMap() = normals[v].normalized().template cast<float>();
+  }
+}
+
+} // namespace pcl

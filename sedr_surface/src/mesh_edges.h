@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief One side of a triangle, filed under the edge that it lies on. */
+struct EdgeUse {
+  std::uint32_t low = 0;      ///< vertex of the edge with the lower index
+  std::uint32_t high = 0;     ///< the other one
+  std::uint32_t triangle = 0; ///< the triangle
+  std::uint8_t side = 0;      ///< the side from its corner `side` to the next
+  bool forward = false;       ///< the triangle runs from low to high
+};
+
+/** @brief The sides of all triangles, sorted by edge and then by triangle. Sides between a vertex
+ * and itself are left out. O(n log n). */
+inline std::vector<EdgeUse>
+collectEdges(const std::vector<Triangle>& triangles)
+{
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint8_t side = 0; side < 3; ++side) {
+      const std::uint32_t from = triangles[t][side];
+      const std::uint32_t to = triangles[t][(side + 1u) % 3u];
+      if (from != to)
+        uses.push_back({std::min(from, to), std::max(from, to), t, side, from < to});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle, a.side) <
+           std::tie(b.low, b.high, b.triangle, b.side);
+  });
+  return uses;
+}
+
+/** @brief Calls `visit(first, last)` with the range of uses of every edge, in order. */
+template <typename Visit>
+void
+forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
+{
+  for (auto first = uses.begin(); first != uses.end();) {
+    auto last = first + 1;
+    while (last != uses.end() && last->low == first->low && last->high == first->high)
+      ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+/** @brief Disjoint sets of 0 .. n - 1; the lowest member stands for its set. */
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t size) : parent_(size)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t
+  find(std::uint32_t i)
+  {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  void
+  join(std::uint32_t a, std::uint32_t b)
+  {
+    a = find(a);
+    b = find(b);
+    if (a != b)
+      parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/** @brief Number of the corner of `use.triangle` that sits on the lower vertex of the edge:
+ * 3 * triangle + corner. */
+inline std::uint32_t
+lowCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? use.side : (use.side + 1u) % 3u);
+}
+
+/** @brief The same for the higher vertex. */
+inline std::uint32_t
+highCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? (use.side + 1u) % 3u : use.side);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_repair.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+MeshFigures
+measureMesh(const TriangleMesh& mesh)
+{
+  MeshFigures figures;
+  figures.topology = checkTopology(mesh);
+  figures.closed = figures.topology.isClosedManifold();
+  TriangleMesh welded = mesh;
+  figures.closed_when_welded = weldVertices(welded) == 0
+                                   ? figures.closed
+                                   : checkTopology(welded).isClosedManifold();
+  figures.area = mesh.area();
+  figures.volume = mesh.signedVolume();
+  figures.bounds = mesh.bounds();
+  return figures;
+}
+
+} // namespace sedr
+
+namespace {
+
+constexpr const char* class_name = "MeshEvaluation";
+
+} // namespace
+
+void
+MeshEvaluation::setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+{
+  mesh_ = {mesh, nullptr};
+}
+
+void
+MeshEvaluation::setInputMesh(const std::shared_ptr<const sedr::TriangleMesh>& mesh)
+{
+  mesh_ = {nullptr, mesh};
+}
+
+void
+MeshEvaluation::setTruth(const pcl::PolygonMesh::ConstPtr& truth)
+{
+  truth_ = {truth, nullptr};
+}
+
+void
+MeshEvaluation::setTruth(const std::shared_ptr<const sedr::TriangleMesh>& truth)
+{
+  truth_ = {nullptr, truth};
+}
+
+bool
+MeshEvaluation::checkParameters()
+{
+  if (!mesh_.isSet())
+    return fail(class_name, "no mesh is set");
+  if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
+    return fail(class_name,
+                "the sample spacing must be above 0 m, it is " +
+                    std::to_string(sample_spacing_) + " m");
+  if (!(histogram_range_ > 0) || !std::isfinite(histogram_range_))
+    return fail(class_name,
+                "the histogram must end above 0 m, it ends at " +
+                    std::to_string(histogram_range_) + " m");
+  if (histogram_bins_ > 1'000'000)
+    return fail(class_name,
+                "the histogram takes at most 1000000 bins, " +
+                    std::to_string(histogram_bins_) + " are set");
+  return true;
+}
+
+bool
+MeshEvaluation::prepare(const MeshInput& input,
+                        const char* what,
+                        std::shared_ptr<const sedr::TriangleMesh>& mesh)
+{
+  std::string problem;
+  mesh = input.triangles;
+  if (input.polygons) {
+    auto converted = std::make_shared<sedr::TriangleMesh>();
+    problem = sedr::fromPolygonMesh(*input.polygons, *converted);
+    mesh = converted;
+  }
+  else
+    problem = mesh->problem();
+  if (problem.empty() && mesh->empty())
+    problem = "it has no triangles";
+  if (problem.empty() && !(mesh->area() > 0))
+    problem = "its " + std::to_string(mesh->triangles.size()) + " triangles have no area";
+  if (!problem.empty())
+    return fail(class_name, std::string("the ") + what + " is no mesh: " + problem);
+  return true;
+}
+
+bool
+MeshEvaluation::selectPoints(std::vector<Eigen::Vector3d>& points, std::size_t& skipped)
+{
+  if (indices_) {
+    const std::string problem = sedr::indicesProblem(*indices_, points_.size());
+    if (!problem.empty())
+      return fail(class_name, problem);
+  }
+  const std::size_t count = indices_ ? indices_->size() : points_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t index = indices_ ? static_cast<std::size_t>((*indices_)[i]) : i;
+    if (points_.isFinite(index))
+      points.push_back(points_[index].cast<double>());
+  }
+  skipped = count - points.size();
+  if (points.empty())
+    return fail(class_name,
+                "the cloud has no point to measure, " + std::to_string(skipped) + " of " +
+                    std::to_string(count) + " are not finite");
+  return true;
+}
+
+sedr::DistanceStatistics
+MeshEvaluation::measure(const std::vector<Eigen::Vector3d>& points,
+                        const sedr::MeshDistance& mesh) const
+{
+  return sedr::summarizeDistances(
+      mesh.distances(points, threads_), histogram_bins_, histogram_range_);
+}
+
+bool
+MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
+{
+  clearError();
+  result = {};
+  std::shared_ptr<const sedr::TriangleMesh> mesh;
+  std::shared_ptr<const sedr::TriangleMesh> truth;
+  std::vector<Eigen::Vector3d> points;
+  std::size_t skipped = 0;
+  if (!checkParameters() || !prepare(mesh_, "model", mesh) ||
+      (truth_.isSet() && !prepare(truth_, "truth", truth)) ||
+      (cloud_ && !selectPoints(points, skipped)))
+    return false;
+  result.mesh = sedr::measureMesh(*mesh);
+  result.skipped_points = skipped;
+  if (!truth && !cloud_)
+    return true;
+  const sedr::MeshDistance to_mesh(*mesh);
+  if (cloud_)
+    result.cloud_to_mesh = measure(points, to_mesh);
+  if (!truth)
+    return true;
+  const auto of_mesh = sedr::sampleMesh(*mesh, sample_spacing_, seed_);
+  const auto of_truth = sedr::sampleMesh(*truth, sample_spacing_, seed_);
+  result.truth = sedr::measureMesh(*truth);
+  result.mesh_to_truth = measure(of_mesh.points, sedr::MeshDistance(*truth));
+  result.truth_to_mesh = measure(of_truth.points, to_mesh);
+  result.sample_spacing = std::max(of_mesh.spacing, of_truth.spacing);
+  return true;
+}
+
+} // namespace pcl

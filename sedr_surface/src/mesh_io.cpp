@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_parsers.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+template <typename T>
+void
+appendBytes(std::string& bytes, T value)
+{
+  // PLY has its byte order in the header; all that PCL runs on is little-endian.
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+std::string
+plyHeader(const TriangleMesh& mesh)
+{
+  std::ostringstream header;
+  header << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n"
+         << "element vertex " << mesh.vertices.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\n"
+         << "element face " << mesh.triangles.size()
+         << "\nproperty list uchar int vertex_indices\n";
+  if (!mesh.labels.empty())
+    header << "property int label\n";
+  if (!mesh.rooms.empty())
+    header << "property int room\n";
+  header << "end_header\n";
+  return header.str();
+}
+
+std::string
+plyContent(const TriangleMesh& mesh)
+{
+  std::string content = plyHeader(mesh);
+  content.reserve(content.size() + 12 * mesh.vertices.size() + 21 * mesh.triangles.size());
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
+    for (int k = 0; k < 3; ++k)
+      appendBytes(content, static_cast<float>(vertex[k]));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    appendBytes(content, std::uint8_t(3));
+    for (const auto v : mesh.triangles[t])
+      appendBytes(content, static_cast<std::int32_t>(v));
+    if (!mesh.labels.empty())
+      appendBytes(content, static_cast<std::int32_t>(mesh.labels[t]));
+    if (!mesh.rooms.empty())
+      appendBytes(content, static_cast<std::int32_t>(mesh.rooms[t]));
+  }
+  return content;
+}
+
+} // namespace
+
+std::string
+loadMesh(const std::string& path, TriangleMesh& mesh)
+{
+  mesh = TriangleMesh();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    return path + " is a folder, not a mesh";
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    return path + " cannot be opened";
+  const std::string content((std::istreambuf_iterator<char>(file)),
+                            std::istreambuf_iterator<char>());
+  if (content.empty())
+    return path + " is empty";
+  std::string reason;
+  if (content.compare(0, 4, "ply\n") == 0 || content.compare(0, 4, "ply\r") == 0)
+    reason = parsePly(content, mesh);
+  else if (looksLikeObj(content))
+    reason = parseObj(content, mesh);
+  else
+    reason = "is neither a PLY nor an OBJ file";
+  if (reason.empty() && mesh.empty())
+    reason = "is no mesh: it holds " + std::to_string(mesh.vertices.size()) +
+             " vertices and no triangles";
+  if (reason.empty()) {
+    const std::string problem = mesh.problem();
+    if (!problem.empty())
+      reason = "is no mesh: " + problem;
+  }
+  if (reason.empty())
+    return {};
+  mesh = TriangleMesh();
+  return path + " " + reason;
+}
+
+std::string
+savePly(const std::string& path, const TriangleMesh& mesh)
+{
+  const std::string problem = mesh.problem();
+  if (!problem.empty())
+    return path + " is not written: " + problem;
+  const std::string beside = path + ".part";
+  {
+    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+    if (!file)
+      return path + " cannot be written: its folder is missing or not writable";
+    const std::string content = plyContent(mesh);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file) {
+      std::remove(beside.c_str());
+      return path + " cannot be written: the disk took only a part of its " +
+             std::to_string(content.size()) + " bytes";
+    }
+  }
+  std::error_code error;
+  std::filesystem::rename(beside, path, error);
+  if (error) {
+    std::remove(beside.c_str());
+    return path + " cannot be written: " + error.message();
+  }
+  return {};
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/PolygonMesh.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+// Newell's normal: right for concave polygons too.
+Eigen::Vector3d
+polygonNormal(const std::vector<Eigen::Vector3d>& vertices,
+              const std::vector<std::uint32_t>& polygon)
+{
+  const Eigen::Vector3d& origin = vertices[polygon[0]];
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d a = vertices[polygon[i]] - origin;
+    const Eigen::Vector3d b = vertices[polygon[(i + 1) % polygon.size()]] - origin;
+    normal += a.cross(b);
+  }
+  return normal;
+}
+
+// Corner i of the remaining polygon can be cut off: convex, and no other corner within.
+bool
+isEar(const std::vector<Eigen::Vector3d>& vertices,
+      const std::vector<std::uint32_t>& polygon,
+      std::size_t i,
+      const Eigen::Vector3d& normal)
+{
+  const std::size_t n = polygon.size();
+  const std::uint32_t ia = polygon[(i + n - 1) % n];
+  const std::uint32_t ib = polygon[i];
+  const std::uint32_t ic = polygon[(i + 1) % n];
+  const Eigen::Vector3d& a = vertices[ia];
+  const Eigen::Vector3d& b = vertices[ib];
+  const Eigen::Vector3d& c = vertices[ic];
+  const auto side = [&normal](const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to,
+                              const Eigen::Vector3d& p) {
+    return normal.dot((to - from).cross(p - from));
+  };
+  if (side(a, b, c) <= 0)
+    return false;
+  for (const auto other : polygon) {
+    if (other == ia || other == ib || other == ic)
+      continue;
+    const Eigen::Vector3d& p = vertices[other];
+    if (p == a || p == b || p == c)
+      continue; // a cut that joins a hole to the outline visits its ends twice
+    if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0)
+      return false;
+  }
+  return true;
+}
+
+const pcl::PCLPointField*
+findField(const pcl::PCLPointCloud2& cloud, const char* name)
+{
+  for (const auto& field : cloud.fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
+// Why the field cannot be read, or an empty string.
+std::string
+fieldProblem(const pcl::PCLPointCloud2& cloud, const char* name)
+{
+  const auto* field = findField(cloud, name);
+  if (field == nullptr)
+    return std::string("the cloud of the mesh has no field ") + name;
+  const bool is_float = field->datatype == pcl::PCLPointField::FLOAT32;
+  if (!is_float && field->datatype != pcl::PCLPointField::FLOAT64)
+    return std::string("the field ") + name + " of the mesh is neither float nor double";
+  if (field->offset + (is_float ? 4u : 8u) > cloud.point_step)
+    return std::string("the field ") + name + " of the mesh lies outside its points";
+  return {};
+}
+
+double
+readField(const std::uint8_t* point, const pcl::PCLPointField& field)
+{
+  if (field.datatype == pcl::PCLPointField::FLOAT64) {
+    double value = 0;
+    std::memcpy(&value, point + field.offset, sizeof(value));
+    return value;
+  }
+  float value = 0;
+  std::memcpy(&value, point + field.offset, sizeof(value));
+  return value;
+}
+
+std::string
+readVertices(const pcl::PCLPointCloud2& cloud, std::vector<Eigen::Vector3d>& vertices)
+{
+  const char* names[3] = {"x", "y", "z"};
+  const pcl::PCLPointField* fields[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    const std::string reason = fieldProblem(cloud, names[i]);
+    if (!reason.empty())
+      return reason;
+    fields[i] = findField(cloud, names[i]);
+  }
+  const std::size_t size = static_cast<std::size_t>(cloud.width) * cloud.height;
+  if (cloud.data.size() < size * cloud.point_step)
+    return "the cloud of the mesh says " + std::to_string(size) + " points, but holds " +
+           std::to_string(cloud.data.size()) + " bytes";
+  vertices.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (int k = 0; k < 3; ++k)
+      vertices[i][k] = readField(cloud.data.data() + i * cloud.point_step, *fields[k]);
+  return {};
+}
+
+} // namespace
+
+void
+triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
+                   const std::vector<std::uint32_t>& polygon,
+                   std::vector<Triangle>& triangles)
+{
+  std::vector<std::uint32_t> rest = polygon;
+  if (rest.size() < 3)
+    return;
+  if (rest.size() > 3) {
+    const Eigen::Vector3d normal = polygonNormal(vertices, polygon);
+    for (std::size_t i = 0; rest.size() > 3 && i < rest.size();) {
+      if (!isEar(vertices, rest, i, normal)) {
+        ++i;
+        continue;
+      }
+      const std::size_t n = rest.size();
+      triangles.push_back({rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]});
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    }
+  }
+  for (std::size_t i = 1; i + 1 < rest.size(); ++i)
+    triangles.push_back({rest[0], rest[i], rest[i + 1]});
+}
+
+std::string
+fromPolygonMesh(const pcl::PolygonMesh& polygon_mesh, TriangleMesh& mesh)
+{
+  mesh = TriangleMesh();
+  std::vector<Eigen::Vector3d> vertices;
+  std::string reason = readVertices(polygon_mesh.cloud, vertices);
+  if (!reason.empty())
+    return reason;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> polygon;
+  for (std::size_t p = 0; p < polygon_mesh.polygons.size(); ++p) {
+    polygon.clear();
+    for (const auto index : polygon_mesh.polygons[p].vertices) {
+      if (static_cast<std::size_t>(index) >= vertices.size())
+        return "polygon " + std::to_string(p) + " uses vertex " + std::to_string(index) +
+               ", the mesh has " + std::to_string(vertices.size()) + " vertices";
+      polygon.push_back(static_cast<std::uint32_t>(index));
+    }
+    triangulatePolygon(vertices, polygon, triangles);
+  }
+  mesh.vertices = std::move(vertices);
+  mesh.triangles = std::move(triangles);
+  reason = mesh.problem();
+  if (!reason.empty())
+    mesh = TriangleMesh();
+  return reason;
+}
+
+void
+toPolygonMesh(const TriangleMesh& mesh, pcl::PolygonMesh& polygon_mesh)
+{
+  pcl::PCLPointCloud2& cloud = polygon_mesh.cloud;
+  cloud.fields.resize(3);
+  const char* names[3] = {"x", "y", "z"};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    cloud.fields[k].name = names[k];
+    cloud.fields[k].offset = k * 4;
+    cloud.fields[k].datatype = pcl::PCLPointField::FLOAT32;
+    cloud.fields[k].count = 1;
+  }
+  cloud.width = static_cast<std::uint32_t>(mesh.vertices.size());
+  cloud.height = 1;
+  cloud.point_step = 12;
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.is_dense = true;
+  cloud.is_bigendian = false;
+  cloud.data.resize(mesh.vertices.size() * cloud.point_step);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Eigen::Vector3f p = mesh.vertices[v].cast<float>();
+    std::memcpy(cloud.data.data() + v * cloud.point_step, p.data(), cloud.point_step);
+  }
+  polygon_mesh.polygons.resize(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    polygon_mesh.polygons[t].vertices.assign(mesh.triangles[t].begin(),
+                                             mesh.triangles[t].end());
+}
+
+} // namespace sedr
+} // namespace pcl

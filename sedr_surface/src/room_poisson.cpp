@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_surface/room_poisson.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+// The octree is turned a little finer or coarser until its surface closes: where leaves of two
+// depths meet, pcl::Poisson now and then loses a triangle.
+struct Attempt {
+  double cell_factor;
+  int depth_change;
+};
+constexpr Attempt attempts[] = {
+    {1, 0}, {1.06, 0}, {0.95, 0}, {1.13, 0}, {1.2, 0}, {1, -1}, {1.13, -1}};
+
+Eigen::Vector3d
+centroidOf(const std::vector<OrientedPoint>& points)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const OrientedPoint& p : points)
+    sum += p.position.cast<double>();
+  return sum / static_cast<double>(points.size());
+}
+
+// The same points near the origin, where a float has digits to spare.
+std::vector<OrientedPoint>
+centred(const std::vector<OrientedPoint>& points, const Eigen::Vector3d& centre)
+{
+  std::vector<OrientedPoint> local = points;
+  for (OrientedPoint& p : local)
+    p.position = (p.position.cast<double>() - centre).cast<float>();
+  return local;
+}
+
+double
+extentOf(const std::vector<OrientedPoint>& points)
+{
+  Eigen::AlignedBox3f box;
+  for (const OrientedPoint& p : points)
+    box.extend(p.position);
+  return box.sizes().maxCoeff();
+}
+
+// Depth and scale that give the octree cells of the wanted size: the cube of a plain scale would
+// make them anything between that and half of it.
+PoissonParameters
+fitOctree(const PoissonParameters& limits, double extent, double cell, int depth_change)
+{
+  PoissonParameters fitted = limits;
+  const double least = extent * limits.scale;
+  const auto depth = static_cast<int>(std::ceil(std::log2(least / cell) - 1e-9));
+  fitted.depth = std::clamp(depth + depth_change, 3, limits.depth);
+  fitted.min_depth = std::min(limits.min_depth, fitted.depth);
+  const double factor = depth_change < 0 ? std::ldexp(1., -depth_change) : 1.;
+  fitted.scale = static_cast<float>(
+      std::max<double>(limits.scale, factor * cell * std::ldexp(1., fitted.depth) / extent));
+  return fitted;
+}
+
+// To where a float puts them: what is checked is what will be written.
+void
+roundToFloat(TriangleMesh& mesh)
+{
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v = v.cast<float>().cast<double>();
+}
+
+// Twice what a float resolves at the far corner of the mesh.
+double
+resolutionAt(const TriangleMesh& mesh)
+{
+  const Eigen::AlignedBox3d box = mesh.bounds();
+  const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return 2 * far * std::numeric_limits<float>::epsilon();
+}
+
+bool
+hasEqualPositions(const TriangleMesh& mesh)
+{
+  TriangleMesh copy = mesh;
+  return weldVertices(copy) > 0;
+}
+
+void
+moveAndRepair(TriangleMesh& mesh,
+              const Eigen::Vector3d& centre,
+              const RoomPoissonParameters& parameters,
+              RoomPoissonReport& report)
+{
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v += centre;
+  roundToFloat(mesh);
+  MeshRepairOptions options;
+  options.max_hole_edges = parameters.max_hole_edges;
+  options.keep_components = 1;
+  options.shortest_edge = std::max(0.05 * report.cell, 2 * resolutionAt(mesh));
+  options.normals = NormalSide::Inward;
+  repairMesh(mesh, options, report.repair);
+  roundToFloat(mesh);
+  report.topology = checkTopology(mesh);
+  report.problem = report.topology.problem();
+  if (report.topology.components.size() > 1)
+    report.problem += (report.problem.empty() ? "" : ", ") +
+                      std::to_string(report.topology.components.size()) + " components";
+  else if (report.problem.empty() && hasEqualPositions(mesh))
+    report.problem = "vertices at equal positions";
+  report.closed = report.problem.empty();
+}
+
+// How far a result is from being closed; of several that are not, the least is kept.
+std::size_t
+defects(const MeshTopology& topology)
+{
+  return topology.boundary_edges + topology.non_manifold_edges +
+         topology.non_manifold_vertices + topology.inconsistent_edges +
+         topology.degenerate_triangles + topology.duplicate_triangles;
+}
+
+// Solves until the surface is closed, or as often as is worth it.
+bool
+solveUntilClosed(const std::vector<OrientedPoint>& points,
+                 const RoomPoissonParameters& parameters,
+                 TriangleMesh& mesh,
+                 RoomPoissonReport& report)
+{
+  const Eigen::Vector3d centre = centroidOf(points);
+  const std::vector<OrientedPoint> local = centred(points, centre);
+  const double extent = extentOf(local);
+  report.spacing = measureSpacing(local);
+  if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
+    report.problem = "the " + std::to_string(points.size()) + " points extend over " +
+                     std::to_string(extent) + " m only";
+    return false;
+  }
+  bool found = false;
+  RoomPoissonReport best = report;
+  std::string failure;
+  for (const Attempt& attempt : attempts) {
+    RoomPoissonReport current = report;
+    const PoissonParameters octree =
+        fitOctree(parameters.solver,
+                  extent,
+                  report.spacing * parameters.cell_ratio * attempt.cell_factor,
+                  attempt.depth_change);
+    current.depth = octree.depth;
+    current.scale = octree.scale;
+    current.cell = extent * octree.scale / std::ldexp(1., octree.depth);
+    current.attempts = ++report.attempts;
+    TriangleMesh surface;
+    failure = solvePoisson(local, octree, surface, current.complaints);
+    if (!failure.empty())
+      continue;
+    moveAndRepair(surface, centre, parameters, current);
+    if (surface.empty())
+      continue;
+    if (!found || current.closed || defects(current.topology) < defects(best.topology)) {
+      mesh = std::move(surface);
+      best = current;
+      found = true;
+    }
+    if (best.closed)
+      break;
+  }
+  best.attempts = report.attempts;
+  report = best;
+  if (!found)
+    report.problem = failure.empty() ? "nothing was left of the surface" : failure;
+  return found;
+}
+
+using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
+
+void
+buildTree(const std::vector<OrientedPoint>& points, const Eigen::Vector3d& origin, Tree& tree)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const OrientedPoint& p : points) {
+    const Eigen::Vector3f q = (p.position.cast<double>() - origin).cast<float>();
+    cloud->push_back({q.x(), q.y(), q.z()});
+  }
+  tree.setInputCloud(cloud);
+}
+
+// The point nearest to the middle of each triangle, and how far that is.
+void
+findNearest(const std::vector<OrientedPoint>& points,
+            const TriangleMesh& mesh,
+            unsigned threads,
+            std::vector<std::uint32_t>& nearest,
+            std::vector<float>& distance)
+{
+  const Eigen::Vector3d origin = centroidOf(points);
+  Tree tree(false);
+  buildTree(points, origin, tree);
+  nearest.resize(mesh.triangles.size());
+  distance.resize(mesh.triangles.size());
+  parallelBlocks(mesh.triangles.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+    pcl::Indices indices(1);
+    std::vector<float> squared(1);
+    for (std::size_t t = begin; t < end; ++t) {
+      const Eigen::Vector3d middle =
+          (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - origin;
+      const Eigen::Vector3f q = middle.cast<float>();
+      tree.nearestKSearch(pcl::PointXYZ(q.x(), q.y(), q.z()), 1, indices, squared);
+      nearest[t] = static_cast<std::uint32_t>(indices[0]);
+      distance[t] = std::sqrt(squared[0]);
+    }
+  });
+}
+
+// Turns the surface to the side of the points' normals and sees how much of it they bear out.
+void
+compareWithPoints(const std::vector<OrientedPoint>& points,
+                  const RoomPoissonParameters& parameters,
+                  TriangleMesh& mesh,
+                  std::vector<std::uint32_t>& nearest,
+                  RoomPoissonReport& report)
+{
+  std::vector<float> distance;
+  findNearest(points, mesh, parameters.threads, nearest, distance);
+  double agreement = 0;
+  double far_area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3d normal = mesh.scaledNormal(t);
+    agreement += normal.dot(points[nearest[t]].normal.cast<double>());
+    if (distance[t] > std::max(parameters.support_distance, 4 * report.spacing))
+      far_area += normal.norm() / 2;
+  }
+  if (agreement < 0)
+    mesh.flip();
+  report.area = mesh.area();
+  report.volume = std::abs(mesh.signedVolume());
+  report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
+}
+
+} // namespace
+
+bool
+reconstructRoom(const std::vector<OrientedPoint>& points,
+                const RoomPoissonParameters& parameters,
+                TriangleMesh& mesh,
+                std::vector<std::uint32_t>& nearest,
+                RoomPoissonReport& report)
+{
+  mesh = TriangleMesh();
+  nearest.clear();
+  report.points = points.size();
+  if (points.size() < parameters.min_points) {
+    report.problem = std::to_string(parameters.min_points) +
+                     " points with normals are needed, there are " +
+                     std::to_string(points.size());
+    return false;
+  }
+  if (!solveUntilClosed(points, parameters, mesh, report))
+    return false;
+  compareWithPoints(points, parameters, mesh, nearest, report);
+  return true;
+}
+
+} // namespace sedr
+} // namespace pcl

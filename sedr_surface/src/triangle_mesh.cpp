@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+using Attribute = std::vector<std::uint32_t>;
+
+// Attributes of two meshes one after the other; a missing one counts as zeros.
+void
+appendAttribute(Attribute& own,
+                std::size_t own_triangles,
+                const Attribute& other,
+                std::size_t other_triangles)
+{
+  if (own.empty() && other.empty())
+    return;
+  own.resize(own_triangles, 0);
+  own.insert(own.end(), other.begin(), other.end());
+  own.resize(own_triangles + other_triangles, 0);
+}
+
+} // namespace
+
+double
+TriangleMesh::area() const
+{
+  double twice = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    twice += scaledNormal(t).norm();
+  return twice / 2;
+}
+
+double
+TriangleMesh::signedVolume() const
+{
+  if (empty())
+    return 0;
+  // Relative to a vertex of the mesh: large coordinates must not eat up the digits.
+  const Eigen::Vector3d origin = corner(0, 0);
+  double six_fold = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    six_fold += (corner(t, 0) - origin)
+                    .dot((corner(t, 1) - origin).cross(corner(t, 2) - origin));
+  return six_fold / 6;
+}
+
+Eigen::AlignedBox3d
+TriangleMesh::bounds() const
+{
+  Eigen::AlignedBox3d box;
+  for (const Triangle& triangle : triangles)
+    for (const auto v : triangle)
+      box.extend(vertices[v]);
+  return box;
+}
+
+void
+TriangleMesh::flip()
+{
+  for (Triangle& triangle : triangles)
+    std::swap(triangle[1], triangle[2]);
+}
+
+void
+TriangleMesh::append(const TriangleMesh& other)
+{
+  const auto shift = static_cast<std::uint32_t>(vertices.size());
+  const std::size_t before = triangles.size();
+  const std::size_t added = other.triangles.size();
+  appendAttribute(labels, before, other.labels, added);
+  appendAttribute(rooms, before, other.rooms, added);
+  vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
+  triangles.reserve(before + added);
+  for (std::size_t t = 0; t < added; ++t) {
+    const Triangle& triangle = other.triangles[t];
+    triangles.push_back({triangle[0] + shift, triangle[1] + shift, triangle[2] + shift});
+  }
+}
+
+std::size_t
+TriangleMesh::keepTriangles(const std::vector<bool>& keep)
+{
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!keep[t])
+      continue;
+    triangles[kept] = triangles[t];
+    if (!labels.empty())
+      labels[kept] = labels[t];
+    if (!rooms.empty())
+      rooms[kept] = rooms[t];
+    ++kept;
+  }
+  const std::size_t removed = triangles.size() - kept;
+  triangles.resize(kept);
+  if (!labels.empty())
+    labels.resize(kept);
+  if (!rooms.empty())
+    rooms.resize(kept);
+  return removed;
+}
+
+std::size_t
+TriangleMesh::removeUnusedVertices()
+{
+  constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> new_index(vertices.size(), unused);
+  for (const Triangle& triangle : triangles)
+    for (const auto v : triangle)
+      new_index[v] = 0;
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    if (new_index[v] != unused) {
+      vertices[kept] = vertices[v];
+      new_index[v] = kept++;
+    }
+  const std::size_t removed = vertices.size() - kept;
+  vertices.resize(kept);
+  for (Triangle& triangle : triangles)
+    for (auto& v : triangle)
+      v = new_index[v];
+  return removed;
+}
+
+std::string
+TriangleMesh::problem() const
+{
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const auto v : triangles[t])
+      if (v >= vertices.size())
+        return "triangle " + std::to_string(t) + " uses vertex " + std::to_string(v) +
+               ", the mesh has " + std::to_string(vertices.size()) + " vertices";
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    if (!vertices[v].allFinite())
+      return "vertex " + std::to_string(v) + " is not finite";
+  if ((!labels.empty() && labels.size() != triangles.size()) ||
+      (!rooms.empty() && rooms.size() != triangles.size()))
+    return "the mesh has " + std::to_string(triangles.size()) + " triangles, but " +
+           std::to_string(labels.size()) + " labels and " + std::to_string(rooms.size()) +
+           " rooms";
+  return {};
+}
+
+} // namespace sedr
+} // namespace pcl

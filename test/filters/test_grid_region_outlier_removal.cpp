@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/point_types.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Removal = pcl::GridRegionOutlierRemoval<pcl::PointXYZ>;
+
+constexpr float cell = 0.05f;
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/** Ceilings made of points in the middle of cells. */
+struct Scene {
+  Cloud::Ptr cloud = std::make_shared<Cloud>();
+
+  /** `per_cell` points in each cell of [x0, x1) x [y0, y1); returns their indices. */
+  pcl::Indices
+  add(int x0, int x1, int y0, int y1, float z = 2.5f, int per_cell = 1)
+  {
+    pcl::Indices indices;
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x)
+        for (int k = 0; k < per_cell; ++k) {
+          indices.push_back(static_cast<int>(cloud->size()));
+          cloud->emplace_back((static_cast<float>(x) + 0.5f) * cell,
+                              (static_cast<float>(y) + 0.5f) * cell,
+                              z);
+        }
+    return indices;
+  }
+};
+
+pcl::Indices
+joined(std::initializer_list<pcl::Indices> parts)
+{
+  pcl::Indices all;
+  for (const auto& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+pcl::Indices
+keptOf(Removal& removal)
+{
+  pcl::Indices kept;
+  removal.filter(kept);
+  EXPECT_EQ(removal.getErrorMessage(), "");
+  return kept;
+}
+
+TEST(GridRegionOutlierRemoval, KeepsTheRegionsAboveTheLargestDifference)
+{
+  Scene scene;
+  const auto piece = scene.add(100, 105, -30, -29);
+  const auto small_room = scene.add(50, 80, 0, 30);
+  const auto large_room = scene.add(-40, 0, -20, 20);
+  scene.add(90, 93, 7, 8);
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  EXPECT_EQ(keptOf(removal), joined({small_room, large_room}));
+  EXPECT_EQ(removal.getRegionSizes(), (std::vector<std::size_t>{1600, 900, 5, 3}));
+  EXPECT_EQ(removal.getThreshold(), 5u);
+  EXPECT_EQ(removal.getNumberOfRegions(), 2u);
+  const auto& labels = removal.getRegionLabels();
+  ASSERT_EQ(labels.size(), scene.cloud->size());
+  EXPECT_EQ(labels[static_cast<std::size_t>(large_room[7])], 1);
+  EXPECT_EQ(labels[static_cast<std::size_t>(small_room[7])], 2);
+  EXPECT_EQ(labels[static_cast<std::size_t>(piece[0])], 0);
+}
+
+TEST(GridRegionOutlierRemoval, CountsCellsAndNotPoints)
+{
+  Scene scene;
+  const auto room = scene.add(0, 20, 0, 20);
+  scene.add(50, 52, 0, 2, 2.5f, 1000);
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  EXPECT_EQ(keptOf(removal), room);
+}
+
+TEST(GridRegionOutlierRemoval, CellsThatTouchAtACornerAreOneRegion)
+{
+  Scene scene;
+  scene.add(0, 10, 0, 10);
+  scene.add(10, 20, 10, 20);
+  scene.add(21, 22, 20, 21); // beside a corner, one cell off
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  keptOf(removal);
+  EXPECT_EQ(removal.getRegionSizes(), (std::vector<std::size_t>{200, 1}));
+}
+
+TEST(GridRegionOutlierRemoval, OneRegionOrSeveralOfOneSizeAreKept)
+{
+  Scene one;
+  const auto alone = one.add(0, 3, 0, 1);
+  Removal removal;
+  removal.setInputCloud(one.cloud);
+  EXPECT_EQ(keptOf(removal), alone);
+  Scene three;
+  three.add(0, 10, 0, 10);
+  three.add(20, 30, 0, 10);
+  three.add(40, 50, 0, 10);
+  removal.setInputCloud(three.cloud);
+  EXPECT_EQ(keptOf(removal).size(), 300u);
+  EXPECT_EQ(removal.getNumberOfRegions(), 3u);
+  EXPECT_EQ(removal.getThreshold(), 0u);
+}
+
+TEST(GridRegionOutlierRemoval, OpeningPartsRoomsThatNoiseJoins)
+{
+  Scene scene;
+  scene.add(0, 40, 0, 40);
+  scene.add(42, 82, 0, 40);
+  scene.add(40, 42, 5, 6);   // scan noise across a partition of 10 cm
+  scene.add(40, 42, 30, 32); // two cells wide
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  keptOf(removal);
+  EXPECT_EQ(removal.getNumberOfRegions(), 1u);
+  removal.setOpeningRadius(1);
+  EXPECT_EQ(keptOf(removal).size(), scene.cloud->size());
+  EXPECT_EQ(removal.getRegionSizes(), (std::vector<std::size_t>{1603, 1603}));
+}
+
+TEST(GridRegionOutlierRemoval, SupportSavesSmallRoomsAndNothingElse)
+{
+  Scene scene;
+  const auto room = scene.add(0, 80, 0, 80);
+  const auto closet = scene.add(100, 120, 0, 20);
+  const auto outside = scene.add(200, 220, 0, 20);
+  const auto ceilings = joined({room, closet, outside});
+  const auto floor = joined({scene.add(0, 80, 0, 80, 0), scene.add(100, 120, 0, 12, 0)});
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  removal.setIndices(std::make_shared<pcl::Indices>(ceilings));
+  EXPECT_EQ(keptOf(removal), room);
+  removal.setSupportIndices(std::make_shared<pcl::Indices>(floor));
+  EXPECT_EQ(keptOf(removal), joined({room, closet}));
+  EXPECT_EQ(removal.getNumberOfRegions(), 2u);
+  removal.setMinimumSupportedCells(401);
+  EXPECT_EQ(keptOf(removal), room);
+  removal.setMinimumSupportedCells(400);
+  removal.setMinimumSupport(0.66); // 13 of 20 rows lie on or beside the floor
+  EXPECT_EQ(keptOf(removal), room);
+  removal.setSupportIndices(std::make_shared<pcl::Indices>(pcl::Indices{100000}));
+  pcl::Indices kept;
+  removal.filter(kept);
+  EXPECT_TRUE(kept.empty());
+  EXPECT_NE(removal.getErrorMessage().find("support index 100000"), std::string::npos);
+}
+
+TEST(GridRegionOutlierRemoval, PointsThatAreNotFiniteAreRemovedInEitherSense)
+{
+  Scene scene;
+  scene.add(0, 10, 0, 10);
+  const auto outlier = scene.add(30, 31, 0, 1);
+  scene.cloud->emplace_back(nan, 0.1f, 0.1f);
+  scene.cloud->emplace_back(0.1f, 0.1f, nan);
+  Removal removal(true);
+  removal.setInputCloud(scene.cloud);
+  keptOf(removal);
+  EXPECT_EQ(*removal.getRemovedIndices(), (pcl::Indices{100, 101, 102}));
+  removal.setNegative(true);
+  EXPECT_EQ(keptOf(removal), outlier);
+  EXPECT_EQ(removal.getRemovedIndices()->size(), 102u);
+}
+
+TEST(GridRegionOutlierRemoval, AnOrganisedCloudKeepsItsShape)
+{
+  Scene scene;
+  scene.add(0, 10, 0, 10);
+  scene.add(30, 31, 0, 1);
+  scene.add(40, 41, 0, 1);
+  scene.cloud->width = 51;
+  scene.cloud->height = 2;
+  Removal removal(true);
+  removal.setInputCloud(scene.cloud);
+  removal.setKeepOrganized(true);
+  removal.setUserFilterValue(-1.f);
+  Cloud output;
+  removal.filter(output);
+  EXPECT_EQ(output.width, 51u);
+  EXPECT_EQ(output.height, 2u);
+  EXPECT_EQ(output[0].x, (*scene.cloud)[0].x);
+  EXPECT_EQ(output[100].x, -1.f);
+  EXPECT_EQ(output[101].z, -1.f);
+  removal.setGridSize(-1); // nothing passes a filter that failed
+  removal.filter(output);
+  for (const auto& p : output)
+    ASSERT_EQ(p.x, -1.f);
+}
+
+TEST(GridRegionOutlierRemoval, OutputIndicesMayBeTheInputIndices)
+{
+  Scene scene;
+  const auto room = scene.add(0, 10, 0, 10);
+  scene.add(30, 31, 0, 1);
+  auto indices = std::make_shared<pcl::Indices>(scene.cloud->size());
+  std::iota(indices->begin(), indices->end(), 0);
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  removal.setIndices(indices);
+  removal.filter(*indices);
+  EXPECT_EQ(*indices, room);
+}
+
+TEST(GridRegionOutlierRemoval, IsCompiledForTheTypesPromised)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
+  cloud->resize(3);
+  pcl::GridRegionOutlierRemoval<pcl::PointStructure> removal;
+  removal.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointStructure> output;
+  removal.filter(output);
+  EXPECT_EQ(output.size(), 3u);
+}
+
+} // namespace

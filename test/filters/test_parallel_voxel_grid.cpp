@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_filters/point_types.h>
+
+#include <pcl/filters/voxel_grid.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+randomCloud(std::size_t n, float low, float high, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> coordinate(low, high);
+  auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
+  for (std::size_t i = 0; i < n; ++i) {
+    PointT p;
+    p.x = coordinate(random);
+    p.y = coordinate(random);
+    p.z = coordinate(random) / 4;
+    cloud->push_back(p);
+  }
+  return cloud;
+}
+
+/** Runs both classes with the same settings. */
+template <typename PointT, typename SetUpT>
+void
+expectSameAsVoxelGrid(const typename pcl::PointCloud<PointT>::Ptr& cloud,
+                      SetUpT set_up,
+                      pcl::PointCloud<PointT>& ours,
+                      pcl::PointCloud<PointT>& theirs)
+{
+  pcl::ParallelVoxelGrid<PointT> grid;
+  pcl::VoxelGrid<PointT> oracle;
+  grid.setInputCloud(cloud);
+  oracle.setInputCloud(cloud);
+  set_up(grid);
+  set_up(oracle);
+  grid.filter(ours);
+  oracle.filter(theirs);
+  ASSERT_EQ(ours.size(), theirs.size());
+  ASSERT_GT(ours.size(), 0u);
+  EXPECT_EQ(ours.width, theirs.width);
+  EXPECT_EQ(ours.height, theirs.height);
+  EXPECT_EQ(grid.getMinBoxCoordinates(), oracle.getMinBoxCoordinates());
+  EXPECT_EQ(grid.getMaxBoxCoordinates(), oracle.getMaxBoxCoordinates());
+  EXPECT_EQ(grid.getNrDivisions(), oracle.getNrDivisions());
+  EXPECT_EQ(grid.getDivisionMultiplier(), oracle.getDivisionMultiplier());
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const float tolerance = 1e-6f * (1 + theirs[i].getVector3fMap().cwiseAbs().maxCoeff());
+    ASSERT_LT((ours[i].getVector3fMap() - theirs[i].getVector3fMap()).norm(), 4 * tolerance)
+        << "voxel " << i;
+  }
+}
+
+TEST(ParallelVoxelGrid, GivesTheVoxelsAndMeansOfVoxelGridInTheSameOrder)
+{
+  struct Case {
+    std::size_t points;
+    float low, high, lx, ly, lz;
+  };
+  for (const Case& c : {Case{1, 0, 1, 0.1f, 0.1f, 0.1f},
+                        Case{2000, -1, 1, 0.05f, 0.05f, 0.05f},
+                        Case{50000, -7, -3, 0.1f, 0.1f, 0.1f},
+                        Case{50000, -5, 9, 0.3f, 0.05f, 1.f},
+                        Case{20000, -3000, 3000, 50.f, 20.f, 7.f},
+                        Case{100000, 0, 1, 2.f, 2.f, 2.f}}) {
+    pcl::PointCloud<pcl::PointXYZ> ours, theirs;
+    expectSameAsVoxelGrid<pcl::PointXYZ>(
+        randomCloud<pcl::PointXYZ>(c.points, c.low, c.high, 3),
+        [&](auto& grid) { grid.setLeafSize(c.lx, c.ly, c.lz); },
+        ours,
+        theirs);
+  }
+}
+
+TEST(ParallelVoxelGrid, AveragesAllFieldsAsVoxelGridDoes)
+{
+  auto cloud = randomCloud<pcl::PointXYZRGBNormal>(20000, -2, 2, 5);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  for (auto& p : *cloud) {
+    p.r = static_cast<std::uint8_t>(random() % 256);
+    p.g = static_cast<std::uint8_t>(random() % 256);
+    p.b = static_cast<std::uint8_t>(random() % 256);
+    p.getNormalVector3fMap() =
+        Eigen::Vector3f(unit(random), unit(random), 1).normalized();
+    p.curvature = unit(random);
+  }
+  pcl::PointCloud<pcl::PointXYZRGBNormal> ours, theirs;
+  expectSameAsVoxelGrid<pcl::PointXYZRGBNormal>(
+      cloud, [](auto& grid) { grid.setLeafSize(0.2f, 0.2f, 0.2f); }, ours, theirs);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    ASSERT_EQ(ours[i].rgba, theirs[i].rgba);
+    ASSERT_LT((ours[i].getNormalVector3fMap() - theirs[i].getNormalVector3fMap()).norm(), 1e-5);
+    ASSERT_NEAR(ours[i].curvature, theirs[i].curvature, 1e-5);
+  }
+}
+
+TEST(ParallelVoxelGrid, AveragesIntensityAndTakesTheMajorityOfLabelsAsVoxelGridDoes)
+{
+  auto intense = randomCloud<pcl::PointXYZI>(5000, -1, 1, 8);
+  auto labelled = randomCloud<pcl::PointXYZL>(5000, -1, 1, 8);
+  std::mt19937 random(9);
+  for (std::size_t i = 0; i < intense->size(); ++i) {
+    (*intense)[i].intensity = static_cast<float>(random() % 1000);
+    (*labelled)[i].label = random() % 3;
+  }
+  const auto leaf = [](auto& grid) { grid.setLeafSize(0.2f, 0.2f, 0.2f); };
+  pcl::PointCloud<pcl::PointXYZI> ours, theirs;
+  expectSameAsVoxelGrid<pcl::PointXYZI>(intense, leaf, ours, theirs);
+  pcl::PointCloud<pcl::PointXYZL> our_labels, their_labels;
+  expectSameAsVoxelGrid<pcl::PointXYZL>(labelled, leaf, our_labels, their_labels);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    ASSERT_NEAR(ours[i].intensity, theirs[i].intensity, 1e-2);
+    ASSERT_EQ(our_labels[i].label, their_labels[i].label);
+  }
+}
+
+TEST(ParallelVoxelGrid, LimitsMinimumPointsAndXyzAloneActAsInVoxelGrid)
+{
+  auto cloud = randomCloud<pcl::PointXYZI>(20000, -2, 2, 11);
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    (*cloud)[i].intensity = static_cast<float>(i % 100);
+  pcl::PointCloud<pcl::PointXYZI> ours, theirs;
+  for (const bool negative : {false, true}) {
+    expectSameAsVoxelGrid<pcl::PointXYZI>(
+        cloud,
+        [&](auto& grid) {
+          grid.setLeafSize(0.2f, 0.2f, 0.2f);
+          grid.setFilterFieldName("intensity");
+          grid.setFilterLimits(20, 60);
+          grid.setFilterLimitsNegative(negative);
+          grid.setMinimumPointsNumberPerVoxel(3);
+        },
+        ours,
+        theirs);
+    for (std::size_t i = 0; i < ours.size(); ++i)
+      ASSERT_NEAR(ours[i].intensity, theirs[i].intensity, 1e-3);
+  }
+  expectSameAsVoxelGrid<pcl::PointXYZI>(
+      cloud,
+      [](auto& grid) {
+        grid.setLeafSize(0.5f, 0.5f, 0.5f);
+        grid.setDownsampleAllData(false);
+      },
+      ours,
+      theirs);
+  EXPECT_EQ(ours[0].intensity, 0.f);
+}
+
+TEST(ParallelVoxelGrid, LeafLayoutIsThatOfVoxelGrid)
+{
+  const auto cloud = randomCloud<pcl::PointXYZ>(3000, -1, 1, 13);
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  pcl::VoxelGrid<pcl::PointXYZ> oracle;
+  pcl::PointCloud<pcl::PointXYZ> output;
+  const auto run = [&](auto& g) {
+    g.setInputCloud(cloud);
+    g.setLeafSize(0.1f, 0.1f, 0.1f);
+    g.setSaveLeafLayout(true);
+    g.setMinimumPointsNumberPerVoxel(2);
+    g.filter(output);
+  };
+  run(grid);
+  run(oracle);
+  EXPECT_EQ(grid.getLeafLayout(), oracle.getLeafLayout());
+  const Eigen::MatrixXi neighbours = pcl::getAllNeighborCellIndices();
+  for (const auto& p : *cloud) {
+    ASSERT_EQ(grid.getCentroidIndex(p), oracle.getCentroidIndex(p));
+    ASSERT_EQ(grid.getGridCoordinates(p.x, p.y, p.z), oracle.getGridCoordinates(p.x, p.y, p.z));
+    ASSERT_EQ(grid.getNeighborCentroidIndices(p, neighbours),
+              oracle.getNeighborCentroidIndices(p, neighbours));
+  }
+  EXPECT_EQ(grid.getCentroidIndexAt({1000, 0, 0}), -1);
+  EXPECT_EQ(grid.getCentroidIndex({1e30f, 0, 0}), -1);
+}
+
+TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
+{
+  const auto room = randomCloud<pcl::PointXYZ>(50000, -4, 4, 17);
+  pcl::PointCloud<pcl::PointXYZ> expected;
+  pcl::VoxelGrid<pcl::PointXYZ> oracle;
+  oracle.setInputCloud(room);
+  oracle.setLeafSize(0.05f, 0.05f, 0.05f);
+  oracle.filter(expected);
+
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*room);
+  cloud->emplace_back(1e6f, 1e6f, 1e6f);
+  cloud->emplace_back(-1e6f, 1e6f, 600.f);
+  cloud->emplace_back(-1e30f, -1e30f, -1e30f);
+  cloud->emplace_back(-1e30f, -1e30f, -1e30f);
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  grid.setSaveLeafLayout(true);
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  grid.filter(thinned);
+  ASSERT_EQ(thinned.size(), expected.size() + 3);
+  EXPECT_EQ(thinned.front().x, -1e30f);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    ASSERT_LT((thinned[i + 1].getVector3fMap() - expected[i].getVector3fMap()).norm(), 1e-5);
+  EXPECT_EQ(thinned[expected.size() + 1].z, 600.f);
+  EXPECT_EQ(thinned.back().z, 1e6f);
+  // Even the layout: only its dense form is refused.
+  EXPECT_EQ(grid.getCentroidIndex({1e6f, 1e6f, 1e6f}), static_cast<int>(thinned.size()) - 1);
+  EXPECT_TRUE(grid.getLeafLayout().empty());
+}
+
+/** n points, all coordinates of an axis different: voxels of 1 m hold one point each. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+scattered(std::uint32_t n, std::uint32_t modulus)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (std::uint32_t i = 0; i < n; ++i)
+    cloud->emplace_back(static_cast<float>(i) + 0.5f,
+                        static_cast<float>(i * 5u % modulus) + 0.5f,
+                        static_cast<float>(i * 13u % modulus) + 0.5f);
+  return cloud;
+}
+
+TEST(ParallelVoxelGrid, VoxelsWhoseKeysTakeMoreThan32Or64BitsAreToldApart)
+{
+  // 3 x 15 bits, and 3 x 22 bits.
+  for (const auto& [n, modulus] : {std::make_pair(1u << 15, 1u << 15),
+                                   std::make_pair((1u << 21) + 1000, 1u << 22)}) {
+    const auto cloud = scattered(n, modulus);
+    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    grid.setLeafSize(1, 1, 1);
+    pcl::PointCloud<pcl::PointXYZ> output;
+    grid.filter(output);
+    ASSERT_EQ(output.size(), n);
+    for (std::size_t i = 1; i < n; ++i)
+      ASSERT_LT(output[i - 1].z, output[i].z);
+  }
+}
+
+TEST(ParallelVoxelGrid, MeanIsExactWhereAFloatSumWouldDrift)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (int i = 0; i < 3000000; ++i)
+    cloud->emplace_back(5000.25f, 5000.25f, 5000.25f);
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZ> output;
+  grid.filter(output);
+  ASSERT_EQ(output.size(), 1u);
+  EXPECT_EQ(output[0].x, 5000.25f);
+}
+
+TEST(ParallelVoxelGrid, RemovedAreThePointsOfNoOutputVoxel)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZI>>();
+  const auto add = [&](float x, float intensity) {
+    pcl::PointXYZI p;
+    p.x = p.y = p.z = x;
+    p.intensity = intensity;
+    cloud->push_back(p);
+  };
+  add(0.1f, 1); // 0: kept with 2
+  add(nan, 1);  // 1
+  add(0.2f, 1); // 2
+  add(5.f, 1);  // 3: alone in its voxel
+  add(0.3f, 9); // 4: beyond the limits
+  add(0.3f, nan); // 5: neither inside nor outside
+  add(0.4f, 1); // 6: not among the indices
+  pcl::ParallelVoxelGrid<pcl::PointXYZI> grid(true);
+  grid.setInputCloud(cloud);
+  grid.setIndices(pcl::IndicesPtr(new pcl::Indices{0, 1, 2, 3, 4, 5}));
+  grid.setLeafSize(1, 1, 1);
+  grid.setFilterFieldName("intensity");
+  grid.setFilterLimits(0, 5);
+  grid.setMinimumPointsNumberPerVoxel(2);
+  pcl::PointCloud<pcl::PointXYZI> output;
+  grid.filter(output);
+  ASSERT_EQ(output.size(), 1u);
+  EXPECT_FLOAT_EQ(output[0].x, 0.15f);
+  EXPECT_EQ(*grid.getRemovedIndices(), (pcl::Indices{1, 3, 4, 5}));
+}
+
+TEST(ParallelVoxelGrid, RoomsOfStructurePointsAreTakenByMajority)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
+  for (const std::uint32_t room : {4u, 2u, 4u, 2u, 7u}) {
+    pcl::PointStructure p;
+    p.room = room;
+    p.label = room + 1;
+    p.normal_z = 1;
+    cloud->push_back(p);
+  }
+  pcl::ParallelVoxelGrid<pcl::PointStructure> grid;
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointStructure> output;
+  grid.filter(output);
+  ASSERT_EQ(output.size(), 1u);
+  EXPECT_EQ(output[0].room, 2u);
+  EXPECT_EQ(output[0].label, 3u);
+  EXPECT_FLOAT_EQ(output[0].normal_z, 1.f);
+}
+
+TEST(ParallelVoxelGrid, UnknownFilterFieldIsRefused)
+{
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(randomCloud<pcl::PointXYZ>(10, 0, 1, 1));
+  grid.setFilterFieldName("warmth");
+  pcl::PointCloud<pcl::PointXYZ> output;
+  grid.filter(output);
+  EXPECT_TRUE(output.empty());
+  EXPECT_NE(grid.getErrorMessage().find("warmth"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/scene.h"
+
+#include <utility>
+
+/** @file Small scenes whose measures can be worked out by hand. */
+
+namespace pcl::sedr::sim::test {
+
+/** @brief A room of @p width x @p depth x @p height with its corner at the origin. */
+inline Room
+makeBoxRoom(double width, double depth, double height)
+{
+  Room room;
+  room.name = "box";
+  room.outline = rectangleLoop({0.0, 0.0}, {width, depth});
+  room.ceiling.height = height;
+  return room;
+}
+
+/** @brief A scene of one room, scanned from one place with @p rays rays, without noise.
+ */
+inline Scene
+makeScene(Room room, Vec3 station, std::size_t rays)
+{
+  Scene scene;
+  scene.name = "sample";
+  scene.rooms.push_back(std::move(room));
+  Scanner scanner;
+  scanner.stations = {station};
+  scanner.rays_per_station = rays;
+  scene.scanners.push_back(scanner);
+  return scene;
+}
+
+} // namespace pcl::sedr::sim::test

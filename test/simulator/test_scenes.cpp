@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sample_rooms.h"
+#include "simulator/furniture.h"
+#include "simulator/scan.h"
+#include "simulator/scene_check.h"
+#include "simulator/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace pcl::sedr::sim::test {
+namespace {
+
+TEST(Scenes, arePhysicallySane)
+{
+  for (const Scene& scene : allScenes())
+    for (const std::string& problem : problemsOf(scene))
+      ADD_FAILURE() << scene.name << ": " << problem;
+}
+
+TEST(Scenes, holdThreeToFourAndAHalfMillionRays)
+{
+  for (const Scene& scene : allScenes()) {
+    const Scanner& scanner = scene.scanners.front();
+    const std::size_t rays = scanner.stations.size() * scanner.rays_per_station;
+    EXPECT_GE(rays, 3'000'000U) << scene.name;
+    EXPECT_LE(rays, 4'500'000U) << scene.name;
+  }
+}
+
+TEST(Scenes, areScannedFromTheHeightOfAPerson)
+{
+  for (const Scene& scene : allScenes())
+    for (const Vec3& station : scene.scanners.front().stations) {
+      EXPECT_GE(station.z, 1.3) << scene.name;
+      EXPECT_LE(station.z, 1.8) << scene.name;
+    }
+}
+
+TEST(Scenes, showEveryLabelAndRoomTheyHave)
+{
+  for (const Scene& scene : allScenes()) {
+    std::set<std::uint32_t> expected{0, 1, 2, 3};
+    for (const Room& room : scene.rooms) {
+      if (!room.details.empty())
+        expected.insert(static_cast<std::uint32_t>(Label::Detail));
+      if (!room.columns.empty())
+        expected.insert(static_cast<std::uint32_t>(Label::Column));
+    }
+    ScanOptions options;
+    options.rays_per_station = 2000;
+    std::set<std::uint32_t> labels;
+    std::set<std::uint32_t> rooms;
+    for (const ScanPoint& point : scan(scene, options).points) {
+      labels.insert(point.label);
+      rooms.insert(point.room);
+    }
+    EXPECT_EQ(labels, expected) << scene.name;
+    EXPECT_EQ(rooms.size(), scene.rooms.size() + 1) << scene.name;
+  }
+}
+
+TEST(Scenes, areFoundByNameOnly)
+{
+  EXPECT_EQ(sceneNamed("hls_hall").name, "hls_hall");
+  try {
+    sceneNamed("hls_hal");
+    FAIL();
+  }
+  catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("'hls_hal'"), std::string::npos);
+    EXPECT_NE(text.find("bls_room, hls_hall, syn_flat"), std::string::npos);
+  }
+}
+
+Scene
+saneScene()
+{
+  Room room = makeBoxRoom(5.0, 4.0, 3.0);
+  room.columns.push_back(circleLoop({1.0, 1.0}, 0.3));
+  return makeScene(room, {2.0, 2.0, 1.5}, 100);
+}
+
+TEST(SceneCheck, hasNothingToSayAboutASaneScene)
+{
+  EXPECT_TRUE(problemsOf(saneScene()).empty());
+}
+
+TEST(SceneCheck, findsFurnitureWhereItCannotBe)
+{
+  const Extent cube{0.5, 0.5, 0.5};
+  const Spot spots[] = {{{4.9, 2.0}, 0.0, 0.0},   // through the wall
+                        {{1.4, 1.0}, 0.0, 0.0},   // through the column
+                        {{1.0, 1.0}, 0.0, 0.0},   // around the column
+                        {{9.0, 9.0}, 0.0, 0.0},   // outside
+                        {{3.0, 3.0}, 0.0, -0.1},  // sunk into the floor
+                        {{3.0, 3.0}, 0.0, 2.6},   // through the ceiling
+                        {{2.0, 2.0}, 0.0, 1.25}}; // around the scanner
+  for (const Spot& spot : spots) {
+    Scene scene = saneScene();
+    scene.furniture.push_back(makeBlock("cube", spot, cube));
+    EXPECT_FALSE(problemsOf(scene).empty()) << spot.center.x << ' ' << spot.floor;
+  }
+}
+
+TEST(SceneCheck, findsFaultyRooms)
+{
+  Scene scene = saneScene();
+  std::reverse(scene.rooms[0].outline.begin(), scene.rooms[0].outline.end());
+  EXPECT_FALSE(problemsOf(scene).empty());
+  scene = saneScene();
+  scene.rooms[0].ceiling.height = 0.0;
+  EXPECT_FALSE(problemsOf(scene).empty());
+  scene = saneScene();
+  scene.rooms[0].columns.front() = circleLoop({0.2, 1.0}, 0.3);
+  EXPECT_FALSE(problemsOf(scene).empty());
+  scene = saneScene();
+  scene.rooms[0].details.push_back({rectangleLoop({4.0, 1.0}, {5.5, 2.0}), {2.5}});
+  EXPECT_FALSE(problemsOf(scene).empty());
+  scene = saneScene();
+  scene.rooms[0].openings.push_back({0, 1.0, 2.0, 0.0, 3.2, 0.1});
+  EXPECT_FALSE(problemsOf(scene).empty());
+  scene = saneScene();
+  scene.rooms[0].openings.push_back({0, 1.0, 2.0, -0.2, 2.0, 0.1});
+  EXPECT_FALSE(problemsOf(scene).empty());
+}
+
+TEST(SceneCheck, findsScannersWhereTheyCannotBe)
+{
+  for (const Vec3 station :
+       {Vec3{1.0, 1.0, 1.5}, Vec3{7.0, 1.0, 1.5}, Vec3{2.0, 2.0, 3.5}}) {
+    Scene scene = saneScene();
+    scene.scanners.front().stations.push_back(station);
+    EXPECT_FALSE(problemsOf(scene).empty()) << station.x << ' ' << station.z;
+  }
+}
+
+TEST(Furniture, standsWithItsBackToTheWall)
+{
+  const Element wall{{0.0, 4.0}, {0.0, 0.0}, 0.0}; // west wall, the room to its left
+  const Spot spot = spotAtWall(wall, 1.0, 0.4, 0.02);
+  EXPECT_NEAR(spot.center.x, 0.22, 1e-12);
+  EXPECT_NEAR(spot.center.y, 3.0, 1e-12);
+  const Vec2 front = rotated({0.0, -1.0}, spot.yaw);
+  EXPECT_NEAR(front.x, 1.0, 1e-12);
+}
+
+TEST(Furniture, keepsItsCornersClearOfACurvedWall)
+{
+  const Element wall{{0.0, 0.0}, {0.0, 11.0}, bulgeOf(11.0, 8.0)};
+  const Arc arc = arcOf(wall);
+  const Spot spot = spotAtWall(wall, 4.0, 0.4, 0.02, 1.2);
+  const Vec2 corner = spot.center + rotated({0.6, 0.2}, spot.yaw);
+  EXPECT_NEAR(length(corner - arc.center), 8.0 - 0.02, 1e-12);
+}
+
+} // namespace
+} // namespace pcl::sedr::sim::test

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/lattice_room.h"
+
+#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_surface/room_poisson.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+struct Case {
+  const char* name;
+  LatticeRoom room;
+  int euler;
+};
+
+// A result good enough to be called the room.
+void
+expectGood(const LatticeRoom& room,
+           const TriangleMesh& mesh,
+           const RoomPoissonReport& report,
+           int euler)
+{
+  EXPECT_TRUE(report.closed) << report.problem;
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
+  EXPECT_EQ(topology.components.size(), 1u);
+  EXPECT_EQ(topology.euler_characteristic, euler);
+  const TriangleMesh truth = room.truth();
+  EXPECT_NEAR(mesh.signedVolume() / truth.signedVolume(), 1, 0.005);
+  EXPECT_LT(mesh.signedVolume(), 0); // normals into the room
+  const DistanceStatistics completeness =
+      summarizeDistances(MeshDistance(mesh).distances(sampleMesh(truth, 0.05, 1).points));
+  const DistanceStatistics precision =
+      summarizeDistances(MeshDistance(truth).distances(sampleMesh(mesh, 0.05, 1).points));
+  EXPECT_LT(completeness.mean, 0.003);
+  EXPECT_GT(completeness.within_5cm, 0.97);
+  EXPECT_LT(precision.mean, 0.003);
+  EXPECT_GT(precision.within_5cm, 0.98);
+}
+
+} // namespace
+
+TEST(LatticeRoom, truths_are_closed_and_of_the_volume_of_their_blocks)
+{
+  const std::pair<LatticeRoom, double> rooms[] = {{boxRoom(), 90},
+                                                  {lRoom(), 67.5},
+                                                  {soffitRoom(), 85},
+                                                  {columnRoom(), 90 - M_PI * 0.09 * 3}};
+  for (const auto& entry : rooms) {
+    const TriangleMesh truth = entry.first.truth();
+    EXPECT_TRUE(checkTopology(truth).isClosedManifold());
+    EXPECT_NEAR(truth.signedVolume(), -entry.second, 0.005);
+    const DistanceStatistics off = summarizeDistances(MeshDistance(truth).distances([&] {
+      std::vector<Eigen::Vector3d> points;
+      for (const auto& p : entry.first.points(0.1))
+        points.push_back(p.position.cast<double>());
+      return points;
+    }()));
+    EXPECT_LT(off.max, 2e-4); // the facets of the column
+  }
+}
+
+TEST(RoomPoisson, the_spacing_of_a_grid_is_its_step)
+{
+  EXPECT_NEAR(measureSpacing(boxRoom().points(0.1)), 0.1, 0.01);
+  EXPECT_NEAR(measureSpacing(boxRoom().points(0.05)), 0.05, 0.005);
+}
+
+TEST(RoomPoisson, rooms_of_perfect_points_come_back)
+{
+  const Case cases[] = {{"box", boxRoom().placed(17, {0.13, 0.27, 0.31}), 2},
+                        {"L", lRoom().placed(0, {3, -2, 0}), 2},
+                        {"soffit", soffitRoom().placed(30, {0.1, 0, 0}), 2},
+                        {"column", columnRoom().placed(8, {0, 0, -1}), 0}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> nearest;
+    RoomPoissonReport report;
+    const auto points = c.room.points(1. / 12); // wider than the default for the sake of time
+    ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
+    expectGood(c.room, mesh, report, c.euler);
+    EXPECT_EQ(report.points, points.size());
+    EXPECT_NEAR(report.spacing, 1. / 12, 0.006);
+    EXPECT_NEAR(report.cell, 0.8 * report.spacing, 0.15 * report.spacing);
+    EXPECT_EQ(report.unsupported_share, 0);
+    EXPECT_EQ(nearest.size(), mesh.triangles.size());
+  }
+}
+
+TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
+{
+  // A float resolves 8 mm there.
+  const LatticeRoom room = boxRoom().placed(17, {100000, -60000, 250});
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> nearest;
+  RoomPoissonReport report;
+  ASSERT_TRUE(reconstructRoom(room.points(0.125), {}, mesh, nearest, report));
+  EXPECT_TRUE(report.closed) << report.problem;
+  EXPECT_NEAR(report.volume, 90, 1);
+  for (const auto& v : mesh.vertices)
+    EXPECT_EQ(v, v.cast<float>().cast<double>());
+}
+
+TEST(RoomPoisson, points_that_do_not_enclose_anything_do_not_pass_as_a_room)
+{
+  std::vector<OrientedPoint> floor;
+  for (const auto& p : boxRoom().points(0.1))
+    if (p.normal.z() > 0.5)
+      floor.push_back(p);
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> nearest;
+  RoomPoissonReport report;
+  if (reconstructRoom(floor, {}, mesh, nearest, report))
+    EXPECT_TRUE(!report.closed || report.unsupported_share > 0.2)
+        << report.unsupported_share;
+  else
+    EXPECT_FALSE(report.problem.empty());
+}
+
+TEST(RoomPoisson, a_missing_piece_of_wall_is_closed_over_and_reported_as_a_guess)
+{
+  std::vector<OrientedPoint> points;
+  for (const auto& p : boxRoom().points(0.1))
+    if (!(p.position.x() < 0.01f && p.position.y() > 1 && p.position.y() < 3.5))
+      points.push_back(p);
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> nearest;
+  RoomPoissonReport report;
+  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
+  EXPECT_GT(report.unsupported_share, 0.01);
+}
+
+TEST(RoomPoisson, all_points_in_one_place_are_refused)
+{
+  std::vector<OrientedPoint> points(200, {{1, 2, 3}, {0, 0, 1}});
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> nearest;
+  RoomPoissonReport report;
+  EXPECT_FALSE(reconstructRoom(points, {}, mesh, nearest, report));
+  EXPECT_NE(report.problem.find("200 points extend over 0"), std::string::npos)
+      << report.problem;
+  EXPECT_TRUE(mesh.empty());
+}
+
+TEST(PoissonSolver, prints_nothing_and_hands_on_what_others_print)
+{
+  std::vector<OrientedPoint> points = boxRoom().points(0.25);
+  PoissonParameters parameters;
+  parameters.depth = 5;
+  TriangleMesh mesh;
+  std::size_t complaints = 0;
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  std::printf("before\n");
+  EXPECT_EQ(solvePoisson(points, parameters, mesh, complaints), "");
+  std::printf("after\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "before\nafter\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_FALSE(mesh.empty());
+}
+
+TEST(PoissonSolver, too_few_points_are_refused)
+{
+  TriangleMesh mesh;
+  std::size_t complaints = 0;
+  EXPECT_NE(solvePoisson({}, {}, mesh, complaints), "");
+  EXPECT_TRUE(mesh.empty());
+}

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::StructureLabel;
+
+namespace {
+
+using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
+
+struct Settings {
+  std::string input;
+  std::string output;
+  std::string boundary_output;
+  double distance = 0;
+  double angle = 0; ///< degrees
+  unsigned int neighbors = 0;
+  double slice_height = 0;
+  bool has_slice_height = false;
+  double minimum_support = 0;
+  unsigned int threads = 0;
+  bool compress = false;
+
+  PcdData format() const { return compress ? PcdData::Compressed : PcdData::Binary; }
+};
+
+/** @brief What the walls of one room are grown from. */
+struct Room {
+  std::uint32_t id = 0; ///< 0: a file without rooms
+  pcl::Indices ceiling;
+  pcl::Indices floor;
+  pcl::Indices details;
+  pcl::Indices candidates;
+};
+
+/** @brief What was found in one room. */
+struct Found {
+  std::uint32_t room = 0;
+  pcl::Indices walls;
+  pcl::Indices boundary;
+};
+
+/** @brief The points of a room: those of its own number, and candidates without one. */
+Room
+pointsOfRoom(const ToolCloud& cloud, std::uint32_t id)
+{
+  Room room;
+  room.id = id;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const bool is_own = id == 0 || cloud.room[i] == id;
+    const auto index = static_cast<pcl::index_t>(i);
+    const auto label = static_cast<StructureLabel>(cloud.label[i]);
+    if (label == StructureLabel::Other || label == StructureLabel::Wall) {
+      if (is_own || cloud.room[i] == 0)
+        room.candidates.push_back(index);
+    }
+    else if (!is_own)
+      continue;
+    else if (label == StructureLabel::Ceiling)
+      room.ceiling.push_back(index);
+    else if (label == StructureLabel::Floor)
+      room.floor.push_back(index);
+    else if (label == StructureLabel::Detail)
+      room.details.push_back(index);
+  }
+  return room;
+}
+
+/** @brief Numbers of the rooms that have a ceiling; 0 alone if none has a number. */
+std::set<std::uint32_t>
+roomNumbers(const ToolCloud& cloud)
+{
+  const pcl::Indices ceiling = cloud.withLabel(StructureLabel::Ceiling);
+  if (ceiling.empty())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
+                        cloud.path + "' has label 1, ceiling",
+                    NothingFound);
+  std::set<std::uint32_t> numbers;
+  for (const auto i : ceiling)
+    numbers.insert(cloud.room[static_cast<std::size_t>(i)]);
+  if (numbers.size() > 1)
+    numbers.erase(0);
+  return numbers;
+}
+
+/** @brief The given slice height or, where there are details, that of the lowest one.
+ */
+double
+sliceHeight(const Settings& settings, const ToolCloud& cloud, const Room& room)
+{
+  if (settings.has_slice_height)
+    return settings.slice_height;
+  double lowest = std::numeric_limits<double>::quiet_NaN();
+  for (const auto i : room.details)
+    lowest = std::fmin(lowest, (*cloud.points)[static_cast<std::size_t>(i)].z);
+  return lowest;
+}
+
+Found
+growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
+{
+  const auto shared = [](const pcl::Indices& indices) {
+    return pcl::make_shared<const pcl::Indices>(indices);
+  };
+  Growing growing;
+  growing.setInputCloud(cloud.points);
+  growing.setIndices(shared(room.candidates));
+  growing.setCeilingIndices(shared(room.ceiling));
+  growing.setFloorIndices(shared(room.floor));
+  growing.setDetailIndices(shared(room.details));
+  growing.setSliceHeight(sliceHeight(settings, cloud, room));
+  growing.setDistanceThreshold(settings.distance);
+  growing.setAngleThreshold(static_cast<float>(settings.angle * M_PI / 180));
+  growing.setNumberOfNeighbors(settings.neighbors);
+  growing.setMinimumSupport(settings.minimum_support);
+  growing.setNumberOfThreads(settings.threads);
+  pcl::PointIndices walls_and_details;
+  if (!growing.segment(walls_and_details))
+    throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
+                        growing.getErrorMessage(),
+                    NothingFound);
+
+  Found found{room.id, growing.getWallIndices(), growing.getBoundaryIndices()};
+  for (const auto* more :
+       {&growing.getScopeBoundaryIndices(), &growing.getFloorBoundaryIndices()})
+    found.boundary.insert(found.boundary.end(), more->begin(), more->end());
+  return found;
+}
+
+double
+squareDistanceToBoundary(const ToolCloud& cloud, pcl::index_t index, const Found& found)
+{
+  const auto plan = [&](pcl::index_t i) {
+    return (*cloud.points)[static_cast<std::size_t>(i)].getVector3fMap().head<2>();
+  };
+  float least = std::numeric_limits<float>::infinity();
+  for (const auto i : found.boundary)
+    least = std::min(least, (plan(i) - plan(index)).squaredNorm());
+  return least;
+}
+
+/** @brief Labels the walls. One that two rooms claim goes to the nearer boundary.
+ * @return number of wall points */
+std::size_t
+labelWalls(const std::vector<Found>& rooms, ToolCloud& cloud)
+{
+  std::replace(cloud.label.begin(), cloud.label.end(),
+               static_cast<std::uint32_t>(StructureLabel::Wall),
+               static_cast<std::uint32_t>(StructureLabel::Other));
+  std::vector<const Found*> owner(cloud.size(), nullptr);
+  for (const auto& found : rooms)
+    for (const auto i : found.walls) {
+      auto& now = owner[static_cast<std::size_t>(i)];
+      if (!now || squareDistanceToBoundary(cloud, i, found) <
+                      squareDistanceToBoundary(cloud, i, *now))
+        now = &found;
+    }
+  std::size_t walls = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (owner[i]) {
+      cloud.label[i] = static_cast<std::uint32_t>(StructureLabel::Wall);
+      cloud.room[i] = owner[i]->room > 0 ? owner[i]->room : cloud.room[i];
+      ++walls;
+    }
+  setField(cloud.blob, "label", cloud.label);
+  if (cloud.has_room)
+    setField(cloud.blob, "room", cloud.room);
+  return walls;
+}
+
+void
+saveBoundary(const Settings& settings,
+             const std::vector<Found>& rooms,
+             const ToolCloud& cloud)
+{
+  pcl::Indices boundary;
+  for (const auto& found : rooms)
+    boundary.insert(boundary.end(), found.boundary.begin(), found.boundary.end());
+  std::sort(boundary.begin(), boundary.end());
+  boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
+  ToolCloud points;
+  points.blob = selectRows(cloud.blob, boundary);
+  points.points = cloud.points;
+  saveCloud(settings.boundary_output, points, settings.format());
+}
+
+int
+run(const Settings& settings)
+{
+  checkCloudOutput(settings.output);
+  if (!settings.boundary_output.empty())
+    checkCloudOutput(settings.boundary_output);
+  ToolCloud cloud = loadCloud(settings.input);
+  std::vector<Found> rooms;
+  for (const auto id : roomNumbers(cloud)) {
+    const Progress progress(
+        "growing walls" + (id > 0 ? " of room " + std::to_string(id) : std::string()));
+    rooms.push_back(growIn(settings, cloud, pointsOfRoom(cloud, id)));
+  }
+  const std::size_t walls = labelWalls(rooms, cloud);
+  if (walls == 0)
+    throw ToolError("no point of '" + cloud.path + "' is within " +
+                        std::to_string(settings.distance) +
+                        " m of the boundary of the ceiling in plan",
+                    NothingFound);
+  saveCloud(settings.output, cloud, settings.format());
+  if (!settings.boundary_output.empty())
+    saveBoundary(settings, rooms, cloud);
+  say(std::to_string(walls) + " of " + std::to_string(cloud.size()) +
+      " points are walls, of " + std::to_string(rooms.size()) +
+      (rooms.size() == 1 ? " room" : " rooms"));
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  const Growing defaults;
+  Settings settings;
+  settings.distance = defaults.getDistanceThreshold();
+  settings.angle = defaults.getAngleThreshold() * 180 / M_PI;
+  settings.neighbors = defaults.getNumberOfNeighbors();
+  settings.minimum_support = defaults.getMinimumSupport();
+  settings.threads = defaults.getNumberOfThreads();
+
+  Options options(
+      "pcl_ceiling_boundary_wall_growing",
+      "Labels the walls of every room, label 3: points below the boundary of its "
+      "ceiling, label 1.\nUses the floor, label 2, and details, label 4, where the "
+      "file has them; walls already labelled are looked for anew.");
+  options.file("INPUT", settings.input,
+               "PCD or PLY file with labels, and rooms if several");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("distance", settings.distance, "m",
+                 "farthest a wall point is from the boundary in plan", Range::above(0));
+  options.number("angle", settings.angle, "degrees",
+                 "widest gap between directions to the neighbors of an inner point",
+                 Range::between(1, 359));
+  options.number("neighbors", settings.neighbors, "",
+                 "neighbors looked at; fewer find the rims of smaller columns",
+                 Range::atLeast(3));
+  options.optionalNumber(
+      "slice-height", settings.slice_height, settings.has_slice_height, "m",
+      "height above which walls grow from the ceiling, below from the floor",
+      "the lowest detail of the room; no slice without details");
+  options.number("min-support", settings.minimum_support, "",
+                 "share of the height that must be occupied below a rim, 0 = any",
+                 Range::between(0, 1));
+  options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
+  options.text("boundary", settings.boundary_output,
+               "file for the boundary points alone");
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_readers.h"
+
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/field_access.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+bool
+isBlank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+} // namespace
+
+bool
+TextCursor::nextLine(std::string_view& line)
+{
+  if (position_ >= file_.size())
+    return false;
+  const char* begin = reinterpret_cast<const char*>(file_.data()) + position_;
+  const std::size_t left = file_.size() - position_;
+  const auto* end = static_cast<const char*>(std::memchr(begin, '\n', left));
+  std::size_t length = end ? static_cast<std::size_t>(end - begin) : left;
+  position_ += end ? length + 1 : length;
+  if (length > 0 && begin[length - 1] == '\r')
+    --length;
+  line = {begin, length};
+  return true;
+}
+
+std::vector<std::string_view>
+wordsOf(std::string_view line)
+{
+  std::vector<std::string_view> words;
+  const char* c = line.data();
+  const char* const end = c + line.size();
+  while (c != end) {
+    c = std::find_if_not(c, end, isBlank);
+    const char* const word_end = std::find_if(c, end, isBlank);
+    if (c != word_end)
+      words.emplace_back(c, static_cast<std::size_t>(word_end - c));
+    c = word_end;
+  }
+  return words;
+}
+
+std::size_t
+readNumbers(std::string_view line,
+            const std::vector<pcl::PCLPointField>& fields,
+            std::uint8_t* point)
+{
+  const char* c = line.data();
+  const char* const end = c + line.size();
+  std::size_t read = 0;
+  for (const auto& field : fields) {
+    const std::size_t size = fieldSize(field.datatype);
+    for (std::size_t k = 0; k < field.count; ++k, ++read) {
+      c = std::find_if_not(c, end, isBlank);
+      if (c != end && *c == '+')
+        ++c;
+      double value = 0;
+      const auto result = std::from_chars(c, end, value);
+      if (result.ec == std::errc::invalid_argument)
+        return read;
+      if (result.ptr != end && !isBlank(*result.ptr))
+        return read;
+      c = result.ptr;
+      writeField(point + field.offset + k * size, field.datatype, value);
+    }
+  }
+  return read;
+}
+
+void
+layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path)
+{
+  constexpr std::uint64_t most = 0x7fffffff;
+  if (points > most)
+    throw ToolError("'" + path + "' promises " + std::to_string(points) +
+                    " points, more than 2147483647 cannot be indexed");
+  if (points == 0)
+    throw ToolError("'" + path + "' has 0 points");
+  std::size_t step = 0;
+  for (auto& field : blob.fields) {
+    field.offset = static_cast<pcl::uindex_t>(step);
+    step += fieldSize(field.datatype) * field.count;
+  }
+  blob.point_step = static_cast<pcl::uindex_t>(step);
+  blob.height = 1;
+  blob.width = static_cast<pcl::uindex_t>(points);
+  blob.row_step = blob.width * blob.point_step;
+  blob.is_dense = 0;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_rows.h"
+
+#include <pcl/sedr_filters/field_access.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+void
+setRows(pcl::PCLPointCloud2& blob, std::size_t rows)
+{
+  blob.height = 1;
+  blob.width = static_cast<pcl::uindex_t>(rows);
+  blob.row_step = blob.width * blob.point_step;
+}
+
+/** @brief Makes room for a field of one value at the end of every row. */
+void
+addField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t datatype)
+{
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = blob.point_step;
+  field.datatype = datatype;
+  field.count = 1;
+  const std::size_t old_step = blob.point_step;
+  const std::size_t step = old_step + fieldSize(datatype);
+  std::vector<std::uint8_t> data(rowsOf(blob) * step, 0);
+  for (std::size_t i = 0; i < rowsOf(blob); ++i)
+    std::memcpy(data.data() + i * step, blob.data.data() + i * old_step, old_step);
+  blob.fields.push_back(field);
+  blob.point_step = static_cast<pcl::uindex_t>(step);
+  blob.data.swap(data);
+  setRows(blob, rowsOf(blob));
+}
+
+/** @brief Takes field `name` out of every row. */
+void
+dropField(pcl::PCLPointCloud2& blob, const std::string& name)
+{
+  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(), [&](const auto& f) {
+    return f.name == name;
+  });
+  if (it == blob.fields.end())
+    return;
+  const std::size_t size = fieldSize(it->datatype) * it->count;
+  const std::size_t offset = it->offset;
+  const std::size_t old_step = blob.point_step;
+  const std::size_t step = old_step - size;
+  for (std::size_t i = 0; i < rowsOf(blob); ++i) {
+    const auto* from = blob.data.data() + i * old_step;
+    auto* to = blob.data.data() + i * step;
+    std::memmove(to, from, offset);
+    std::memmove(to + offset, from + offset + size, step - offset);
+  }
+  blob.fields.erase(it);
+  for (auto& field : blob.fields)
+    if (field.offset > offset)
+      field.offset -= static_cast<pcl::uindex_t>(size);
+  blob.point_step = static_cast<pcl::uindex_t>(step);
+  blob.data.resize(rowsOf(blob) * step);
+  setRows(blob, rowsOf(blob));
+}
+
+template <typename ValueT>
+void
+setTypedField(pcl::PCLPointCloud2& blob,
+              const std::string& name,
+              std::uint8_t datatype,
+              const std::vector<ValueT>& values)
+{
+  if (values.size() != rowsOf(blob))
+    throw std::logic_error("setField: " + std::to_string(values.size()) + " values for " +
+                           std::to_string(rowsOf(blob)) + " rows");
+  const auto* field = findField(blob, name);
+  if (field && (field->datatype != datatype || field->count != 1))
+    dropField(blob, name);
+  if (!findField(blob, name))
+    addField(blob, name, datatype);
+  const std::size_t offset = findField(blob, name)->offset;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::memcpy(&blob.data[i * blob.point_step + offset], &values[i], sizeof(ValueT));
+}
+
+template <typename FunctionT>
+void
+forEachValue(const pcl::PCLPointCloud2& blob, const std::string& name, FunctionT f)
+{
+  if (const auto* field = findField(blob, name))
+    for (std::size_t i = 0; i < rowsOf(blob); ++i)
+      f(readField(&blob.data[i * blob.point_step + field->offset], field->datatype));
+}
+
+} // namespace
+
+const pcl::PCLPointField*
+findField(const pcl::PCLPointCloud2& blob, const std::string& name)
+{
+  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(), [&](const auto& f) {
+    return f.name == name;
+  });
+  return it == blob.fields.end() ? nullptr : &*it;
+}
+
+pcl::PCLPointCloud2
+selectRows(const pcl::PCLPointCloud2& blob, const pcl::Indices& indices)
+{
+  pcl::PCLPointCloud2 selected;
+  selected.header = blob.header;
+  selected.fields = blob.fields;
+  selected.point_step = blob.point_step;
+  selected.is_bigendian = blob.is_bigendian;
+  selected.is_dense = blob.is_dense;
+  setRows(selected, 0);
+  appendRows(selected, blob, indices);
+  return selected;
+}
+
+void
+appendRows(pcl::PCLPointCloud2& to,
+           const pcl::PCLPointCloud2& from,
+           const pcl::Indices& indices)
+{
+  const std::size_t step = to.point_step;
+  if (from.point_step != step)
+    throw std::logic_error("appendRows: the rows have different fields");
+  const std::size_t old_rows = rowsOf(to);
+  to.data.resize((old_rows + indices.size()) * step);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    std::memcpy(to.data.data() + (old_rows + i) * step,
+                from.data.data() + static_cast<std::size_t>(indices[i]) * step,
+                step);
+  setRows(to, old_rows + indices.size());
+}
+
+void
+setCoordinates(pcl::PCLPointCloud2& blob,
+               std::size_t first_row,
+               const std::vector<Eigen::Vector3f>& points)
+{
+  if (first_row + points.size() > rowsOf(blob))
+    throw std::logic_error("setCoordinates: too many points");
+  int axis = 0;
+  for (const char* name : {"x", "y", "z"}) {
+    const auto* field = findField(blob, name);
+    for (std::size_t i = 0; field && i < points.size(); ++i)
+      writeField(&blob.data[(first_row + i) * blob.point_step + field->offset],
+                 field->datatype,
+                 points[i][axis]);
+    ++axis;
+  }
+}
+
+void
+setField(pcl::PCLPointCloud2& blob,
+         const std::string& name,
+         const std::vector<std::uint32_t>& values)
+{
+  setTypedField(blob, name, pcl::PCLPointField::UINT32, values);
+}
+
+void
+setField(pcl::PCLPointCloud2& blob, const std::string& name, const std::vector<float>& values)
+{
+  setTypedField(blob, name, pcl::PCLPointField::FLOAT32, values);
+}
+
+std::vector<std::uint32_t>
+wholeField(const pcl::PCLPointCloud2& blob, const std::string& name)
+{
+  std::vector<std::uint32_t> values;
+  forEachValue(blob, name, [&](double value) {
+    std::uint32_t whole = 0;
+    writeField(reinterpret_cast<std::uint8_t*>(&whole), pcl::PCLPointField::UINT32, value);
+    values.push_back(whole);
+  });
+  return values;
+}
+
+std::vector<float>
+floatField(const pcl::PCLPointCloud2& blob, const std::string& name)
+{
+  std::vector<float> values;
+  forEachValue(
+      blob, name, [&](double value) { values.push_back(static_cast<float>(value)); });
+  return values;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

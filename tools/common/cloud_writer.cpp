@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/io/lzf.h>
+#include <pcl/sedr_filters/field_access.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+struct TypeName {
+  const char* ply; ///< null: PLY has no such type
+  char pcd;
+};
+
+TypeName
+typeName(std::uint8_t datatype)
+{
+  switch (datatype) {
+  case pcl::PCLPointField::BOOL:
+    return {"uchar", 'U'};
+  case pcl::PCLPointField::INT8:
+    return {"char", 'I'};
+  case pcl::PCLPointField::UINT8:
+    return {"uchar", 'U'};
+  case pcl::PCLPointField::INT16:
+    return {"short", 'I'};
+  case pcl::PCLPointField::UINT16:
+    return {"ushort", 'U'};
+  case pcl::PCLPointField::INT32:
+    return {"int", 'I'};
+  case pcl::PCLPointField::UINT32:
+    return {"uint", 'U'};
+  case pcl::PCLPointField::INT64:
+    return {nullptr, 'I'};
+  case pcl::PCLPointField::UINT64:
+    return {nullptr, 'U'};
+  case pcl::PCLPointField::FLOAT64:
+    return {"double", 'F'};
+  default:
+    return {"float", 'F'};
+  }
+}
+
+std::string
+pcdHeader(const pcl::PCLPointCloud2& blob,
+          const Eigen::Vector4f& origin,
+          const Eigen::Quaternionf& orientation,
+          const char* data)
+{
+  std::ostringstream names;
+  std::ostringstream sizes;
+  std::ostringstream types;
+  std::ostringstream counts;
+  for (const auto& field : blob.fields) {
+    names << ' ' << field.name;
+    sizes << ' ' << fieldSize(field.datatype);
+    types << ' ' << typeName(field.datatype).pcd;
+    counts << ' ' << field.count;
+  }
+  std::ostringstream header;
+  header.precision(std::numeric_limits<float>::max_digits10);
+  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" << names.str()
+         << "\nSIZE" << sizes.str() << "\nTYPE" << types.str() << "\nCOUNT" << counts.str()
+         << "\nWIDTH " << rowsOf(blob) << "\nHEIGHT 1\nVIEWPOINT " << origin.x() << ' '
+         << origin.y() << ' ' << origin.z() << ' ' << orientation.w() << ' '
+         << orientation.x() << ' ' << orientation.y() << ' ' << orientation.z()
+         << "\nPOINTS " << rowsOf(blob) << "\nDATA " << data << '\n';
+  return header.str();
+}
+
+void
+writeBytes(std::ostream& stream, const std::vector<std::uint8_t>& bytes)
+{
+  stream.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+}
+
+/** @brief The compressed form of a PCD's data, field after field; empty where it cannot be. */
+std::vector<std::uint8_t>
+compressed(const pcl::PCLPointCloud2& blob)
+{
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  const std::size_t size = rowsOf(blob) * blob.point_step;
+  if (size == 0 || size > most)
+    return {};
+  std::vector<std::uint8_t> by_field(size);
+  std::size_t to = 0;
+  for (const auto& field : blob.fields) {
+    const std::size_t bytes = fieldSize(field.datatype) * field.count;
+    for (std::size_t i = 0; i < rowsOf(blob); ++i, to += bytes)
+      std::memcpy(
+          &by_field[to], &blob.data[i * blob.point_step + field.offset], bytes);
+  }
+  constexpr std::size_t sizes = 2 * sizeof(std::uint32_t);
+  const std::size_t room = size + size / 16 + 64;
+  std::vector<std::uint8_t> packed(sizes + room);
+  const std::uint32_t whole = static_cast<std::uint32_t>(size);
+  const std::uint32_t length = pcl::lzfCompress(
+      by_field.data(), whole, packed.data() + sizes, static_cast<unsigned>(room));
+  std::memcpy(packed.data(), &length, sizeof length);
+  std::memcpy(packed.data() + sizeof length, &whole, sizeof whole);
+  packed.resize(length > 0 ? sizes + length : 0);
+  return packed;
+}
+
+bool
+isColour(const pcl::PCLPointField& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") && field.count == 1 &&
+         fieldSize(field.datatype) == sizeof(std::uint32_t);
+}
+
+/** @brief A property of a PLY file and the bytes of a row it is made of. */
+struct Property {
+  std::string type;
+  std::string name;
+  std::size_t offset;
+  std::size_t size;
+};
+
+std::vector<Property>
+plyProperties(const pcl::PCLPointCloud2& blob)
+{
+  std::vector<Property> properties;
+  for (const auto& field : blob.fields) {
+    if (isColour(field)) {
+      properties.push_back({"uchar", "red", field.offset + 2, 1});
+      properties.push_back({"uchar", "green", field.offset + 1, 1});
+      properties.push_back({"uchar", "blue", field.offset, 1});
+      if (field.name == "rgba")
+        properties.push_back({"uchar", "alpha", field.offset + 3, 1});
+      continue;
+    }
+    const char* type = typeName(field.datatype).ply;
+    if (!type)
+      throw ToolError("field '" + field.name + "' has 64 bits, which PLY does not know: write "
+                                               "PCD instead");
+    std::string name = field.name;
+    if (name.size() == 8 && name.compare(0, 7, "normal_") == 0)
+      name = std::string("n") + name.back();
+    const std::size_t size = fieldSize(field.datatype);
+    for (std::size_t k = 0; k < field.count; ++k)
+      properties.push_back({type,
+                            field.count > 1 ? name + "_" + std::to_string(k) : name,
+                            field.offset + k * size,
+                            size});
+  }
+  return properties;
+}
+
+void
+writePly(std::ostream& stream, const pcl::PCLPointCloud2& blob)
+{
+  const auto properties = plyProperties(blob);
+  stream << "ply\nformat binary_little_endian 1.0\nelement vertex " << rowsOf(blob) << '\n';
+  std::size_t step = 0;
+  for (const auto& property : properties) {
+    stream << "property " << property.type << ' ' << property.name << '\n';
+    step += property.size;
+  }
+  stream << "end_header\n";
+  std::vector<std::uint8_t> bytes(rowsOf(blob) * step);
+  auto* to = bytes.data();
+  for (std::size_t i = 0; i < rowsOf(blob); ++i)
+    for (const auto& property : properties) {
+      std::memcpy(to, &blob.data[i * blob.point_step + property.offset], property.size);
+      to += property.size;
+    }
+  writeBytes(stream, bytes);
+}
+
+void
+writePcd(std::ostream& stream,
+         const pcl::PCLPointCloud2& blob,
+         const Eigen::Vector4f& origin,
+         const Eigen::Quaternionf& orientation,
+         PcdData data)
+{
+  if (data == PcdData::Compressed) {
+    const auto packed = compressed(blob);
+    if (!packed.empty()) {
+      stream << pcdHeader(blob, origin, orientation, "binary_compressed");
+      writeBytes(stream, packed);
+      return;
+    }
+  }
+  stream << pcdHeader(blob, origin, orientation, "binary");
+  writeBytes(stream, blob.data);
+}
+
+bool
+endsIn(const std::string& path, const std::string& extension)
+{
+  std::string end = std::filesystem::path(path).extension().string();
+  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return end == extension;
+}
+
+void
+save(const std::string& path,
+     const pcl::PCLPointCloud2& blob,
+     const Eigen::Vector4f& origin,
+     const Eigen::Quaternionf& orientation,
+     PcdData data)
+{
+  checkCloudOutput(path);
+  writeWhole(path, [&](std::ostream& stream) {
+    endsIn(path, ".ply") ? writePly(stream, blob)
+                         : writePcd(stream, blob, origin, orientation, data);
+  });
+}
+
+} // namespace
+
+void
+checkCloudOutput(const std::string& path)
+{
+  if (!endsIn(path, ".pcd") && !endsIn(path, ".ply"))
+    throw ToolError("cannot write '" + path + "': the name of a cloud ends in .pcd or .ply");
+  checkWritable(path);
+}
+
+void
+saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
+{
+  save(path,
+       cloud.blob,
+       cloud.points->sensor_origin_,
+       cloud.points->sensor_orientation_,
+       data);
+}
+
+void
+saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
+{
+  save(path, blob, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), data);
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

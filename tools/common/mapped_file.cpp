@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapped_file.h"
+
+#include "tool_error.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+MappedFile::MappedFile(const std::string& path)
+{
+  const auto refuse = [&](const std::string& reason) {
+    throw ToolError("cannot read '" + path + "': " + reason);
+  };
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0)
+    refuse(errno == ENOENT ? "there is no such file" : std::strerror(errno));
+  struct stat status {};
+  const bool known = fstat(file, &status) == 0;
+  void* mapped = MAP_FAILED;
+  if (known && S_ISREG(status.st_mode) && status.st_size > 0)
+    mapped = mmap(
+        nullptr, static_cast<std::size_t>(status.st_size), PROT_READ, MAP_PRIVATE, file, 0);
+  const int map_error = errno;
+  close(file);
+  if (!known || S_ISDIR(status.st_mode))
+    refuse("that is a folder, not a file");
+  if (!S_ISREG(status.st_mode))
+    refuse("that is no ordinary file");
+  if (status.st_size == 0)
+    refuse("the file is empty (0 bytes)");
+  if (mapped == MAP_FAILED)
+    refuse(std::strerror(map_error));
+  data_ = static_cast<const std::uint8_t*>(mapped);
+  size_ = static_cast<std::size_t>(status.st_size);
+}
+
+MappedFile::~MappedFile()
+{
+  munmap(const_cast<std::uint8_t*>(data_), size_);
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

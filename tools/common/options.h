@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief The numbers an option takes. */
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open = false; ///< whether `low` itself is out
+
+  static Range
+  above(double low)
+  {
+    return {low, std::numeric_limits<double>::infinity(), true};
+  }
+
+  static Range
+  atLeast(double low)
+  {
+    return {low, std::numeric_limits<double>::infinity(), false};
+  }
+
+  static Range
+  between(double low, double high)
+  {
+    return {low, high, false};
+  }
+
+  bool
+  holds(double value) const
+  {
+    return (open ? value > low : value >= low) && value <= high;
+  }
+
+  /** @brief "above 0", "at least 1", "from 0 to 1"; empty for any number. */
+  std::string
+  text(const std::string& unit = "") const;
+};
+
+/** @brief The command line of a tool: every option is declared once, with its unit, and its default
+ * is what the variable holds.
+ * @code
+ * pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
+ * std::string input, output;
+ * double leaf = grid.getLeafSize().x();
+ * Options options("pcl_parallel_voxel_grid", "Thins a cloud to one point a voxel.");
+ * options.file("INPUT.pcd", input, "cloud to thin");
+ * options.file("OUTPUT.pcd", output, "thinned cloud");
+ * options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
+ * return runTool(options, argc, argv, [&] { ... return Done; });
+ * @endcode
+ * What is wrong with a command line is thrown as a ToolError of one sentence. */
+class Options {
+public:
+  Options(std::string tool, std::string purpose);
+
+  /** @brief A file or folder that must be named, in the order of these calls. */
+  void
+  file(const std::string& name, std::string& value, const std::string& help);
+
+  /** @brief A number, `--name 0.05`, real or whole as `value` is; `unit` may be empty. */
+  template <typename NumberT>
+  void
+  number(const std::string& name,
+         NumberT& value,
+         const std::string& unit,
+         const std::string& help,
+         Range range = Range())
+  {
+    static_assert(std::is_arithmetic<NumberT>::value, "an option of numbers");
+    constexpr bool whole = std::is_integral<NumberT>::value;
+    range.low = std::max(range.low, static_cast<double>(std::numeric_limits<NumberT>::lowest()));
+    // 2^53 is the last number up to which all whole ones are doubles.
+    range.high = std::min({range.high,
+                           static_cast<double>(std::numeric_limits<NumberT>::max()),
+                           whole ? 9007199254740992.0 : range.high});
+    addNumber(name, unit, help, range, whole, textOf(static_cast<double>(value)), [&value](double v) {
+      value = static_cast<NumberT>(v);
+    });
+  }
+
+  /** @brief A number without a default: `is_set` tells whether it was given, `otherwise` is what
+   * the help says of its absence. */
+  void
+  optionalNumber(const std::string& name,
+                 double& value,
+                 bool& is_set,
+                 const std::string& unit,
+                 const std::string& help,
+                 const std::string& otherwise,
+                 Range range = Range());
+
+  /** @brief A text, `--name text`; one of `choices` unless that is empty. */
+  void
+  text(const std::string& name,
+       std::string& value,
+       const std::string& help,
+       const std::vector<std::string>& choices = {});
+
+  /** @brief A switch, `--name`, which sets `value`. */
+  void
+  flag(const std::string& name, bool& value, const std::string& help);
+
+  /** @brief Reads the command line into the variables.
+   * @return false if -h or --help was given, and nothing else matters */
+  bool
+  parse(int argc, const char* const* argv);
+
+  /** @brief Purpose, usage, files and options with units and defaults. */
+  std::string
+  help() const;
+
+  const std::string&
+  tool() const
+  {
+    return tool_;
+  }
+
+private:
+  struct File {
+    std::string name;
+    std::string help;
+    std::string* value;
+  };
+  struct Option {
+    std::string name;
+    std::string help; ///< whole, with unit and default
+    bool takes_value;
+    std::function<void(const std::string&)> read;
+  };
+
+  static std::string
+  textOf(double value);
+
+  void
+  addNumber(const std::string& name,
+            const std::string& unit,
+            const std::string& help,
+            const Range& range,
+            bool whole,
+            const std::string& default_text,
+            const std::function<void(double)>& store);
+
+  std::string
+  usage() const;
+
+  std::string tool_;
+  std::string purpose_;
+  std::vector<File> files_;
+  std::vector<Option> options_;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

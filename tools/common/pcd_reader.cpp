@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_readers.h"
+#include "tool_error.h"
+
+#include <pcl/io/lzf.h>
+#include <pcl/sedr_filters/field_access.h>
+
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/** @brief The lines of a header by their keywords, and where the data begins. */
+struct PcdHeader {
+  std::map<std::string, Words, std::less<>> lines;
+  std::size_t data_begin = 0;
+
+  const Words*
+  find(std::string_view keyword) const
+  {
+    const auto it = lines.find(keyword);
+    return it == lines.end() ? nullptr : &it->second;
+  }
+};
+
+[[noreturn]] void
+refuse(const std::string& path, const std::string& reason)
+{
+  throw ToolError("cannot read '" + path + "' as PCD: " + reason);
+}
+
+bool
+isKeyword(std::string_view word)
+{
+  constexpr std::array<std::string_view, 11> keywords{"VERSION", "FIELDS", "COLUMNS", "SIZE",
+                                                      "TYPE", "COUNT", "WIDTH", "HEIGHT",
+                                                      "VIEWPOINT", "POINTS", "DATA"};
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+PcdHeader
+readHeader(const MappedFile& file, const std::string& path)
+{
+  PcdHeader header;
+  TextCursor cursor(file, 0);
+  for (std::string_view line; cursor.nextLine(line);) {
+    const Words words = wordsOf(line);
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    if (!isKeyword(words[0]))
+      refuse(path, "its header holds a line that is none, before DATA");
+    const std::string keyword(words[0] == "COLUMNS" ? "FIELDS" : words[0]);
+    header.lines[keyword] = Words(words.begin() + 1, words.end());
+    if (keyword == "DATA") {
+      header.data_begin = cursor.position();
+      return header;
+    }
+  }
+  refuse(path, "its header ends without a DATA line, the file may be cut off");
+}
+
+std::uint64_t
+wholeNumber(std::string_view word, const std::string& what, const std::string& path)
+{
+  std::uint64_t value = 0;
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (result.ec != std::errc() || result.ptr != word.data() + word.size())
+    refuse(path, what + " is '" + std::string(word) + "', not a whole number");
+  return value;
+}
+
+std::uint8_t
+dataType(char type, std::uint64_t size)
+{
+  using Field = pcl::PCLPointField;
+  const std::map<std::pair<char, std::uint64_t>, std::uint8_t> types{
+      {{'I', 1}, Field::INT8},    {{'I', 2}, Field::INT16},  {{'I', 4}, Field::INT32},
+      {{'I', 8}, Field::INT64},   {{'U', 1}, Field::UINT8},  {{'U', 2}, Field::UINT16},
+      {{'U', 4}, Field::UINT32},  {{'U', 8}, Field::UINT64}, {{'F', 4}, Field::FLOAT32},
+      {{'F', 8}, Field::FLOAT64}, {{'B', 1}, Field::BOOL}};
+  const auto it = types.find({type, size});
+  return it == types.end() ? 0 : it->second;
+}
+
+std::vector<pcl::PCLPointField>
+readFields(const PcdHeader& header, const std::string& path)
+{
+  const Words* names = header.find("FIELDS");
+  const Words* sizes = header.find("SIZE");
+  const Words* types = header.find("TYPE");
+  const Words* counts = header.find("COUNT");
+  if (!names || !sizes || !types)
+    refuse(path, "its header lacks FIELDS, SIZE or TYPE");
+  if (sizes->size() != names->size() || types->size() != names->size() ||
+      (counts && counts->size() != names->size()))
+    refuse(path,
+           "its header names " + std::to_string(names->size()) + " fields, but " +
+               std::to_string(sizes->size()) + " sizes, " + std::to_string(types->size()) +
+               " types and " + std::to_string(counts ? counts->size() : 0) + " counts");
+  constexpr std::uint64_t most_values = 1 << 16;
+  std::vector<pcl::PCLPointField> fields;
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    pcl::PCLPointField field;
+    field.name = std::string((*names)[i]);
+    const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
+    field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
+    if (field.datatype == 0 || count == 0 || count > most_values)
+      refuse(path,
+             "field '" + field.name + "' is of type " + std::string((*types)[i]) + ", size " +
+                 std::string((*sizes)[i]) + ", count " + std::to_string(count) +
+                 ", which is unknown");
+    field.count = static_cast<pcl::uindex_t>(count);
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+std::uint64_t
+readSize(const PcdHeader& header, const std::string& path)
+{
+  const auto number = [&](const char* keyword, std::uint64_t otherwise) {
+    const Words* words = header.find(keyword);
+    return words && !words->empty() ? wholeNumber(words->front(), keyword, path) : otherwise;
+  };
+  if (!header.find("WIDTH") && !header.find("POINTS"))
+    refuse(path, "its header lacks WIDTH and POINTS");
+  const std::uint64_t height = number("HEIGHT", 1);
+  const std::uint64_t points = number("POINTS", number("WIDTH", 0) * height);
+  const std::uint64_t width = number("WIDTH", points);
+  constexpr std::uint64_t most = std::uint64_t{1} << 32;
+  if (width > most || height > most || width * height != points)
+    refuse(path,
+           "its header gives " + std::to_string(width) + " x " + std::to_string(height) +
+               " points in rows, but " + std::to_string(points) + " in all");
+  return points;
+}
+
+void
+readViewpoint(const PcdHeader& header, FileCloud& cloud)
+{
+  const Words* words = header.find("VIEWPOINT");
+  std::array<float, 7> v{0, 0, 0, 1, 0, 0, 0};
+  if (!words || words->size() != v.size())
+    return;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const auto& word = (*words)[i];
+    if (std::from_chars(word.data(), word.data() + word.size(), v[i]).ec != std::errc())
+      return;
+  }
+  cloud.origin = {v[0], v[1], v[2], 0};
+  cloud.orientation = {v[3], v[4], v[5], v[6]};
+}
+
+[[noreturn]] void
+refuseCutOff(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t left)
+{
+  const std::size_t needed = std::size_t{blob.width} * blob.point_step;
+  refuse(path,
+         "the file is cut off, its header promises " + std::to_string(blob.width) +
+             " points of " + std::to_string(blob.point_step) + " bytes, " +
+             std::to_string(needed) + " bytes, but " + std::to_string(left) +
+             " bytes follow");
+}
+
+void
+readAscii(const MappedFile& file,
+          std::size_t begin,
+          const std::string& path,
+          pcl::PCLPointCloud2& blob)
+{
+  std::size_t values = 0;
+  for (const auto& field : blob.fields)
+    values += field.count;
+  // A number and a blank take two bytes: a header may promise no more than that.
+  if ((file.size() - begin + 1) / 2 < std::size_t{blob.width} * values)
+    refuse(path,
+           "the file is cut off, its header promises " + std::to_string(blob.width) +
+               " points, but " + std::to_string(file.size() - begin) + " bytes follow");
+  blob.data.resize(std::size_t{blob.width} * blob.point_step);
+  TextCursor cursor(file, begin);
+  std::size_t point = 0;
+  for (std::string_view line; point < blob.width && cursor.nextLine(line);) {
+    if (wordsOf(line.substr(0, 64)).empty())
+      continue;
+    const std::size_t read =
+        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
+    if (read != values)
+      refuse(path,
+             "point " + std::to_string(point + 1) + " has " + std::to_string(read) + " of " +
+                 std::to_string(values) + " numbers");
+    ++point;
+  }
+  if (point < blob.width)
+    refuse(path,
+           "the file is cut off, its header promises " + std::to_string(blob.width) +
+               " points, it holds " + std::to_string(point));
+}
+
+void
+readCompressed(const MappedFile& file,
+               std::size_t begin,
+               const std::string& path,
+               pcl::PCLPointCloud2& blob)
+{
+  std::uint32_t compressed = 0;
+  std::uint32_t whole = 0;
+  const std::size_t left = file.size() - begin;
+  if (left < sizeof compressed + sizeof whole)
+    refuse(path, "the file is cut off, " + std::to_string(left) + " bytes follow the header");
+  std::memcpy(&compressed, file.data() + begin, sizeof compressed);
+  std::memcpy(&whole, file.data() + begin + sizeof compressed, sizeof whole);
+  const std::size_t data = begin + sizeof compressed + sizeof whole;
+  if (file.size() - data < compressed)
+    refuse(path,
+           "the file is cut off, " + std::to_string(compressed) +
+               " bytes of compressed points are promised, " +
+               std::to_string(file.size() - data) + " follow");
+  const std::size_t needed = std::size_t{blob.width} * blob.point_step;
+  if (whole != needed)
+    refuse(path,
+           "its " + std::to_string(blob.width) + " points take " + std::to_string(needed) +
+               " bytes, the compressed ones hold " + std::to_string(whole));
+  std::vector<std::uint8_t> by_field(whole);
+  if (pcl::lzfDecompress(file.data() + data, compressed, by_field.data(), whole) != whole)
+    refuse(path, "its compressed points are damaged");
+  blob.data.resize(needed);
+  std::size_t from = 0;
+  for (const auto& field : blob.fields) {
+    const std::size_t size = fieldSize(field.datatype) * field.count;
+    for (std::size_t i = 0; i < blob.width; ++i, from += size)
+      std::memcpy(
+          &blob.data[i * blob.point_step + field.offset], by_field.data() + from, size);
+  }
+}
+
+} // namespace
+
+bool
+looksLikePcd(const MappedFile& file)
+{
+  TextCursor cursor(file, 0);
+  for (std::string_view line; cursor.nextLine(line);) {
+    const Words words = wordsOf(line.substr(0, 256));
+    if (!words.empty() && words[0][0] != '#')
+      return isKeyword(words[0]);
+  }
+  return false;
+}
+
+FileCloud
+readPcd(const MappedFile& file, const std::string& path)
+{
+  const PcdHeader header = readHeader(file, path);
+  FileCloud cloud;
+  auto& blob = cloud.blob;
+  blob.fields = readFields(header, path);
+  layOut(blob, readSize(header, path), path);
+  readViewpoint(header, cloud);
+
+  const Words& format = *header.find("DATA");
+  const std::string_view name = format.empty() ? std::string_view() : format.front();
+  const std::size_t left = file.size() - header.data_begin;
+  if (name == "ascii")
+    readAscii(file, header.data_begin, path, blob);
+  else if (name == "binary_compressed")
+    readCompressed(file, header.data_begin, path, blob);
+  else if (name != "binary")
+    refuse(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
+  else if (left < std::size_t{blob.width} * blob.point_step)
+    refuseCutOff(path, blob, left);
+  else
+    blob.data.assign(file.data() + header.data_begin,
+                     file.data() + header.data_begin +
+                         std::size_t{blob.width} * blob.point_step);
+  return cloud;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

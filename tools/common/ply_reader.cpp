@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_readers.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/field_access.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<pcl::PCLPointField> fields;
+  bool has_lists = false;
+};
+
+struct PlyHeader {
+  std::string format;
+  std::vector<PlyElement> elements;
+  std::size_t data_begin = 0;
+};
+
+[[noreturn]] void
+refuse(const std::string& path, const std::string& reason)
+{
+  throw ToolError("cannot read '" + path + "' as PLY: " + reason);
+}
+
+std::uint8_t
+dataType(std::string_view name)
+{
+  using Field = pcl::PCLPointField;
+  const std::map<std::string_view, std::uint8_t> types{
+      {"char", Field::INT8},      {"int8", Field::INT8},       {"uchar", Field::UINT8},
+      {"uint8", Field::UINT8},    {"short", Field::INT16},     {"int16", Field::INT16},
+      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},   {"int", Field::INT32},
+      {"int32", Field::INT32},    {"uint", Field::UINT32},     {"uint32", Field::UINT32},
+      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32}, {"double", Field::FLOAT64},
+      {"float64", Field::FLOAT64}};
+  const auto it = types.find(name);
+  return it == types.end() ? 0 : it->second;
+}
+
+void
+addProperty(const std::vector<std::string_view>& words,
+            const std::string& path,
+            PlyHeader& header)
+{
+  if (header.elements.empty() || words.size() < 3)
+    refuse(path, "its header holds a property without an element or a name");
+  auto& element = header.elements.back();
+  if (words[1] == "list") {
+    element.has_lists = true;
+    return;
+  }
+  pcl::PCLPointField field;
+  field.name = std::string(words[2]);
+  field.count = 1;
+  field.datatype = dataType(words[1]);
+  if (field.datatype == 0)
+    refuse(path,
+           "property '" + field.name + "' is of the unknown type '" + std::string(words[1]) +
+               "'");
+  element.fields.push_back(field);
+}
+
+PlyHeader
+readHeader(const MappedFile& file, const std::string& path)
+{
+  PlyHeader header;
+  TextCursor cursor(file, 0);
+  std::string_view line;
+  cursor.nextLine(line);
+  while (cursor.nextLine(line)) {
+    const auto words = wordsOf(line);
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+      continue;
+    if (words[0] == "end_header") {
+      header.data_begin = cursor.position();
+      return header;
+    }
+    if (words[0] == "format" && words.size() > 1)
+      header.format = std::string(words[1]);
+    else if (words[0] == "property")
+      addProperty(words, path, header);
+    else if (words[0] == "element" && words.size() > 2) {
+      PlyElement element;
+      element.name = std::string(words[1]);
+      const auto& n = words[2];
+      const auto result = std::from_chars(n.data(), n.data() + n.size(), element.count);
+      if (result.ec != std::errc() || result.ptr != n.data() + n.size())
+        refuse(path, "'" + std::string(n) + "' is no number of elements");
+      header.elements.push_back(element);
+    }
+    else
+      refuse(path, "its header holds a line that is none, before end_header");
+  }
+  refuse(path, "its header does not end, the file may be cut off");
+}
+
+[[noreturn]] void
+refuseCutOff(const std::string& path, const PlyElement& vertices, const std::string& found)
+{
+  refuse(path,
+         "the file is cut off, its header promises " + std::to_string(vertices.count) +
+             " vertices, " + found);
+}
+
+void
+readAscii(const MappedFile& file,
+          TextCursor& cursor,
+          const std::string& path,
+          const PlyElement& vertices,
+          pcl::PCLPointCloud2& blob)
+{
+  const std::size_t values = blob.fields.size();
+  const std::size_t left = file.size() - std::min(cursor.position(), file.size());
+  if ((left + 1) / 2 < vertices.count * values)
+    refuseCutOff(path, vertices, "but " + std::to_string(left) + " bytes follow");
+  blob.data.resize(std::size_t{blob.width} * blob.point_step);
+  std::size_t point = 0;
+  for (std::string_view line; point < blob.width && cursor.nextLine(line); ++point) {
+    const std::size_t read =
+        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
+    if (read != values)
+      refuse(path,
+             "vertex " + std::to_string(point + 1) + " has " + std::to_string(read) + " of " +
+                 std::to_string(values) + " numbers");
+  }
+  if (point < blob.width)
+    refuseCutOff(path, vertices, "it holds " + std::to_string(point));
+}
+
+void
+swapBytes(pcl::PCLPointCloud2& blob)
+{
+  for (std::size_t i = 0; i < blob.width; ++i)
+    for (const auto& field : blob.fields) {
+      auto* first = &blob.data[i * blob.point_step + field.offset];
+      std::reverse(first, first + fieldSize(field.datatype));
+    }
+}
+
+/** @brief Gives the properties the names of PCL's fields. */
+void
+renameNormals(std::vector<pcl::PCLPointField>& fields)
+{
+  for (auto& field : fields)
+    for (const char axis : {'x', 'y', 'z'})
+      if (field.name == std::string("n") + axis)
+        field.name = std::string("normal_") + axis;
+}
+
+/** @brief Joins red, green, blue and alpha of one byte each into `rgb`, or `rgba` with alpha. */
+void
+joinColours(pcl::PCLPointCloud2& blob)
+{
+  const std::array<const char*, 4> names{"blue", "green", "red", "alpha"}; // low byte first
+  std::array<int, 4> offsets{-1, -1, -1, -1};
+  for (std::size_t c = 0; c < names.size(); ++c)
+    for (const auto& field : blob.fields)
+      if (field.name == names[c] && field.datatype == pcl::PCLPointField::UINT8)
+        offsets[c] = static_cast<int>(field.offset);
+  if (offsets[0] < 0 || offsets[1] < 0 || offsets[2] < 0)
+    return;
+  const bool has_alpha = offsets[3] >= 0;
+
+  pcl::PCLPointCloud2 joined = blob;
+  joined.fields.clear();
+  for (const auto& field : blob.fields)
+    if (std::find(names.begin(), names.end(), field.name) == names.end())
+      joined.fields.push_back(field);
+  const std::vector<pcl::PCLPointField> others = joined.fields;
+  pcl::PCLPointField colour;
+  colour.name = has_alpha ? "rgba" : "rgb";
+  colour.datatype = has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32;
+  colour.count = 1;
+  joined.fields.push_back(colour);
+  layOut(joined, blob.width, "");
+  joined.data.assign(std::size_t{joined.width} * joined.point_step, 0);
+  for (std::size_t i = 0; i < blob.width; ++i) {
+    const auto* from = &blob.data[i * blob.point_step];
+    auto* to = &joined.data[i * joined.point_step];
+    for (std::size_t f = 0; f < others.size(); ++f)
+      std::memcpy(to + joined.fields[f].offset,
+                  from + others[f].offset,
+                  fieldSize(others[f].datatype));
+    for (std::size_t c = 0; c < names.size(); ++c)
+      to[joined.fields.back().offset + c] =
+          offsets[c] >= 0 ? from[offsets[c]] : std::uint8_t{0xff};
+  }
+  blob = std::move(joined);
+}
+
+} // namespace
+
+bool
+looksLikePly(const MappedFile& file)
+{
+  TextCursor cursor(file, 0);
+  std::string_view line;
+  return cursor.nextLine(line) && line == "ply";
+}
+
+FileCloud
+readPly(const MappedFile& file, const std::string& path)
+{
+  const PlyHeader header = readHeader(file, path);
+  const bool ascii = header.format == "ascii";
+  if (!ascii && header.format != "binary_little_endian" && header.format != "binary_big_endian")
+    refuse(path, "its format is '" + header.format + "'");
+  const auto vertices =
+      std::find_if(header.elements.begin(), header.elements.end(), [](const auto& e) {
+        return e.name == "vertex";
+      });
+  if (vertices == header.elements.end() || vertices->has_lists)
+    refuse(path, "it has no element 'vertex' without lists");
+
+  FileCloud cloud;
+  auto& blob = cloud.blob;
+  blob.fields = vertices->fields;
+  layOut(blob, vertices->count, path);
+  TextCursor cursor(file, header.data_begin);
+  std::size_t skip = 0;
+  for (auto e = header.elements.begin(); e != vertices; ++e) {
+    if (e->has_lists || e->count > file.size())
+      refuse(path, "element '" + e->name + "' before the vertices cannot be skipped");
+    std::string_view line;
+    for (std::uint64_t i = 0; ascii && i < e->count; ++i)
+      cursor.nextLine(line);
+    for (const auto& field : e->fields)
+      skip += fieldSize(field.datatype) * e->count;
+  }
+  if (ascii)
+    readAscii(file, cursor, path, *vertices, blob);
+  else {
+    const std::size_t needed = std::size_t{blob.width} * blob.point_step;
+    const std::size_t follow = file.size() - header.data_begin;
+    if (follow < skip || follow - skip < needed)
+      refuseCutOff(path,
+                   *vertices,
+                   std::to_string(needed) + " bytes, but " +
+                       std::to_string(follow - std::min(skip, follow)) + " bytes follow");
+    const auto* first = file.data() + header.data_begin + skip;
+    blob.data.assign(first, first + needed);
+    if (header.format == "binary_big_endian")
+      swapBytes(blob);
+  }
+  renameNormals(blob.fields);
+  joinColours(blob);
+  return cloud;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Tells on a terminal what a tool is at, from its making to its end, if that takes over a
+ * second. Silent where stderr is no terminal.
+ * @code
+ * const Progress progress("finding planes");
+ * @endcode */
+class Progress {
+public:
+  explicit Progress(std::string step);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress&
+  operator=(const Progress&) = delete;
+
+private:
+  void
+  watch();
+
+  std::string step_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  bool has_spoken_ = false;
+  std::thread watcher_;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_tool.h"
+
+#include "tool_error.h"
+
+#include <pcl/console/print.h>
+
+#include <unistd.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+int
+runTool(Options& options, int argc, char** argv, const std::function<int()>& body)
+{
+  const auto complain = [&](const std::string& sentence, int exit_code) {
+    std::cerr << options.tool() << ": " << sentence << std::endl;
+    return exit_code;
+  };
+  try {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+    if (!options.parse(argc, argv)) {
+      std::cout << options.help() << std::flush;
+      return Done;
+    }
+    return body();
+  }
+  catch (const ToolError& error) {
+    return complain(error.what(), error.exitCode());
+  }
+  catch (const std::bad_alloc&) {
+    return complain("the memory does not suffice for this input", BadUse);
+  }
+  catch (const std::exception& error) {
+    return complain(std::string("failed: ") + error.what(), BadUse);
+  }
+  catch (...) {
+    return complain("failed for an unknown reason", BadUse);
+  }
+}
+
+void
+say(const std::string& line)
+{
+  if (isatty(STDERR_FILENO) != 0)
+    std::cerr << line << std::endl;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What a tool's exit code says. */
+enum ExitCode {
+  Done = 0,
+  BadUse = 1,      ///< bad options, unreadable input, output that cannot be written
+  NothingFound = 2 ///< the input was read, but does not hold what the tool looks for
+};
+
+/** @brief Ends a tool with one sentence and an exit code; runTool() prints it. */
+class ToolError : public std::runtime_error {
+public:
+  explicit ToolError(const std::string& sentence, ExitCode exit_code = BadUse)
+  : std::runtime_error(sentence), exit_code_(exit_code)
+  {}
+
+  ExitCode
+  exitCode() const
+  {
+    return exit_code_;
+  }
+
+private:
+  ExitCode exit_code_;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

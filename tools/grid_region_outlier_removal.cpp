@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
+
+#include <numeric>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::StructureLabel;
+
+namespace {
+
+using Removal = pcl::GridRegionOutlierRemoval<pcl::PointXYZ>;
+
+struct Settings {
+  std::string input;
+  std::string output;
+  unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
+  double grid = 0;
+  int opening = 0;
+  std::size_t minimum_core = 0;
+  unsigned int support_label = 0;
+  double minimum_support = 0;
+  std::size_t minimum_supported_cells = 0;
+  bool remove = false;
+  std::string rooms = "auto";
+  bool compress = false;
+
+  bool
+  writesRooms() const
+  {
+    const bool is_ceiling = label == static_cast<unsigned int>(StructureLabel::Ceiling);
+    return rooms == "yes" || (rooms == "auto" && is_ceiling);
+  }
+};
+
+/** @brief The points to work on: those with the label, all in a file without labels. */
+pcl::Indices
+selectPoints(const Settings& settings, const ToolCloud& cloud)
+{
+  pcl::Indices selected;
+  if (cloud.has_label)
+    selected = cloud.withLabel(static_cast<StructureLabel>(settings.label));
+  else {
+    selected.resize(cloud.size());
+    std::iota(selected.begin(), selected.end(), 0);
+  }
+  if (selected.empty())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
+                        cloud.path + "' has label " + std::to_string(settings.label),
+                    NothingFound);
+  return selected;
+}
+
+pcl::Indices
+compute(const Settings& settings,
+        const ToolCloud& cloud,
+        const pcl::Indices& selected,
+        Removal& removal)
+{
+  const Progress progress("labelling regions");
+  removal.setInputCloud(cloud.points);
+  removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(selected)));
+  removal.setGridSize(settings.grid);
+  removal.setOpeningRadius(settings.opening);
+  removal.setMinimumCore(settings.minimum_core);
+  removal.setMinimumSupport(settings.minimum_support);
+  removal.setMinimumSupportedCells(settings.minimum_supported_cells);
+  if (settings.support_label > 0)
+    removal.setSupportIndices(pcl::IndicesConstPtr(new pcl::Indices(
+        cloud.withLabel(static_cast<StructureLabel>(settings.support_label)))));
+  pcl::Indices kept;
+  removal.filter(kept);
+  if (!removal.getErrorMessage().empty())
+    throw ToolError(removal.getErrorMessage());
+  return kept;
+}
+
+/** @brief Writes what was found into the fields of the cloud. */
+void
+apply(const Settings& settings,
+      const pcl::Indices& selected,
+      const Removal& removal,
+      ToolCloud& cloud)
+{
+  const auto& regions = removal.getRegionLabels();
+  std::vector<bool> rejected(cloud.size(), false);
+  for (const auto index : selected) {
+    const auto i = static_cast<std::size_t>(index);
+    rejected[i] = regions[i] == 0;
+    cloud.label[i] = rejected[i] ? 0 : settings.label;
+    if (settings.writesRooms())
+      cloud.room[i] = static_cast<std::uint32_t>(regions[i]);
+  }
+  setField(cloud.blob, "label", cloud.label);
+  if (settings.writesRooms() || cloud.has_room)
+    setField(cloud.blob, "room", cloud.room);
+  if (!settings.remove)
+    return;
+  pcl::Indices stay;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (!rejected[i])
+      stay.push_back(static_cast<pcl::index_t>(i));
+  cloud.blob = selectRows(cloud.blob, stay);
+}
+
+int
+run(const Settings& settings)
+{
+  checkCloudOutput(settings.output);
+  ToolCloud cloud = loadCloud(settings.input);
+  const pcl::Indices selected = selectPoints(settings, cloud);
+  Removal removal(true);
+  const pcl::Indices kept = compute(settings, cloud, selected, removal);
+  if (kept.empty())
+    throw ToolError("none of the " + std::to_string(selected.size()) +
+                        " points is finite, there is no region",
+                    NothingFound);
+  apply(settings, selected, removal, cloud);
+  saveCloud(settings.output,
+            cloud,
+            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) + " points in " +
+      std::to_string(removal.getNumberOfRegions()) + " of " +
+      std::to_string(removal.getRegionSizes().size()) + " regions, threshold " +
+      std::to_string(removal.getThreshold()) + " cells");
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  const Removal defaults;
+  Settings settings;
+  settings.grid = defaults.getGridSize();
+  settings.opening = defaults.getOpeningRadius();
+  settings.minimum_core = defaults.getMinimumCore();
+  settings.minimum_support = defaults.getMinimumSupport();
+  settings.minimum_supported_cells = defaults.getMinimumSupportedCells();
+
+  Options options("pcl_grid_region_outlier_removal",
+                  "Removes points outside the large regions of a plan, and numbers the regions as "
+                  "rooms.\nWorks on the points with one label; on all points of a file without "
+                  "labels.");
+  options.file("INPUT", settings.input, "PCD or PLY file");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("label", settings.label, "", "label of the points to work on, 1 ceiling, 2 floor");
+  options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
+  options.number("opening",
+                 settings.opening,
+                 "cells",
+                 "necks narrower than 2 n + 1 cells do not join regions, 0 = off",
+                 Range::between(0, 1000));
+  options.number("min-core",
+                 settings.minimum_core,
+                 "cells",
+                 "with --opening: what a region of its own must keep after erosion");
+  options.number("support",
+                 settings.support_label,
+                 "",
+                 "label of points, say 2 floor, that save a smaller region above them, 0 = none");
+  options.number("min-support",
+                 settings.minimum_support,
+                 "",
+                 "share of such a region's cells with support",
+                 Range::between(0, 1));
+  options.number("min-supported-cells",
+                 settings.minimum_supported_cells,
+                 "cells",
+                 "size of such a region");
+  options.flag("remove", settings.remove, "leave rejected points out, instead of label 0");
+  options.text("rooms",
+               settings.rooms,
+               "write the regions' numbers into 'room'; auto: for ceilings",
+               {"auto", "yes", "no"});
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}

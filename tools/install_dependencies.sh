@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs what a Debian 12 lacks to build SEDR, and nothing that is there already.
+#   tools/install_dependencies.sh [--with-tests]
+set -euo pipefail
+
+with_tests=no
+case "${1-}" in
+  "") ;;
+  --with-tests) with_tests=yes ;;
+  *) echo "usage: $0 [--with-tests]" >&2; exit 1 ;;
+esac
+
+# package             why
+needed=(
+  "g++                 compiles; brings the C compiler that VTK's CMake files ask for"
+  "cmake               configures the build"
+  "ninja-build         runs it"
+  "libpcl-dev          the Point Cloud Library; brings Eigen, FLANN, Boost and VTK"
+  "nlohmann-json3-dev  reads and writes JSON"
+)
+if [ "$with_tests" = yes ]; then
+  needed+=(
+    "libgtest-dev        GoogleTest, for the tests"
+    "pkg-config          a test builds a program by the installed .pc files"
+  )
+fi
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "This system has no apt-get, so nothing is installed. SEDR needs what these Debian packages hold:"
+  printf '  %s\n' "${needed[@]}"
+  exit 0
+fi
+
+missing=()
+for line in "${needed[@]}"; do
+  package=${line%% *}
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] && continue
+  [ ${#missing[@]} -gt 0 ] || echo "Missing packages, to be installed:"
+  echo "  $line"
+  missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Neither root nor sudo: have an administrator run: apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+# `env`, as sudo drops variables of its caller; the lock may be held by a system's own updates.
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q
+  -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
+"${apt[@]}" update
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+struct Settings {
+  std::string input;
+  std::string output;
+  float leaf = 0;
+  unsigned int minimum_points = 0;
+  unsigned int threads = 0;
+  std::string field;
+  double low = 0;
+  double high = 0;
+  bool outside = false;
+  bool only_xyz = false;
+  bool compress = false;
+};
+
+pcl::PCLPointCloud2
+compute(const Settings& settings, const pcl::PCLPointCloud2::ConstPtr& cloud)
+{
+  const Progress progress("thinning");
+  pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
+  grid.setInputCloud(cloud);
+  grid.setLeafSize(settings.leaf, settings.leaf, settings.leaf);
+  grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
+  grid.setNumberOfThreads(settings.threads);
+  grid.setFilterFieldName(settings.field);
+  grid.setFilterLimits(settings.low, settings.high);
+  grid.setFilterLimitsNegative(settings.outside);
+  grid.setDownsampleAllData(!settings.only_xyz);
+  pcl::PCLPointCloud2 thinned;
+  grid.filter(thinned);
+  if (!grid.getErrorMessage().empty())
+    throw ToolError(grid.getErrorMessage());
+  return thinned;
+}
+
+int
+run(const Settings& settings)
+{
+  checkCloudOutput(settings.output);
+  ToolCloud cloud = loadCloud(settings.input);
+  const std::size_t before = cloud.size();
+  const auto blob = pcl::make_shared<pcl::PCLPointCloud2>(std::move(cloud.blob));
+  cloud.blob = compute(settings, blob);
+  if (rowsOf(cloud.blob) == 0)
+    throw ToolError("no voxel of " + std::to_string(settings.leaf) + " m holds " +
+                        std::to_string(settings.minimum_points) + " or more of the " +
+                        std::to_string(before) + " points within the limits",
+                    NothingFound);
+  saveCloud(settings.output,
+            cloud,
+            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  say(std::to_string(before) + " points -> " + std::to_string(rowsOf(cloud.blob)));
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  const pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> defaults;
+  Settings settings;
+  settings.leaf = defaults.getLeafSize().x();
+  settings.minimum_points = defaults.getMinimumPointsNumberPerVoxel();
+  settings.threads = defaults.getNumberOfThreads();
+  defaults.getFilterLimits(settings.low, settings.high);
+
+  Options options("pcl_parallel_voxel_grid",
+                  "Thins a cloud to the mean of the points of each voxel, all fields averaged.");
+  options.file("INPUT", settings.input, "PCD or PLY file to thin");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
+  options.number(
+      "min-points", settings.minimum_points, "", "voxels with fewer points give none");
+  options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
+  options.text("field", settings.field, "use only points whose field of this name is in limits");
+  options.number("low", settings.low, "", "lower limit of that field, included");
+  options.number("high", settings.high, "", "upper limit of that field, included");
+  options.flag("outside", settings.outside, "use the points outside the limits instead");
+  options.flag("only-xyz", settings.only_xyz, "average x, y and z alone, other fields become 0");
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}

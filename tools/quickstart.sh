@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# From a bare Debian 12 to a first model: installs what is missing, builds the programs, simulates
+# the scan of a room, reconstructs it and compares the model with the truth. May be run again.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+jobs=${SEDR_JOBS:-2}
+bin=build/release/bin
+scene=build/quickstart/bls_room
+
+step() { printf '\n== %s\n' "$*"; }
+
+step "Installing what is missing"
+bash tools/install_dependencies.sh
+
+step "Building (about ten minutes the first time)"
+cmake --preset release -DSEDR_BUILD_TESTS=OFF
+cmake --build --preset release --parallel "$jobs"
+
+step "Simulating the scan of a study with a soffit and a recess"
+"$bin/pcl_simulate_indoor_scan" bls_room "$scene"
+
+step "Reconstructing it"
+"$bin/pcl_sedr" "$scene/scan.pcd" "$scene/model"
+
+step "Comparing the model with the truth"
+"$bin/pcl_mesh_evaluation" "$scene/model/mesh.ply" "$scene/truth.ply"
+
+step "Done. Look at"
+cat <<TEXT
+  $scene/scan.pcd             the scan
+  $scene/model/mesh.ply       the model: closed, ceiling, floor and walls
+  $scene/model/structure.pcd  the points of the structure, label and room of each
+  $scene/model/report.json    what was done, with figures
+  $scene/truth.ply            what was simulated
+Your own scan: $bin/pcl_sedr SCAN.pcd OUTPUT_DIR   (metres, z up; -h tells all options)
+TEXT

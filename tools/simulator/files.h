@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scan.h"
+#include "scene.h"
+#include "truth_mesh.h"
+
+#include <filesystem>
+#include <vector>
+
+/** @file
+ * Binary PCD and PLY. Each file is written beside its name and renamed when complete,
+ * so that nobody ever reads half of one. Failure throws std::runtime_error with a
+ * sentence.
+ */
+
+namespace pcl::sedr::sim {
+
+/** @brief Writes x y z (float32) label room (uint32) as an unorganised binary PCD. */
+void writePcd(const std::filesystem::path& path, const std::vector<ScanPoint>& points);
+
+/** @brief Writes the mesh, moved by @p placement, as a binary PLY.
+ *
+ * Vertices are float32; every face has its int properties label and room.
+ */
+void writePly(const std::filesystem::path& path,
+              const Mesh& mesh,
+              const Placement& placement);
+
+} // namespace pcl::sedr::sim

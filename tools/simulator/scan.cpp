@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan.h"
+
+#include "random.h"
+#include "tracer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+constexpr std::size_t kBlockSteps = 16; ///< azimuth steps that a thread takes at a time
+constexpr unsigned kMaxThreads = 256;
+constexpr std::uint64_t kTurn = ~0ULL; ///< the "ray" that turns a station's raster
+
+/** @brief A scanner's angular raster, from its lowest elevation up to the zenith. */
+struct Raster {
+  std::size_t azimuths = 1;
+  std::size_t elevations = 1;
+  double low = 0.0;  ///< radians
+  double step = 0.0; ///< radians of elevation
+};
+
+/** @brief About as many rays as asked for, in steps equal in azimuth and elevation. */
+Raster
+rasterOf(const Scanner& scanner)
+{
+  Raster raster;
+  raster.low = scanner.min_elevation * pi / 180.0;
+  const double span = 0.5 * pi - raster.low;
+  const auto rays = static_cast<double>(scanner.rays_per_station);
+  const double around = std::round(std::sqrt(rays * 2.0 * pi / span));
+  raster.azimuths = std::max<std::size_t>(1, static_cast<std::size_t>(around));
+  raster.elevations =
+      std::max<std::size_t>(1, scanner.rays_per_station / raster.azimuths);
+  raster.step = span / static_cast<double>(raster.elevations);
+  return raster;
+}
+
+/** @brief Some azimuth steps of one station: what a thread does at a time. */
+struct Block {
+  const Scanner* scanner = nullptr;
+  Raster raster;
+  Vec3 station;
+  std::size_t station_number = 0;
+  std::size_t first = 0; ///< azimuth step
+  std::size_t last = 0;  ///< azimuth step, one behind the last
+};
+
+std::vector<Block>
+blocksOf(const Scene& scene)
+{
+  std::vector<Block> blocks;
+  std::size_t number = 0;
+  for (const Scanner& scanner : scene.scanners) {
+    const Raster raster = rasterOf(scanner);
+    for (const Vec3& station : scanner.stations) {
+      for (std::size_t first = 0; first < raster.azimuths; first += kBlockSteps) {
+        const std::size_t last = std::min(first + kBlockSteps, raster.azimuths);
+        blocks.push_back({&scanner, raster, station, number, first, last});
+      }
+      ++number;
+    }
+  }
+  return blocks;
+}
+
+/** @brief The middle of a raster cell, jittered; @p turn shifts the raster in azimuth.
+ */
+Vec3
+direction(const Block& block,
+          std::size_t i,
+          std::size_t j,
+          double turn,
+          RayRandom& random)
+{
+  const double jitter = block.scanner->jitter;
+  const double across =
+      static_cast<double>(i) + turn + jitter * (random.uniform() - 0.5);
+  const double up = static_cast<double>(j) + 0.5 + jitter * (random.uniform() - 0.5);
+  const double azimuth = 2.0 * pi * across / static_cast<double>(block.raster.azimuths);
+  const double elevation = block.raster.low + block.raster.step * up;
+  const Vec2 level = std::cos(elevation) * Vec2{std::cos(azimuth), std::sin(azimuth)};
+  return lifted(level, std::sin(elevation));
+}
+
+std::vector<ScanPoint>
+scanBlock(const Tracer& tracer, const Block& block, std::uint64_t seed)
+{
+  std::vector<ScanPoint> points;
+  const double turn = RayRandom(seed, block.station_number, kTurn).uniform();
+  const std::size_t elevations = block.raster.elevations;
+  for (std::size_t i = block.first; i < block.last; ++i)
+    for (std::size_t j = 0; j < elevations; ++j) {
+      RayRandom random(seed, block.station_number, i * elevations + j);
+      const Ray ray{block.station, direction(block, i, j, turn, random)};
+      if (const auto point = tracer.measure(ray, *block.scanner, random))
+        points.push_back(*point);
+    }
+  return points;
+}
+
+/** @brief Calls @p work(i) for all i below @p count, any of them from any thread. */
+template <typename Work>
+void
+parallelFor(std::size_t count, unsigned threads, const Work& work)
+{
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++)
+      work(i);
+  };
+  std::vector<std::thread> helpers;
+  for (unsigned i = 1; i < std::min(threads, kMaxThreads) && i < count; ++i)
+    helpers.emplace_back(run);
+  run();
+  for (std::thread& helper : helpers)
+    helper.join();
+}
+
+/** @brief Scans all blocks; the results stand in the order of the blocks. */
+std::vector<std::vector<ScanPoint>>
+scanBlocks(const Tracer& tracer,
+           const std::vector<Block>& blocks,
+           const ScanOptions& options)
+{
+  std::vector<std::vector<ScanPoint>> results(blocks.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  const unsigned available = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads > 0 ? options.threads : available;
+  parallelFor(blocks.size(), threads, [&](std::size_t i) {
+    results[i] = scanBlock(tracer, blocks[i], options.seed);
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (options.progress)
+      options.progress(static_cast<double>(done) / static_cast<double>(blocks.size()));
+  });
+  return results;
+}
+
+Scene
+adjusted(Scene scene, const ScanOptions& options)
+{
+  for (Scanner& scanner : scene.scanners) {
+    scanner.noise = options.noise.value_or(scanner.noise);
+    scanner.max_range = options.max_range.value_or(scanner.max_range);
+    scanner.rays_per_station =
+        options.rays_per_station.value_or(scanner.rays_per_station);
+  }
+  return scene;
+}
+
+} // namespace
+
+Scan
+scan(const Scene& scene, const ScanOptions& options)
+{
+  const Scene adapted = adjusted(scene, options);
+  const std::vector<Block> blocks = blocksOf(adapted);
+  const auto results = scanBlocks(Tracer(adapted), blocks, options);
+  Scan scan;
+  std::size_t count = 0;
+  for (const auto& points : results)
+    count += points.size();
+  scan.points.reserve(count);
+  for (const auto& points : results)
+    scan.points.insert(scan.points.end(), points.begin(), points.end());
+  for (const Block& block : blocks)
+    scan.rays += (block.last - block.first) * block.raster.elevations;
+  return scan;
+}
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+bool
+isWithin(const WallRectangle& rectangle, double s, double z)
+{
+  return s >= rectangle.from && s <= rectangle.to && z >= rectangle.low &&
+         z <= rectangle.high;
+}
+
+/** @brief True if the wall is solid at @p s, @p z. */
+bool
+isSolid(const WallRectangle& extent,
+        const std::vector<WallRectangle>& holes,
+        double s,
+        double z)
+{
+  if (!isWithin(extent, s, z))
+    return false;
+  return std::none_of(holes.begin(), holes.end(),
+                      [&](const WallRectangle& hole) { return isWithin(hole, s, z); });
+}
+
+/** @brief Distances at which a ray enters and leaves something. */
+struct Interval {
+  double enter = -std::numeric_limits<double>::infinity();
+  double leave = std::numeric_limits<double>::infinity();
+};
+
+/** @brief Cuts @p interval down to where the ray is between two parallel planes. */
+void
+cutToSlab(Interval& interval, double origin, double direction, double low, double high)
+{
+  if (direction == 0.0) {
+    if (origin < low || origin > high)
+      interval.enter = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const double t0 = (low - origin) / direction;
+  const double t1 = (high - origin) / direction;
+  interval.enter = std::max(interval.enter, std::min(t0, t1));
+  interval.leave = std::min(interval.leave, std::max(t0, t1));
+}
+
+/** @brief Where the plan projection of the ray crosses a circle; empty if it misses. */
+std::optional<Interval>
+crossCircle(const Ray& ray, Vec2 center, double radius)
+{
+  const Vec2 direction = plan(ray.direction);
+  const Vec2 offset = plan(ray.origin) - center;
+  const double a = dot(direction, direction);
+  if (a == 0.0)
+    return std::nullopt;
+  const double b = dot(direction, offset);
+  const double discriminant = b * b - a * (dot(offset, offset) - radius * radius);
+  if (discriminant < 0.0)
+    return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  return Interval{(-b - root) / a, (-b + root) / a};
+}
+
+/** @brief The end of @p interval that comes first beyond @p from. */
+std::optional<double>
+firstBeyond(const Interval& interval, double from)
+{
+  if (interval.enter > interval.leave || interval.leave <= from)
+    return std::nullopt;
+  return interval.enter > from ? interval.enter : interval.leave;
+}
+
+/** @brief Metres along the arc of a point on its circle. */
+double
+alongArc(const Arc& arc, Vec2 point)
+{
+  const Vec2 radial = point - arc.center;
+  double angle = std::atan2(radial.y, radial.x) - arc.start_angle;
+  if (arc.sweep < 0.0)
+    angle = -angle;
+  angle = std::fmod(angle, 2.0 * pi);
+  if (angle < 0.0)
+    angle += 2.0 * pi;
+  return arc.radius * angle;
+}
+
+Bounds
+raised(const Rectangle& rectangle, double low, double high)
+{
+  return {lifted(rectangle.min, low), lifted(rectangle.max, high)};
+}
+
+Rectangle
+rectangleAround(Vec2 a, Vec2 b)
+{
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)},
+          {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+Rectangle
+rectangleAround(Vec2 center, double half_x, double half_y)
+{
+  return {center - Vec2{half_x, half_y}, center + Vec2{half_x, half_y}};
+}
+
+Bounds
+boundsOf(const LevelPatch& patch)
+{
+  return raised(boundsOf(patch.outline), patch.z, patch.z);
+}
+
+Bounds
+boundsOf(const PlanePatch& patch)
+{
+  const Vec2 end = patch.start + patch.extent.to * patch.direction;
+  return raised(rectangleAround(patch.start, end), patch.extent.low, patch.extent.high);
+}
+
+Bounds
+boundsOf(const ArcPatch& patch)
+{
+  const double radius = patch.arc.radius;
+  return raised(rectangleAround(patch.arc.center, radius, radius), patch.extent.low,
+                patch.extent.high);
+}
+
+Bounds
+boundsOf(const Box& box)
+{
+  const double c = std::abs(std::cos(box.yaw));
+  const double s = std::abs(std::sin(box.yaw));
+  const double half_x = 0.5 * (c * box.size.x + s * box.size.y);
+  const double half_y = 0.5 * (s * box.size.x + c * box.size.y);
+  return raised(rectangleAround(plan(box.center), half_x, half_y),
+                box.center.z - 0.5 * box.size.z, box.center.z + 0.5 * box.size.z);
+}
+
+Bounds
+boundsOf(const Cylinder& cylinder)
+{
+  return raised(rectangleAround(plan(cylinder.base), cylinder.radius, cylinder.radius),
+                cylinder.base.z, cylinder.base.z + cylinder.height);
+}
+
+} // namespace
+
+Shape
+verticalPatch(const Element& element,
+              double low,
+              double high,
+              std::vector<WallRectangle> holes)
+{
+  const WallRectangle extent{0.0, lengthOf(element), low, high};
+  if (element.bulge != 0.0)
+    return ArcPatch{arcOf(element), extent, std::move(holes)};
+  const Vec2 direction = normalized(element.end - element.start);
+  return PlanePatch{element.start, direction, extent, std::move(holes)};
+}
+
+std::optional<double>
+intersect(const LevelPatch& patch, const Ray& ray, double from)
+{
+  if (ray.direction.z == 0.0)
+    return std::nullopt;
+  const double t = (patch.z - ray.origin.z) / ray.direction.z;
+  if (!(t > from))
+    return std::nullopt;
+  const Vec2 point = plan(ray.at(t));
+  if (!contains(patch.outline, point))
+    return std::nullopt;
+  for (const Loop& hole : patch.holes)
+    if (contains(hole, point))
+      return std::nullopt;
+  return t;
+}
+
+std::optional<double>
+intersect(const PlanePatch& patch, const Ray& ray, double from)
+{
+  const double speed = cross(patch.direction, plan(ray.direction));
+  if (speed == 0.0)
+    return std::nullopt;
+  const Vec2 offset = patch.start - plan(ray.origin);
+  const double t = cross(patch.direction, offset) / speed;
+  if (!(t > from))
+    return std::nullopt;
+  const Vec3 point = ray.at(t);
+  const double s = dot(plan(point) - patch.start, patch.direction);
+  if (!isSolid(patch.extent, patch.holes, s, point.z))
+    return std::nullopt;
+  return t;
+}
+
+std::optional<double>
+intersect(const ArcPatch& patch, const Ray& ray, double from)
+{
+  const auto crossing = crossCircle(ray, patch.arc.center, patch.arc.radius);
+  if (!crossing)
+    return std::nullopt;
+  for (const double t : {crossing->enter, crossing->leave}) {
+    if (!(t > from))
+      continue;
+    const Vec3 point = ray.at(t);
+    const double s = alongArc(patch.arc, plan(point));
+    if (isSolid(patch.extent, patch.holes, s, point.z))
+      return t;
+  }
+  return std::nullopt;
+}
+
+std::optional<double>
+intersect(const Box& box, const Ray& ray, double from)
+{
+  const Vec3 offset = ray.origin - box.center;
+  const Vec2 origin = rotated(plan(offset), -box.yaw);
+  const Vec2 direction = rotated(plan(ray.direction), -box.yaw);
+  const Vec3 half = 0.5 * box.size;
+  Interval interval;
+  cutToSlab(interval, origin.x, direction.x, -half.x, half.x);
+  cutToSlab(interval, origin.y, direction.y, -half.y, half.y);
+  cutToSlab(interval, offset.z, ray.direction.z, -half.z, half.z);
+  return firstBeyond(interval, from);
+}
+
+std::optional<double>
+intersect(const Cylinder& cylinder, const Ray& ray, double from)
+{
+  const Vec2 axis = plan(cylinder.base);
+  Interval interval;
+  if (ray.direction.x != 0.0 || ray.direction.y != 0.0) {
+    const auto crossing = crossCircle(ray, axis, cylinder.radius);
+    if (!crossing)
+      return std::nullopt;
+    interval = *crossing;
+  }
+  else if (length(plan(ray.origin) - axis) > cylinder.radius) {
+    return std::nullopt;
+  }
+  const double top = cylinder.base.z + cylinder.height;
+  cutToSlab(interval, ray.origin.z, ray.direction.z, cylinder.base.z, top);
+  return firstBeyond(interval, from);
+}
+
+std::optional<double>
+intersect(const Shape& shape, const Ray& ray, double from)
+{
+  return std::visit([&](const auto& s) { return intersect(s, ray, from); }, shape);
+}
+
+Bounds
+boundsOf(const Shape& shape)
+{
+  return std::visit([](const auto& s) { return boundsOf(s); }, shape);
+}
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vec.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::sedr::sim {
+
+/** @brief @p count stations in equal steps along a path, first and last at its ends.
+ *
+ * The height sways by @p sway around @p height, as a person's gait does.
+ * @param path corners of the path, at least two
+ */
+std::vector<Vec3>
+walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway);
+
+} // namespace pcl::sedr::sim
