@@ -42,8 +42,9 @@ struct Recovered {
   std::vector<std::uint32_t> rooms;
 };
 
-/** @brief The points by room; room 0 alone if no ceiling point has one. Floor and detail points
- * without a room take that of the ceiling over or beside them, in `cloud.room` too. */
+/** @brief The points by room; room 0 alone if no ceiling point has one. Floor and
+ * detail points without a room take that of the ceiling over or beside them, in
+ * `cloud.room` too. */
 std::map<std::uint32_t, RoomPoints>
 splitRooms(const Settings& settings, ToolCloud& cloud)
 {
@@ -54,13 +55,12 @@ splitRooms(const Settings& settings, ToolCloud& cloud)
     throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
                         cloud.path + "' has label 1, ceiling",
                     NothingFound);
-  const bool has_rooms = std::any_of(ceiling.begin(), ceiling.end(), [&](pcl::index_t i) {
-    return cloud.room[static_cast<std::size_t>(i)] != 0;
-  });
+  const bool has_rooms =
+      std::any_of(ceiling.begin(), ceiling.end(), [&](pcl::index_t i) {
+        return cloud.room[static_cast<std::size_t>(i)] != 0;
+      });
   const pcl::sedr::RoomMap map(pcl::sedr::CellGrid(settings.grid),
-                               pcl::sedr::PointView(*cloud.points),
-                               cloud.room,
-                               ceiling,
+                               pcl::sedr::PointView(*cloud.points), cloud.room, ceiling,
                                detail);
   std::map<std::uint32_t, RoomPoints> rooms;
   const auto share = [&](const pcl::Indices& indices, pcl::Indices RoomPoints::*part) {
@@ -90,7 +90,8 @@ commonHeight(const Settings& settings, const ToolCloud& cloud)
       finite.push_back(i);
   if (finite.empty())
     throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' has label 2, floor; --height would stand for them",
+                        cloud.path +
+                        "' has label 2, floor; --height would stand for them",
                     NothingFound);
   return pcl::sedr::meanHeight(points, finite);
 }
@@ -121,9 +122,7 @@ recoverRoom(const Settings& settings,
   level->values = {0, 0, 1, -static_cast<float>(common_height)};
   const auto kept = pcl::sedr::recoverFloor(pcl::sedr::CellGrid(settings.grid),
                                             pcl::sedr::PointView(*cloud.points),
-                                            points.floor,
-                                            points.ceiling,
-                                            points.detail)
+                                            points.floor, points.ceiling, points.detail)
                         .kept;
   if (settings.has_height || kept.empty())
     recovery.setFloorCoefficients(level);
@@ -135,7 +134,8 @@ recoverRoom(const Settings& settings,
   for (const auto i : *recovery.getRemovedIndices())
     result.removed[static_cast<std::size_t>(i)] = true;
   const auto& sources = recovery.getProjectedIndices();
-  for (std::size_t i = floor.size() - recovery.getNumberOfProjected(); i < floor.size(); ++i) {
+  for (std::size_t i = floor.size() - recovery.getNumberOfProjected(); i < floor.size();
+       ++i) {
     result.sources.push_back(sources[i]);
     result.points.push_back(floor[i].getVector3fMap());
     result.rooms.push_back(room);
@@ -161,8 +161,9 @@ apply(const Settings& settings, const Recovered& result, ToolCloud& cloud)
   setCoordinates(cloud.blob, before, result.points);
   setField(cloud.blob, "label", cloud.label);
   setField(cloud.blob, "room", cloud.room);
-  for (const auto& [name, up] :
-       std::map<std::string, float>{{"normal_x", 0.f}, {"normal_y", 0.f}, {"normal_z", 1.f}}) {
+  for (const auto& [name, up] : std::map<std::string, float>{{"normal_x", 0.f},
+                                                             {"normal_y", 0.f},
+                                                             {"normal_z", 1.f}}) {
     auto values = floatField(cloud.blob, name);
     if (values.empty())
       continue;
@@ -191,8 +192,7 @@ run(const Settings& settings)
       recoverRoom(settings, cloud, room.first, room.second, height, result);
   }
   apply(settings, result, cloud);
-  saveCloud(settings.output,
-            cloud,
+  saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   say(std::to_string(result.points.size()) + " points projected, " +
       std::to_string(std::count(result.removed.begin(), result.removed.end(), true)) +
@@ -208,16 +208,15 @@ main(int argc, char** argv)
   Settings settings;
   settings.grid = pcl::FloorProjectionRecovery<pcl::PointXYZ>().getGridSize();
 
-  Options options("pcl_floor_projection_recovery",
-                  "Completes the floor (label 2) from the ceiling and its details (labels 1 and 4) "
-                  "room by\nroom, and takes floor points outside the rooms for other (label 0).");
-  options.file("INPUT", settings.input, "PCD or PLY file with field 'label', perhaps 'room'");
+  Options options(
+      "pcl_floor_projection_recovery",
+      "Completes the floor (label 2) from the ceiling and its details (labels 1 and 4) "
+      "room by\nroom, and takes floor points outside the rooms for other (label 0).");
+  options.file("INPUT", settings.input,
+               "PCD or PLY file with field 'label', perhaps 'room'");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
-  options.optionalNumber("height",
-                         settings.height,
-                         settings.has_height,
-                         "m",
+  options.optionalNumber("height", settings.height, settings.has_height, "m",
                          "z of the projected points",
                          "the mean of the room's floor points");
   options.flag("remove", settings.remove, "leave floor points outside the rooms out");

@@ -21,7 +21,7 @@ struct Settings {
   unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
   double grid = 0;
   int opening = 0;
-  std::size_t minimum_core = 0;
+  std::size_t minimum_part = 0;
   unsigned int support_label = 0;
   double minimum_support = 0;
   std::size_t minimum_supported_cells = 0;
@@ -29,8 +29,7 @@ struct Settings {
   std::string rooms = "auto";
   bool compress = false;
 
-  bool
-  writesRooms() const
+  bool writesRooms() const
   {
     const bool is_ceiling = label == static_cast<unsigned int>(StructureLabel::Ceiling);
     return rooms == "yes" || (rooms == "auto" && is_ceiling);
@@ -66,7 +65,7 @@ compute(const Settings& settings,
   removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(selected)));
   removal.setGridSize(settings.grid);
   removal.setOpeningRadius(settings.opening);
-  removal.setMinimumCore(settings.minimum_core);
+  removal.setMinimumPart(settings.minimum_part);
   removal.setMinimumSupport(settings.minimum_support);
   removal.setMinimumSupportedCells(settings.minimum_supported_cells);
   if (settings.support_label > 0)
@@ -120,11 +119,10 @@ run(const Settings& settings)
                         " points is finite, there is no region",
                     NothingFound);
   apply(settings, selected, removal, cloud);
-  saveCloud(settings.output,
-            cloud,
+  saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
-  say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) + " points in " +
-      std::to_string(removal.getNumberOfRegions()) + " of " +
+  say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) +
+      " points in " + std::to_string(removal.getNumberOfRegions()) + " of " +
       std::to_string(removal.getRegionSizes().size()) + " regions, threshold " +
       std::to_string(removal.getThreshold()) + " cells");
   return Done;
@@ -139,43 +137,35 @@ main(int argc, char** argv)
   Settings settings;
   settings.grid = defaults.getGridSize();
   settings.opening = defaults.getOpeningRadius();
-  settings.minimum_core = defaults.getMinimumCore();
+  settings.minimum_part = defaults.getMinimumPart();
   settings.minimum_support = defaults.getMinimumSupport();
   settings.minimum_supported_cells = defaults.getMinimumSupportedCells();
 
-  Options options("pcl_grid_region_outlier_removal",
-                  "Removes points outside the large regions of a plan, and numbers the regions as "
-                  "rooms.\nWorks on the points with one label; on all points of a file without "
-                  "labels.");
+  Options options(
+      "pcl_grid_region_outlier_removal",
+      "Removes points outside the large regions of a plan, and numbers the regions as "
+      "rooms.\nWorks on the points with one label; on all points of a file without "
+      "labels.");
   options.file("INPUT", settings.input, "PCD or PLY file");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("label", settings.label, "", "label of the points to work on, 1 ceiling, 2 floor");
+  options.number("label", settings.label, "",
+                 "label of the points to work on, 1 ceiling, 2 floor");
   options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
-  options.number("opening",
-                 settings.opening,
-                 "cells",
+  options.number("opening", settings.opening, "cells",
                  "necks narrower than 2 n + 1 cells do not join regions, 0 = off",
                  Range::between(0, 1000));
-  options.number("min-core",
-                 settings.minimum_core,
-                 "cells",
-                 "with --opening: what a region of its own must keep after erosion");
-  options.number("support",
-                 settings.support_label,
-                 "",
-                 "label of points, say 2 floor, that save a smaller region above them, 0 = none");
-  options.number("min-support",
-                 settings.minimum_support,
-                 "",
-                 "share of such a region's cells with support",
-                 Range::between(0, 1));
-  options.number("min-supported-cells",
-                 settings.minimum_supported_cells,
-                 "cells",
+  options.number("min-part", settings.minimum_part, "cells",
+                 "with --opening: smaller pieces are not parted from larger ones");
+  options.number(
+      "support", settings.support_label, "",
+      "label of points, say 2 floor, that save a smaller region above them, 0 = none");
+  options.number("min-support", settings.minimum_support, "",
+                 "share of such a region's cells with support", Range::between(0, 1));
+  options.number("min-supported-cells", settings.minimum_supported_cells, "cells",
                  "size of such a region");
-  options.flag("remove", settings.remove, "leave rejected points out, instead of label 0");
-  options.text("rooms",
-               settings.rooms,
+  options.flag("remove", settings.remove,
+               "leave rejected points out, instead of label 0");
+  options.text("rooms", settings.rooms,
                "write the regions' numbers into 'room'; auto: for ceilings",
                {"auto", "yes", "no"});
   options.flag("compress", settings.compress, "write PCD as binary_compressed");

@@ -57,8 +57,7 @@ run(const Settings& settings)
                         std::to_string(settings.minimum_points) + " or more of the " +
                         std::to_string(before) + " points within the limits",
                     NothingFound);
-  saveCloud(settings.output,
-            cloud,
+  saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   say(std::to_string(before) + " points -> " + std::to_string(rowsOf(cloud.blob)));
   return Done;
@@ -76,19 +75,23 @@ main(int argc, char** argv)
   settings.threads = defaults.getNumberOfThreads();
   defaults.getFilterLimits(settings.low, settings.high);
 
-  Options options("pcl_parallel_voxel_grid",
-                  "Thins a cloud to the mean of the points of each voxel, all fields averaged.");
+  Options options(
+      "pcl_parallel_voxel_grid",
+      "Thins a cloud to the mean of the points of each voxel, all fields averaged.");
   options.file("INPUT", settings.input, "PCD or PLY file to thin");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
-  options.number(
-      "min-points", settings.minimum_points, "", "voxels with fewer points give none");
+  options.number("min-points", settings.minimum_points, "",
+                 "voxels with fewer points give none");
   options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
-  options.text("field", settings.field, "use only points whose field of this name is in limits");
+  options.text("field", settings.field,
+               "use only points whose field of this name is in limits");
   options.number("low", settings.low, "", "lower limit of that field, included");
   options.number("high", settings.high, "", "upper limit of that field, included");
-  options.flag("outside", settings.outside, "use the points outside the limits instead");
-  options.flag("only-xyz", settings.only_xyz, "average x, y and z alone, other fields become 0");
+  options.flag("outside", settings.outside,
+               "use the points outside the limits instead");
+  options.flag("only-xyz", settings.only_xyz,
+               "average x, y and z alone, other fields become 0");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

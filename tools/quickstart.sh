@@ -25,13 +25,14 @@ step "Reconstructing it"
 "$bin/pcl_sedr" "$scene/scan.pcd" "$scene/model"
 
 step "Comparing the model with the truth"
-"$bin/pcl_mesh_evaluation" "$scene/model/mesh.ply" "$scene/truth.ply"
+"$bin/pcl_mesh_evaluation" "$scene/model/mesh.ply" --truth "$scene/truth.ply"
 
 step "Done. Look at"
 cat <<TEXT
   $scene/scan.pcd             the scan
   $scene/model/mesh.ply       the model: closed, ceiling, floor and walls
   $scene/model/structure.pcd  the points of the structure, label and room of each
+  $scene/model/floorplan.json walls, columns, details and heights as numbers
   $scene/model/report.json    what was done, with figures
   $scene/truth.ply            what was simulated
 Your own scan: $bin/pcl_sedr SCAN.pcd OUTPUT_DIR   (metres, z up; -h tells all options)

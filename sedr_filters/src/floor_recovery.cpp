@@ -13,7 +13,8 @@ namespace {
 
 using CellPoint = std::pair<CellKey, pcl::index_t>;
 
-/** @brief The points of `indices` that lie in one of `cells`, with their cells, sorted. */
+/** @brief The points of `indices` that lie in one of `cells`, with their cells, sorted.
+ */
 std::vector<CellPoint>
 pointsIn(const CellSet& cells,
          const CellGrid& grid,
@@ -57,8 +58,7 @@ recoverFloor(const CellGrid& grid,
 
   const CellSet missing = subtract(scope, CellSet(grid, points, result.kept));
   auto sources = pointsIn(missing, grid, points, ceiling);
-  const auto details =
-      pointsIn(subtract(missing, under_ceiling), grid, points, detail);
+  const auto details = pointsIn(subtract(missing, under_ceiling), grid, points, detail);
   sources.insert(sources.end(), details.begin(), details.end());
   std::sort(sources.begin(), sources.end());
   for (const auto& source : sources)

@@ -25,8 +25,8 @@ parallelBlocks(std::size_t n,
 {
   block = std::max<std::size_t>(block, 1);
   const auto blocks = static_cast<std::int64_t>((n + block - 1) / block);
-  const auto team = static_cast<int>(
-      std::min<std::int64_t>(resolveThreads(threads), std::max<std::int64_t>(blocks, 1)));
+  const auto team = static_cast<int>(std::min<std::int64_t>(
+      resolveThreads(threads), std::max<std::int64_t>(blocks, 1)));
   std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(team)
   for (std::int64_t b = 0; b < blocks; ++b) {

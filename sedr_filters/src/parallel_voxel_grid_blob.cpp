@@ -19,22 +19,19 @@ public:
   VoxelBytes(const pcl::PCLPointCloud2& cloud,
              const pcl::index_t* first,
              const pcl::index_t* last)
-  : cloud_(cloud), first_(first), last_(last)
+      : cloud_(cloud)
+      , first_(first)
+      , last_(last)
   {}
 
   template <typename FunctionT>
-  void
-  forEach(FunctionT f) const
+  void forEach(FunctionT f) const
   {
     for (const auto* i = first_; i != last_; ++i)
       f(cloud_.data.data() + static_cast<std::size_t>(*i) * cloud_.point_step);
   }
 
-  double
-  size() const
-  {
-    return static_cast<double>(last_ - first_);
-  }
+  double size() const { return static_cast<double>(last_ - first_); }
 
 private:
   const pcl::PCLPointCloud2& cloud_;
@@ -95,12 +92,14 @@ meanNumber(const VoxelBytes& points,
            std::uint8_t* to)
 {
   double sum = 0;
-  points.forEach(
-      [&](const std::uint8_t* point) { sum += sedr::readField(point + offset, datatype); });
+  points.forEach([&](const std::uint8_t* point) {
+    sum += sedr::readField(point + offset, datatype);
+  });
   sedr::writeField(to + offset, datatype, sum / points.size());
 }
 
-/** @brief Writes the means of all fields, or of x, y and z alone, to the point at `to`. */
+/** @brief Writes the means of all fields, or of x, y and z alone, to the point at `to`.
+ */
 void
 meanPoint(const std::vector<pcl::PCLPointField>& fields,
           bool all_fields,
@@ -108,7 +107,8 @@ meanPoint(const std::vector<pcl::PCLPointField>& fields,
           std::uint8_t* to)
 {
   for (const auto& field : fields) {
-    const bool is_coordinate = field.name == "x" || field.name == "y" || field.name == "z";
+    const bool is_coordinate =
+        field.name == "x" || field.name == "y" || field.name == "z";
     if (field.name == "_" || (!all_fields && !is_coordinate))
       continue;
     const std::size_t size = sedr::fieldSize(field.datatype);
@@ -127,12 +127,13 @@ meanPoint(const std::vector<pcl::PCLPointField>& fields,
 const pcl::PCLPointField*
 findField(const std::vector<pcl::PCLPointField>& fields, const std::string& name)
 {
-  const auto it = std::find_if(
-      fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
+  const auto it = std::find_if(fields.begin(), fields.end(),
+                               [&](const auto& f) { return f.name == name; });
   return it == fields.end() ? nullptr : &*it;
 }
 
-/** @brief Makes the normal at `point` unit length, if there is one and it is not null. */
+/** @brief Makes the normal at `point` unit length, if there is one and it is not null.
+ */
 void
 normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
 {
@@ -149,9 +150,9 @@ normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
   if (!(square > 0))
     return;
   for (const auto* f : normal)
-    sedr::writeField(point + f->offset,
-                     f->datatype,
-                     sedr::readField(point + f->offset, f->datatype) / std::sqrt(square));
+    sedr::writeField(point + f->offset, f->datatype,
+                     sedr::readField(point + f->offset, f->datatype) /
+                         std::sqrt(square));
 }
 
 /** @brief What keeps `cloud` from being read, a sentence; empty if nothing does. */
@@ -164,7 +165,8 @@ layoutProblem(const pcl::PCLPointCloud2& cloud)
            std::to_string(size) + " points of " + std::to_string(cloud.point_step) +
            " bytes need " + std::to_string(size * cloud.point_step);
   if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
-    return "the cloud has " + std::to_string(size) + " points, more than indices can count";
+    return "the cloud has " + std::to_string(size) +
+           " points, more than indices can count";
   for (const char* name : {"x", "y", "z"}) {
     const auto* field = findField(cloud.fields, name);
     if (!field)
@@ -193,9 +195,9 @@ readCoordinates(const pcl::PCLPointCloud2& cloud, unsigned threads)
         for (std::size_t i = begin; i < end; ++i)
           for (int axis = 0; axis < 3; ++axis) {
             const auto* field = xyz[static_cast<std::size_t>(axis)];
-            points[i][axis] = static_cast<float>(
-                sedr::readField(cloud.data.data() + i * cloud.point_step + field->offset,
-                                field->datatype));
+            points[i][axis] = static_cast<float>(sedr::readField(
+                cloud.data.data() + i * cloud.point_step + field->offset,
+                field->datatype));
           }
       });
   return points;
@@ -242,26 +244,25 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   if (!problem.empty()) {
     fail("ParallelVoxelGrid", problem);
     if (extract_removed_indices_)
-      *removed_indices_ = sedr::indicesInRange(*indices_, std::size_t{cloud.width} * cloud.height);
+      *removed_indices_ =
+          sedr::indicesInRange(*indices_, std::size_t{cloud.width} * cloud.height);
     return;
   }
 
   pcl::Indices selected = *indices_;
   if (limited)
-    selected.erase(std::remove_if(selected.begin(),
-                                  selected.end(),
-                                  [&](pcl::index_t i) {
-                                    const std::size_t at =
-                                        static_cast<std::size_t>(i) * cloud.point_step;
-                                    return !passesLimits(
-                                        sedr::readField(&cloud.data[at + limited->offset],
-                                                        limited->datatype));
-                                  }),
-                   selected.end());
+    selected.erase(
+        std::remove_if(selected.begin(), selected.end(),
+                       [&](pcl::index_t i) {
+                         const std::size_t at =
+                             static_cast<std::size_t>(i) * cloud.point_step;
+                         return !passesLimits(sedr::readField(
+                             &cloud.data[at + limited->offset], limited->datatype));
+                       }),
+        selected.end());
   const auto coordinates = readCoordinates(cloud, getNumberOfThreads());
   const sedr::PointView points(coordinates.empty() ? nullptr : coordinates[0].data(),
-                               sizeof(Eigen::Vector3f),
-                               coordinates.size());
+                               sizeof(Eigen::Vector3f), coordinates.size());
   auto partition =
       sedr::partitionVoxels(points, selected, inverseLeaf(), getNumberOfThreads());
   finishPartition(points, partition);
@@ -269,17 +270,13 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   output.width = static_cast<std::uint32_t>(partition.size());
   output.row_step = output.width * output.point_step;
   output.data.assign(partition.size() * output.point_step, 0);
-  sedr::parallelBlocks(partition.size(),
-                       points_at_once,
-                       getNumberOfThreads(),
+  sedr::parallelBlocks(partition.size(), points_at_once, getNumberOfThreads(),
                        [&](std::size_t begin, std::size_t end) {
                          for (std::size_t v = begin; v < end; ++v) {
                            const auto* order = partition.order.data();
                            auto* to = output.data.data() + v * output.point_step;
-                           meanPoint(output.fields,
-                                     getDownsampleAllData(),
-                                     VoxelBytes(cloud,
-                                                order + partition.begin[v],
+                           meanPoint(output.fields, getDownsampleAllData(),
+                                     VoxelBytes(cloud, order + partition.begin[v],
                                                 order + partition.begin[v + 1]),
                                      to);
                            if (getDownsampleAllData())

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/region_selection.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -15,15 +16,16 @@ namespace {
 
 constexpr std::size_t unlabelled = CellSet::npos;
 
-/** @brief Where the eight neighbours of each cell stand in the set, npos for the absent. */
+/** @brief Where the eight neighbours of each cell stand in the set, npos for the
+ * absent. */
 using Neighbours = std::vector<std::array<std::size_t, 8>>;
 
 Neighbours
 neighboursOf(const CellSet& cells)
 {
-  constexpr std::array<Cell, 8> steps{
-      Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}, Cell{-1, 0}, Cell{1, 0}, Cell{-1, 1}, Cell{0, 1},
-      Cell{1, 1}};
+  constexpr std::array<Cell, 8> steps{Cell{-1, -1}, Cell{0, -1}, Cell{1, -1},
+                                      Cell{-1, 0},  Cell{1, 0},  Cell{-1, 1},
+                                      Cell{0, 1},   Cell{1, 1}};
   Neighbours neighbours(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t k = 0; k < steps.size(); ++k)
@@ -31,28 +33,30 @@ neighboursOf(const CellSet& cells)
   return neighbours;
 }
 
-/** @brief Which cells have nothing but cells of the set within `radius` of them. */
-std::vector<bool>
-erode(const Neighbours& neighbours, int radius)
+/** @brief How many times, up to `most`, the set can be eroded until it loses each cell:
+ * a square of 2 depth + 1 cells about it is full. */
+std::vector<int>
+depthsOf(const Neighbours& neighbours, int most)
 {
-  std::vector<bool> in(neighbours.size(), true);
-  for (int step = 0; step < radius; ++step) {
-    std::vector<bool> next = in;
-    for (std::size_t i = 0; i < in.size(); ++i)
-      next[i] = in[i] && std::all_of(neighbours[i].begin(),
-                                     neighbours[i].end(),
-                                     [&](std::size_t n) {
-                                       return n != CellSet::npos && in[n];
-                                     });
-    in.swap(next);
+  std::vector<int> depth(neighbours.size(), 0);
+  for (int step = 1; step <= most; ++step) {
+    const std::vector<int> before = depth;
+    for (std::size_t i = 0; i < depth.size(); ++i)
+      if (std::all_of(neighbours[i].begin(), neighbours[i].end(), [&](std::size_t n) {
+            return n != CellSet::npos && before[n] == step - 1;
+          }))
+        depth[i] = before[i] == step - 1 ? step : before[i];
   }
-  return in;
+  return depth;
 }
 
-/** @brief Grows labels over the unlabelled cells, ring by ring; where rings of several labels meet
- * the smallest label wins. */
+/** @brief Grows labels over the unlabelled cells at least `least` deep, ring by ring;
+ * where rings of several labels meet the smallest label wins. */
 void
-growRings(const Neighbours& neighbours, std::vector<std::size_t>& label)
+growRings(const Neighbours& neighbours,
+          const std::vector<int>& depth,
+          int least,
+          std::vector<std::size_t>& label)
 {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < label.size(); ++i)
@@ -63,7 +67,7 @@ growRings(const Neighbours& neighbours, std::vector<std::size_t>& label)
     std::vector<std::size_t> claims;
     for (const std::size_t i : front)
       for (const std::size_t n : neighbours[i])
-        if (n != CellSet::npos && label[n] == unlabelled)
+        if (n != CellSet::npos && label[n] == unlabelled && depth[n] >= least)
           next.push_back(n);
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
@@ -80,47 +84,48 @@ growRings(const Neighbours& neighbours, std::vector<std::size_t>& label)
   }
 }
 
-/** @brief Labels the unlabelled cells by the regions of `part`, numbered on from `count`. */
+/** @brief Gives each eight-connected region of the unlabelled cells at least `least`
+ * deep a label, from `count` on. */
 void
-labelPart(const CellSet& cells,
-          const CellSet& part,
-          const CellRegions& regions,
-          std::size_t count,
-          std::vector<std::size_t>& label)
+seedRegions(const CellSet& cells,
+            const std::vector<int>& depth,
+            int least,
+            std::size_t& count,
+            std::vector<std::size_t>& label)
 {
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    std::size_t& of_cell = label[cells.find(part[i])];
-    if (of_cell == unlabelled)
-      of_cell = count + regions.label[i];
-  }
+  std::vector<std::size_t> positions;
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (label[i] == unlabelled && depth[i] >= least) {
+      positions.push_back(i);
+      keys.push_back(cells.keys()[i]);
+    }
+  const CellRegions regions = labelRegions(CellSet(std::move(keys)));
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    label[positions[k]] = count + regions.label[k];
+  count += regions.sizes.size();
 }
 
-/** @brief Whether some cells that touch each other reach over `width` cells in x or y. */
+/** @brief Whether some of `cells` that touch each other reach over `width` cells in x
+ * or y. */
 bool
-hasFront(const CellSet& cells, std::int32_t width)
+hasFront(const CellSet& cells, int width)
 {
-  struct Box {
-    Cell low{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
-    Cell high{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
-  };
   const CellRegions pieces = labelRegions(cells);
-  std::vector<Box> boxes(pieces.sizes.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    Box& box = boxes[pieces.label[i]];
-    box.low = {std::min(box.low.x, cells[i].x), std::min(box.low.y, cells[i].y)};
-    box.high = {std::max(box.high.x, cells[i].x), std::max(box.high.y, cells[i].y)};
-  }
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
-    return std::max(box.high.x - box.low.x, box.high.y - box.low.y) + 1 >= width;
+  std::vector<Eigen::AlignedBox2i> boxes(pieces.sizes.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    boxes[pieces.label[i]].extend(Eigen::Vector2i(cells[i].x, cells[i].y));
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox2i& box) {
+    return box.sizes().maxCoeff() + 1 >= width;
   });
 }
 
-/** @brief Joins labels whose cells touch along a front of `width` cells: no neck parts them, but
- * holes in what was measured. */
+/** @brief Joins labels whose cells touch along a front of `width` cells: what parts
+ * them is no neck, but holes in what was measured. */
 void
 joinAlongFronts(const CellSet& cells,
                 const Neighbours& neighbours,
-                std::int32_t width,
+                int width,
                 std::vector<std::size_t>& label)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<CellKey>> contacts;
@@ -144,14 +149,25 @@ joinAlongFronts(const CellSet& cells,
     l = root(l);
 }
 
-CellSet
-unlabelledCells(const CellSet& cells, const std::vector<std::size_t>& label)
+/** @brief Gives the cells of parts under `minimum_part` cells to the larger parts that
+ * reach them. */
+void
+absorbSmallParts(const Neighbours& neighbours,
+                 const std::vector<int>& depth,
+                 std::size_t minimum_part,
+                 std::vector<std::size_t>& label)
 {
-  std::vector<CellKey> keys;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (label[i] == unlabelled)
-      keys.push_back(cells.keys()[i]);
-  return CellSet(std::move(keys));
+  std::map<std::size_t, std::size_t> sizes;
+  for (const std::size_t l : label)
+    ++sizes[l];
+  std::vector<std::size_t> large = label;
+  for (auto& l : large)
+    if (sizes[l] < minimum_part)
+      l = unlabelled;
+  growRings(neighbours, depth, 0, large);
+  for (std::size_t i = 0; i < label.size(); ++i)
+    if (large[i] != unlabelled)
+      label[i] = large[i];
 }
 
 /** @brief Regions numbered by decreasing size, equal ones by their first cell. */
@@ -166,9 +182,8 @@ rankBySize(const std::vector<std::size_t>& label)
     if (sizes[l]++ == 0)
       met.push_back(l);
   }
-  std::stable_sort(met.begin(), met.end(), [&](std::size_t a, std::size_t b) {
-    return sizes[a] > sizes[b];
-  });
+  std::stable_sort(met.begin(), met.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   std::vector<std::size_t> rank(sizes.size(), 0);
   CellRegions regions;
   for (const std::size_t l : met) {
@@ -199,37 +214,30 @@ largestGapThreshold(const std::vector<std::size_t>& sizes)
 }
 
 CellRegions
-labelOpenedRegions(const CellSet& cells, int radius, std::size_t minimum_core)
+labelOpenedRegions(const CellSet& cells, int radius, std::size_t minimum_part)
 {
   if (radius <= 0)
     return labelRegions(cells);
   const Neighbours neighbours = neighboursOf(cells);
-  const std::vector<bool> in_core = erode(neighbours, radius);
-  std::vector<CellKey> core_keys;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (in_core[i])
-      core_keys.push_back(cells.keys()[i]);
-  const CellSet core(std::move(core_keys));
-  const CellRegions cores = labelRegions(core);
-
-  // Large cores first; small ones seed only what is left, and the rest keeps its own regions.
+  const std::vector<int> depth = depthsOf(neighbours, radius);
   std::vector<std::size_t> label(cells.size(), unlabelled);
-  for (std::size_t i = 0; i < core.size(); ++i)
-    if (cores.sizes[cores.label[i]] >= minimum_core)
-      label[cells.find(core[i])] = cores.label[i];
-  growRings(neighbours, label);
-  labelPart(cells, core, cores, 0, label);
-  growRings(neighbours, label);
-  joinAlongFronts(cells, neighbours, 2 * (2 * radius + 1), label);
-  const CellSet rest = unlabelledCells(cells, label);
-  labelPart(cells, rest, labelRegions(rest), cores.sizes.size(), label);
+  std::size_t count = 0;
+  seedRegions(cells, depth, radius, count, label);
+  // From the deepest cells outwards, so that no label slips through a neck before those
+  // beyond it have grown up to it.
+  for (int least = radius; least >= 0; --least)
+    growRings(neighbours, depth, least, label);
+  // The front of a neck may reach over a cell beside it at either end.
+  joinAlongFronts(cells, neighbours, 2 * radius + 3, label);
+  absorbSmallParts(neighbours, depth, minimum_part, label);
+  seedRegions(cells, depth, 0, count, label);
   return rankBySize(label);
 }
 
 void
 growLabels(const CellSet& cells, std::vector<std::size_t>& label)
 {
-  growRings(neighboursOf(cells), label);
+  growRings(neighboursOf(cells), std::vector<int>(cells.size(), 0), 0, label);
 }
 
 std::vector<std::size_t>

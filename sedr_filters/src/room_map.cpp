@@ -33,9 +33,10 @@ countRooms(const CellGrid& grid,
 std::uint32_t
 mostFrequent(const Votes& votes)
 {
-  return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-           return a.second < b.second;
-         })->first;
+  return std::max_element(
+             votes.begin(), votes.end(),
+             [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 } // namespace
@@ -45,11 +46,12 @@ RoomMap::RoomMap(const CellGrid& grid,
                  const std::vector<std::uint32_t>& room,
                  const pcl::Indices& ceiling,
                  const pcl::Indices& detail)
-: grid_(grid)
-, points_(points)
-, cells_(unite(CellSet(grid, points, ceiling), CellSet(grid, points, detail)))
+    : grid_(grid)
+    , points_(points)
+    , cells_(unite(CellSet(grid, points, ceiling), CellSet(grid, points, detail)))
 {
-  // Details speak where there is no ceiling: those with a room for it, the others take it.
+  // Details speak where there is no ceiling: those with a room for it, the others take
+  // it.
   const auto by_ceiling = countRooms(grid, points, room, ceiling, cells_);
   const auto by_detail = countRooms(grid, points, room, detail, cells_);
   std::vector<std::size_t> label(cells_.size(), CellSet::npos);

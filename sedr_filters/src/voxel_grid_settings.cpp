@@ -46,7 +46,8 @@ int
 VoxelGridSettings::getCentroidIndexAt(const Eigen::Vector3i& ijk) const
 {
   const auto it = std::lower_bound(layout_.begin(), layout_.end(), ijk, isBefore);
-  return it != layout_.end() && *it == ijk ? static_cast<int>(it - layout_.begin()) : -1;
+  return it != layout_.end() && *it == ijk ? static_cast<int>(it - layout_.begin())
+                                           : -1;
 }
 
 std::vector<int>
@@ -57,11 +58,10 @@ VoxelGridSettings::getLeafLayout() const
   const Eigen::Vector3i divisions = getNrDivisions();
   const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
   if (slice > layout_limit || slice * divisions.z() > layout_limit) {
-    PCL_ERROR("[pcl::ParallelVoxelGrid] the leaf layout would hold %d x %d x %d entries, more "
+    PCL_ERROR("[pcl::ParallelVoxelGrid] the leaf layout would hold %d x %d x %d "
+              "entries, more "
               "than 2^27: use getCentroidIndexAt\n",
-              divisions.x(),
-              divisions.y(),
-              divisions.z());
+              divisions.x(), divisions.y(), divisions.z());
     return {};
   }
   std::vector<int> dense(static_cast<std::size_t>(slice * divisions.z()), -1);
@@ -76,11 +76,12 @@ VoxelGridSettings::getLeafLayout() const
 std::string
 VoxelGridSettings::parameterProblem() const
 {
-  if ((leaf_size_.array() > 0).all() && leaf_size_.allFinite() && inverseLeaf().allFinite())
+  if ((leaf_size_.array() > 0).all() && leaf_size_.allFinite() &&
+      inverseLeaf().allFinite())
     return {};
   std::ostringstream problem;
-  problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x() << " x "
-          << leaf_size_.y() << " x " << leaf_size_.z() << " m";
+  problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x()
+          << " x " << leaf_size_.y() << " x " << leaf_size_.z() << " m";
   return problem.str();
 }
 

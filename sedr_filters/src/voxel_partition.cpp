@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "axis_ranks.h"
+
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/voxel_partition.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -18,39 +17,14 @@ namespace sedr {
 
 namespace {
 
-constexpr float code_limit = 1073741824.f; // 2^30
 constexpr std::size_t points_per_piece = 1 << 16;
-
-std::uint32_t
-bitsOf(float value)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
-/** @brief A number that orders floor(scaled) among all others, whatever its size: the integer
- * itself up to 2^30, beyond that the floats there are, counted. */
-std::int32_t
-codeOf(float scaled)
-{
-  if (std::abs(scaled) < code_limit) {
-    const auto cell = static_cast<std::int32_t>(scaled);
-    return cell - (scaled < static_cast<float>(cell) ? 1 : 0);
-  }
-  const auto beyond =
-      static_cast<std::int32_t>(bitsOf(std::abs(scaled)) - bitsOf(code_limit));
-  const auto code = static_cast<std::int32_t>(code_limit) + beyond;
-  return scaled < 0 ? -code : code;
-}
 
 using Codes = std::array<std::int32_t, 3>;
 
 Codes
 codesOf(const Eigen::Vector3f& p, const Eigen::Array3f& inverse_leaf)
 {
-  return {codeOf(p.x() * inverse_leaf.x()),
-          codeOf(p.y() * inverse_leaf.y()),
+  return {codeOf(p.x() * inverse_leaf.x()), codeOf(p.y() * inverse_leaf.y()),
           codeOf(p.z() * inverse_leaf.z())};
 }
 
@@ -60,130 +34,26 @@ isFinite(const Eigen::Vector3f& p)
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
-/** @brief The codes that occur along an axis, numbered in their order: stray points far away cost
- * a page each, not the emptiness between. */
-class AxisRanks {
-  static constexpr std::uint32_t page_bits = 12;
-  static constexpr std::uint32_t page_size = 1u << page_bits;
-  using Page = std::array<std::uint32_t, page_size>;
-
-public:
-  void
-  mark(std::int32_t code)
-  {
-    const std::uint32_t lifted = lift(code);
-    (*recent_.find(lifted >> page_bits,
-                   [&](std::uint32_t number) { return page(number); }))[lifted % page_size] = 1;
-  }
-
-  void
-  merge(const AxisRanks& other)
-  {
-    for (const auto& entry : other.pages_)
-      std::transform(entry.second->begin(),
-                     entry.second->end(),
-                     page(entry.first)->begin(),
-                     page(entry.first)->begin(),
-                     std::bit_or<>());
-  }
-
-  /** @brief Turns the marks into ranks from 0. */
-  void
-  number()
-  {
-    for (const auto& entry : pages_)
-      for (auto& mark : *entry.second)
-        if (mark != 0)
-          mark = count_++;
-  }
-
-  /** @brief Bits that a rank takes. */
-  unsigned
-  bits() const
-  {
-    unsigned bits = 0;
-    while (count_ > 1 && ((count_ - 1) >> bits) != 0)
-      ++bits;
-    return bits;
-  }
-
-private:
-  /** @brief The pages used lately, by the end of their numbers. */
-  template <typename PagePtr>
-  class Recent {
-  public:
-    template <typename FindT>
-    PagePtr
-    find(std::uint32_t number, const FindT& find_page)
-    {
-      auto& slot = slots_[number % slots_.size()];
-      if (!slot.second || slot.first != number)
-        slot = {number, find_page(number)};
-      return slot.second;
-    }
-
-  private:
-    std::array<std::pair<std::uint32_t, PagePtr>, 16> slots_{};
-  };
-
-  static std::uint32_t
-  lift(std::int32_t code)
-  {
-    return static_cast<std::uint32_t>(code) ^ 0x80000000u;
-  }
-
-  Page*
-  page(std::uint32_t number)
-  {
-    auto& page = pages_[number];
-    if (!page)
-      page = std::make_unique<Page>(Page{});
-    return page.get();
-  }
-
-  std::map<std::uint32_t, std::unique_ptr<Page>> pages_;
-  Recent<Page*> recent_;
-  std::uint32_t count_ = 0;
-
-public:
-  /** @brief Looks up ranks of marked codes; one a thread. */
-  class Cursor {
-  public:
-    explicit Cursor(const AxisRanks& ranks) : ranks_(ranks) {}
-
-    std::uint32_t
-    operator()(std::int32_t code)
-    {
-      const std::uint32_t lifted = lift(code);
-      return (*recent_.find(lifted >> page_bits, [&](std::uint32_t number) {
-        return ranks_.pages_.at(number).get();
-      }))[lifted % page_size];
-    }
-
-  private:
-    const AxisRanks& ranks_;
-    Recent<const Page*> recent_;
-  };
-};
-
 using BoxRanks = std::array<AxisRanks, 3>;
 
-/** @brief Gives each point the key of its voxel: the ranks of z, y and x side by side. */
+/** @brief Gives each point the key of its voxel: the ranks of z, y and x side by side.
+ */
 class VoxelKeys {
 public:
-  VoxelKeys(const PointView& points, const Eigen::Array3f& inverse_leaf, const BoxRanks& ranks)
-  : points_(points)
-  , inverse_leaf_(inverse_leaf)
-  , ranks_(ranks)
-  , x_bits_(ranks[0].bits())
-  , y_bits_(ranks[1].bits())
-  , row_bits_(y_bits_ + ranks[2].bits())
+  VoxelKeys(const PointView& points,
+            const Eigen::Array3f& inverse_leaf,
+            const BoxRanks& ranks)
+      : points_(points)
+      , inverse_leaf_(inverse_leaf)
+      , ranks_(ranks)
+      , x_bits_(ranks[0].bits())
+      , y_bits_(ranks[1].bits())
+      , row_bits_(y_bits_ + ranks[2].bits())
   {}
 
-  /** @brief Where z, y and x take more than 64 bits, numbers the rows of voxels that occur, which
-   * take no more than 32. */
-  void
-  shorten(const pcl::Indices& indices)
+  /** @brief Where z, y and x take more than 64 bits, numbers the rows of voxels that
+   * occur, which take no more than 32. */
+  void shorten(const pcl::Indices& indices)
   {
     if (bits() <= 64)
       return;
@@ -198,28 +68,25 @@ public:
     row_bits_ = 32;
   }
 
-  unsigned
-  bits() const
-  {
-    return row_bits_ + x_bits_;
-  }
+  unsigned bits() const { return row_bits_ + x_bits_; }
 
   /** @brief Looks up keys; one a thread. */
   class Cursor {
   public:
     explicit Cursor(const VoxelKeys& keys)
-    : keys_(keys), x_(keys.ranks_[0]), y_(keys.ranks_[1]), z_(keys.ranks_[2])
+        : keys_(keys)
+        , x_(keys.ranks_[0])
+        , y_(keys.ranks_[1])
+        , z_(keys.ranks_[2])
     {}
 
-    std::uint64_t
-    row(const Eigen::Vector3f& p)
+    std::uint64_t row(const Eigen::Vector3f& p)
     {
       const std::uint64_t z = z_(codeOf(p.z() * keys_.inverse_leaf_.z()));
       return z << keys_.y_bits_ | y_(codeOf(p.y() * keys_.inverse_leaf_.y()));
     }
 
-    std::uint64_t
-    operator()(const Eigen::Vector3f& p)
+    std::uint64_t operator()(const Eigen::Vector3f& p)
     {
       std::uint64_t key = row(p);
       if (!keys_.rows_.empty())
@@ -249,20 +116,18 @@ private:
 /** @brief Few large pieces of [0, n), for what is stored a thread. */
 struct Pieces {
   Pieces(std::size_t n, unsigned threads)
-  : size(n)
-  , count(std::min<std::size_t>(threads, n / points_per_piece + 1))
-  , each((n + count - 1) / count)
+      : size(n)
+      , count(std::min<std::size_t>(threads, n / points_per_piece + 1))
+      , each((n + count - 1) / count)
   {}
 
   /** @brief Calls `body(piece, begin, end)`, one thread a piece. */
   template <typename BodyT>
-  void
-  forEach(const BodyT& body) const
+  void forEach(const BodyT& body) const
   {
     parallelBlocks(
-        size, each, static_cast<unsigned>(count), [&](std::size_t begin, std::size_t end) {
-          body(begin / each, begin, end);
-        });
+        size, each, static_cast<unsigned>(count),
+        [&](std::size_t begin, std::size_t end) { body(begin / each, begin, end); });
   }
 
   std::size_t size;
@@ -318,8 +183,8 @@ struct KeyedPoint {
   pcl::index_t index;
 };
 
-/** @brief Points by bucket, which is the leading bits of their keys: those of bucket b are
- * points[begin[b]] to points[begin[b + 1]], as they were given. */
+/** @brief Points by bucket, which is the leading bits of their keys: those of bucket b
+ * are points[begin[b]] to points[begin[b + 1]], as they were given. */
 template <typename KeyT>
 struct Buckets {
   std::unique_ptr<KeyedPoint<KeyT>[]> points; ///< not worth zeroing
@@ -337,11 +202,13 @@ fillBuckets(const PointView& points,
 {
   constexpr std::uint16_t none = 0xffff;
   const std::size_t count = std::size_t{1} << (keys.bits() - low_bits);
-  const std::uint64_t low_mask = low_bits < 64 ? (std::uint64_t{1} << low_bits) - 1 : ~0ull;
+  const std::uint64_t low_mask =
+      low_bits < 64 ? (std::uint64_t{1} << low_bits) - 1 : ~0ull;
   const Pieces pieces(indices.size(), threads);
   const std::unique_ptr<KeyT[]> low(new KeyT[indices.size()]); // not worth zeroing
   std::vector<std::uint16_t> bucket_of(indices.size(), none);
-  std::vector<std::vector<std::size_t>> next(pieces.count, std::vector<std::size_t>(count, 0));
+  std::vector<std::vector<std::size_t>> next(pieces.count,
+                                             std::vector<std::size_t>(count, 0));
   pieces.forEach([&](std::size_t piece, std::size_t begin, std::size_t end) {
     VoxelKeys::Cursor key_of(keys);
     for (std::size_t i = begin; i < end; ++i) {
@@ -380,8 +247,8 @@ sortByKey(PointT* first, PointT* last, unsigned bits, std::vector<PointT>& scrat
   constexpr unsigned most_bits = 12;
   const auto size = static_cast<std::size_t>(last - first);
   if (size < 256) {
-    std::stable_sort(
-        first, last, [](const PointT& a, const PointT& b) { return a.key < b.key; });
+    std::stable_sort(first, last,
+                     [](const PointT& a, const PointT& b) { return a.key < b.key; });
     return;
   }
   scratch.resize(size);
@@ -399,7 +266,8 @@ sortByKey(PointT* first, PointT* last, unsigned bits, std::vector<PointT>& scrat
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (const auto* p = first; p != last; ++p)
       scratch[next[digit(*p)]++] = *p;
-    std::copy(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(size), first);
+    std::copy(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(size),
+              first);
   }
 }
 
@@ -440,8 +308,7 @@ voxelOf(const Eigen::Vector3f& p, const Eigen::Array3f& inverse_leaf)
   for (int axis = 0; axis < 3; ++axis) {
     const double cell = std::floor(p[axis] * inverse_leaf[axis]);
     voxel[axis] = static_cast<int>(
-        std::clamp(cell,
-                   static_cast<double>(std::numeric_limits<int>::min()),
+        std::clamp(cell, static_cast<double>(std::numeric_limits<int>::min()),
                    static_cast<double>(std::numeric_limits<int>::max())));
   }
   return voxel;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/plan_fit.h>
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
 #include <map>
@@ -10,25 +10,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief How far from a room's ceiling its walls may be, in cells. */
-constexpr int reach_in_cells = 14;
-
-/** @brief Which room is nearest to each cell. */
-struct Territory {
-  CellMask frame;
-  std::vector<std::int32_t> room; ///< index in the list of rooms, -1 none
-
-  /** @brief Room of a point, -1 for none. */
-  std::int32_t
-  at(const CellGrid& grid, const Eigen::Vector3f& p) const
-  {
-    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
-      return -1;
-    const Cell cell = grid.at(p.x(), p.y());
-    return frame.isInside(cell) ? room[frame.indexOf(cell)] : -1;
-  }
-};
 
 /** @brief Number of each room, 0 left out; the rooms of their index. */
 std::vector<std::uint32_t>
@@ -59,37 +40,6 @@ shareOut(const std::vector<int>& indices, std::size_t rooms, RoomOf roomOf)
   return shares;
 }
 
-/** @brief Grows the rooms' ceilings and details outwards until they meet. */
-Territory
-findTerritory(const PointView& points,
-              const CellGrid& grid,
-              const std::vector<std::vector<int>>& ceilings,
-              const std::vector<std::vector<int>>& details,
-              std::string& problem)
-{
-  std::vector<CellSet> scopes;
-  CellSet all;
-  for (std::size_t r = 0; r < ceilings.size(); ++r) {
-    scopes.push_back(
-        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-    all = unite(all, scopes.back());
-  }
-  Territory territory;
-  const CellBox box = grown(boxOf(all), reach_in_cells + 1);
-  problem = maskProblem(box);
-  if (!problem.empty())
-    return territory;
-  territory.frame = inverted(CellMask(box));
-  territory.room.assign(territory.frame.values().size(), -1);
-  for (std::size_t r = 0; r < scopes.size(); ++r)
-    for (std::size_t i = 0; i < scopes[r].size(); ++i) {
-      auto& room = territory.room[territory.frame.indexOf(scopes[r][i])];
-      room = room < 0 ? static_cast<std::int32_t>(r) : room;
-    }
-  growLabels(territory.frame, reach_in_cells, territory.room);
-  return territory;
-}
-
 } // namespace
 
 Floorplan
@@ -116,11 +66,16 @@ fitPlan(const PointView& points,
   };
   auto ceilings = shareOut(evidence.ceiling, numbers.size(), labelled);
   auto details = shareOut(evidence.details, numbers.size(), labelled);
-  const Territory territory = findTerritory(points, grid, ceilings, details, problem);
+  std::vector<CellSet> scopes;
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    scopes.push_back(
+        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
+  const RoomTerritory territory(grid, scopes);
+  problem = territory.problem();
   if (!problem.empty())
     return plan;
   const auto nearest = [&](int i) {
-    return territory.at(grid, points[static_cast<std::size_t>(i)]);
+    return territory.roomAt(points[static_cast<std::size_t>(i)]);
   };
   auto floors = shareOut(evidence.floor, numbers.size(), nearest);
   auto around = shareOut(evidence.all, numbers.size(), nearest);

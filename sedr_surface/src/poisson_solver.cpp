@@ -66,6 +66,24 @@ toMesh(const pcl::PointCloud<pcl::PointNormal>& cloud,
   return mesh.problem();
 }
 
+// The spacing that half of the surface has or exceeds: where points lie twice as dense, each stands
+// for a quarter of the area. Stray points would stand for too much of it, so that is capped.
+double
+medianByArea(std::vector<double> spacings)
+{
+  std::sort(spacings.begin(), spacings.end());
+  const double cap = 2 * spacings[spacings.size() / 2];
+  const auto area = [cap](double spacing) { return std::pow(std::min(spacing, cap), 2); };
+  double total = 0;
+  for (const double spacing : spacings)
+    total += area(spacing);
+  double passed = 0;
+  for (const double spacing : spacings)
+    if ((passed += area(spacing)) >= total / 2)
+      return spacing;
+  return spacings.back();
+}
+
 } // namespace
 
 std::string
@@ -122,9 +140,7 @@ measureSpacing(const std::vector<OrientedPoint>& points)
     // A disc as far as the eighth neighbour holds seven points: the rim counts half.
     spacings.push_back(std::sqrt(M_PI * squared.back() / (neighbours - 1)));
   }
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return medianByArea(spacings);
 }
 
 } // namespace sedr

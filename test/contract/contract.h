@@ -21,7 +21,8 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /** What one run of a class gave. */
 struct Outcome {
-  std::size_t size = 0; ///< of the result: points kept, regions found, faces ...; 0 for none
+  std::size_t size =
+      0; ///< of the result: points kept, regions found, faces ...; 0 for none
   std::string error;    ///< getErrorMessage()
   std::string geometry; ///< the result without indices into the input, byte for byte
   std::string all;      ///< the whole result, indices and parameters too, byte for byte
@@ -56,8 +57,8 @@ append(std::string& bytes, const pcl::PointCloud<PointT>& cloud)
       append(bytes, value);
 }
 
-/** A room of 4 x 3 x 2.5 m about the origin, floor at z = 0: ceiling, floor and four walls as
- * lattices of 5 cm, points off by up to 2 mm, in no order. */
+/** A room of 4 x 3 x 2.5 m about the origin, floor at z = 0: ceiling, floor and four
+ * walls as lattices of 5 cm, points off by up to 2 mm, in no order. */
 inline Cloud::Ptr
 sampleRoom(unsigned seed = 1, double length = 4)
 {
@@ -66,7 +67,8 @@ sampleRoom(unsigned seed = 1, double length = 4)
   const double step = 0.05;
   std::mt19937 random(seed);
   const auto jitter = [&] {
-    return static_cast<float>(static_cast<double>(random()) / 4294967296.0 * 0.004 - 0.002);
+    return static_cast<float>(static_cast<double>(random()) / 4294967296.0 * 0.004 -
+                              0.002);
   };
   auto cloud = std::make_shared<Cloud>();
   const auto add = [&](double x, double y, double z) {
@@ -120,8 +122,8 @@ isFinite(const pcl::PointXYZ& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/** The points of `cloud` between two heights, as indices: what adaptors take for a ceiling or a
- * floor. */
+/** The points of `cloud` between two heights, as indices: what adaptors take for a
+ * ceiling or a floor. */
 inline pcl::IndicesPtr
 between(const Cloud& cloud, float low, float high)
 {
@@ -132,26 +134,26 @@ between(const Cloud& cloud, float low, float high)
   return indices;
 }
 
-/** What an adaptor of a class may inherit: the answers most classes give. An adaptor has
+/** What an adaptor of a class may inherit: the answers most classes give. An adaptor
+ * has
  *
- *     void setInput(const Cloud::ConstPtr&);   // and what else the class needs, made from it
- *     void setIndices(const pcl::IndicesPtr&);
- *     Outcome run();                           // into an output that already holds something
- *     void spoil(int which);                   // sets the bad parameter of this number
- *     void mend();                             // sets good parameters again
- *     static constexpr int spoils;             // how many bad parameters there are
+ *     void setInput(const Cloud::ConstPtr&);   // and what else the class needs, made
+ * from it void setIndices(const pcl::IndicesPtr&); Outcome run(); // into an output
+ * that already holds something void spoil(int which);                   // sets the bad
+ * parameter of this number void mend();                             // sets good
+ * parameters again static constexpr int spoils;             // how many bad parameters
+ * there are
  *
  * and overrides what is not so. */
 struct AdaptorDefaults {
-  static constexpr bool uses_indices = true;      ///< honours setIndices()
-  static constexpr bool has_negative = false;     ///< has setNegative(bool)
-  static constexpr bool works_in_place = false;   ///< has runInPlace(Cloud::Ptr)
+  static constexpr bool uses_indices = true;       ///< honours setIndices()
+  static constexpr bool has_negative = false;      ///< has setNegative(bool)
+  static constexpr bool works_in_place = false;    ///< has runInPlace(Cloud::Ptr)
   static constexpr bool finds_in_one_point = true; ///< one point gives a result
-  static constexpr bool far_rooms_add_up = true;  ///< two rooms 10 km apart give twice as much
+  static constexpr bool far_rooms_add_up =
+      true; ///< two rooms 10 km apart give twice as much
 
-  void
-  setThreads(unsigned)
-  {}
+  void setThreads(unsigned) {}
 };
 
 } // namespace contract

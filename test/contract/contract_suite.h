@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cctype>
 
-// What every stage promises, tested over adaptors: see contract.h for what an adaptor is. A test
-// program instantiates the suite:
+// What every stage promises, tested over adaptors: see contract.h for what an adaptor
+// is. A test program instantiates the suite:
 //
 //     using Adaptors = ::testing::Types<MyStageAdaptor, ...>;
 //     INSTANTIATE_TYPED_TEST_SUITE_P(Segmentation, Contract, Adaptors);
@@ -19,8 +19,7 @@ namespace contract {
 template <typename AdaptorT>
 class Contract : public ::testing::Test {
 protected:
-  static Outcome
-  runOn(const Cloud::ConstPtr& cloud, unsigned threads = 0)
+  static Outcome runOn(const Cloud::ConstPtr& cloud, unsigned threads = 0)
   {
     AdaptorT stage;
     stage.setThreads(threads);
@@ -28,12 +27,10 @@ protected:
     return stage.run();
   }
 
-  static bool
-  hasNumber(const std::string& sentence)
+  static bool hasNumber(const std::string& sentence)
   {
-    return std::any_of(sentence.begin(), sentence.end(), [](unsigned char c) {
-      return std::isdigit(c) != 0;
-    });
+    return std::any_of(sentence.begin(), sentence.end(),
+                       [](unsigned char c) { return std::isdigit(c) != 0; });
   }
 };
 
@@ -137,7 +134,8 @@ TYPED_TEST_P(Contract, IndicesOutOfRangeAreRefused)
     stage.setInput(room);
     stage.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, 1, bad}));
     const Outcome outcome = stage.run();
-    EXPECT_NE(outcome.error.find(std::to_string(bad)), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find(std::to_string(bad)), std::string::npos)
+        << outcome.error;
     EXPECT_EQ(outcome.size, 0u);
   }
 }
@@ -199,11 +197,10 @@ TYPED_TEST_P(Contract, NegativeKeepsTheFinitePointsThatWereRemoved)
     stage.setNegative(true);
     const Outcome negative = stage.run();
     pcl::Indices finite_removed;
-    std::copy_if(
-        positive.removed->begin(),
-        positive.removed->end(),
-        std::back_inserter(finite_removed),
-        [&](pcl::index_t i) { return isFinite((*cloud)[static_cast<std::size_t>(i)]); });
+    std::copy_if(positive.removed->begin(), positive.removed->end(),
+                 std::back_inserter(finite_removed), [&](pcl::index_t i) {
+                   return isFinite((*cloud)[static_cast<std::size_t>(i)]);
+                 });
     EXPECT_EQ(*negative.kept, finite_removed);
     EXPECT_EQ(negative.kept->size() + negative.removed->size(), cloud->size());
   }
@@ -217,16 +214,15 @@ TYPED_TEST_P(Contract, InPlaceGivesTheSame)
     const auto cloud = withHoles(*sampleRoom());
     const Outcome apart = this->runOn(cloud);
     TypeParam stage;
-    EXPECT_EQ(stage.runInPlace(std::make_shared<Cloud>(*cloud)).geometry, apart.geometry);
+    EXPECT_EQ(stage.runInPlace(std::make_shared<Cloud>(*cloud)).geometry,
+              apart.geometry);
   }
 }
 
 TYPED_TEST_P(Contract, AnotherCloudInTheSameObjectIsAsInAFreshOne)
 {
-  const std::vector<Cloud::Ptr> clouds{sampleRoom(1, 4),
-                                       sampleRoom(2, 3),
-                                       std::make_shared<Cloud>(),
-                                       sampleRoom(3, 5),
+  const std::vector<Cloud::Ptr> clouds{sampleRoom(1, 4), sampleRoom(2, 3),
+                                       std::make_shared<Cloud>(), sampleRoom(3, 5),
                                        sampleRoom(4, 5)};
   TypeParam stage;
   for (const auto& cloud : clouds) {
@@ -243,7 +239,8 @@ TYPED_TEST_P(Contract, RoomsTenKilometresApartAreNoBurden)
   const auto room = sampleRoom();
   auto two = std::make_shared<Cloud>(*room);
   for (const auto& p : *room)
-    two->emplace_back(p.x + 8192.f, p.y - 8192.f, p.z); // a float still resolves 1 mm there
+    two->emplace_back(p.x + 8192.f, p.y - 8192.f,
+                      p.z); // a float still resolves 1 mm there
   const Outcome outcome = this->runOn(two);
   EXPECT_EQ(outcome.error, "");
   EXPECT_GT(outcome.size, 0u);

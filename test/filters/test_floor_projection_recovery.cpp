@@ -18,8 +18,8 @@ using Recovery = pcl::FloorProjectionRecovery<Point>;
 
 constexpr float cell = 0.05f;
 
-/** A ceiling of 20 x 20 cells at z = 2.5, two points a cell; a floor of 20 x 20 cells about z = 0
- * without the 6 x 4 cells of a cupboard, and a piece outside. */
+/** A ceiling of 20 x 20 cells at z = 2.5, two points a cell; a floor of 20 x 20 cells
+ * about z = 0 without the 6 x 4 cells of a cupboard, and a piece outside. */
 struct Scene {
   Cloud::Ptr cloud = std::make_shared<Cloud>();
   pcl::Indices ceiling, floor, outside, hidden;
@@ -30,7 +30,8 @@ struct Scene {
       for (int x = 0; x < 20; ++x) {
         const bool is_hidden = x >= 3 && x < 9 && y >= 5 && y < 9;
         for (const float part : {0.3f, 0.6f}) {
-          const int i = add(static_cast<float>(x) + part, static_cast<float>(y) + 0.5f, 2.5f);
+          const int i =
+              add(static_cast<float>(x) + part, static_cast<float>(y) + 0.5f, 2.5f);
           ceiling.push_back(i);
           if (is_hidden)
             hidden.push_back(i);
@@ -45,8 +46,7 @@ struct Scene {
   }
 
   /** A point at (x, y) in cells. */
-  int
-  add(float x, float y, float z)
+  int add(float x, float y, float z)
   {
     Point p;
     p.x = x * cell;
@@ -59,8 +59,7 @@ struct Scene {
     return static_cast<int>(cloud->size()) - 1;
   }
 
-  pcl::IndicesPtr
-  floorAndOutside() const
+  pcl::IndicesPtr floorAndOutside() const
   {
     auto all = std::make_shared<pcl::Indices>(floor);
     all->insert(all->end(), outside.begin(), outside.end());
@@ -87,7 +86,8 @@ TEST(FloorProjectionRecovery, FillsCellsWithoutFloorFromTheCeilingAndDropsTheOut
   ASSERT_EQ(output.size(), scene.floor.size() + 2 * 24);
   EXPECT_EQ(recovery.getNumberOfProjected(), 48u);
   EXPECT_EQ(*recovery.getRemovedIndices(), scene.outside);
-  pcl::Indices expected = scene.floor; // ceiling points were made cell by cell, row by row
+  pcl::Indices expected =
+      scene.floor; // ceiling points were made cell by cell, row by row
   expected.insert(expected.end(), scene.hidden.begin(), scene.hidden.end());
   EXPECT_EQ(recovery.getProjectedIndices(), expected);
   for (std::size_t i = 0; i < scene.floor.size(); ++i)
@@ -142,10 +142,10 @@ TEST(FloorProjectionRecovery, DetailsWidenTheScopeAndFillOnlyWhereThereIsNoCeili
 {
   Scene scene;
   pcl::Indices detail;
-  detail.push_back(scene.add(5.5f, 6.5f, 2.2f));                 // under the ceiling
-  const int soffit = scene.add(20.5f, 6.5f, 2.2f);               // beside it
+  detail.push_back(scene.add(5.5f, 6.5f, 2.2f));   // under the ceiling
+  const int soffit = scene.add(20.5f, 6.5f, 2.2f); // beside it
   detail.push_back(soffit);
-  detail.push_back(scene.add(30.5f, 3.5f, 2.2f));                // over the first outside point
+  detail.push_back(scene.add(30.5f, 3.5f, 2.2f)); // over the first outside point
   detail.push_back(scene.add(std::numeric_limits<float>::quiet_NaN(), 1.f, 1.f));
   Recovery recovery(true);
   recovery.setInputCloud(scene.cloud);
@@ -171,7 +171,8 @@ TEST(FloorProjectionRecovery, WithoutFloorItNeedsAPlane)
   Cloud output;
   recovery.filter(output);
   EXPECT_TRUE(output.empty());
-  EXPECT_NE(recovery.getErrorMessage().find("none of the 5 floor points"), std::string::npos);
+  EXPECT_NE(recovery.getErrorMessage().find("none of the 5 floor points"),
+            std::string::npos);
   auto plane = std::make_shared<pcl::ModelCoefficients>();
   plane->values = {0, 0, 1, 0.25f};
   recovery.setFloorCoefficients(plane);

@@ -23,8 +23,7 @@ struct Scene {
   Cloud::Ptr cloud = std::make_shared<Cloud>();
 
   /** `per_cell` points in each cell of [x0, x1) x [y0, y1); returns their indices. */
-  pcl::Indices
-  add(int x0, int x1, int y0, int y1, float z = 2.5f, int per_cell = 1)
+  pcl::Indices add(int x0, int x1, int y0, int y1, float z = 2.5f, int per_cell = 1)
   {
     pcl::Indices indices;
     for (int y = y0; y < y1; ++y)
@@ -32,8 +31,7 @@ struct Scene {
         for (int k = 0; k < per_cell; ++k) {
           indices.push_back(static_cast<int>(cloud->size()));
           cloud->emplace_back((static_cast<float>(x) + 0.5f) * cell,
-                              (static_cast<float>(y) + 0.5f) * cell,
-                              z);
+                              (static_cast<float>(y) + 0.5f) * cell, z);
         }
     return indices;
   }
@@ -140,7 +138,8 @@ TEST(GridRegionOutlierRemoval, SupportSavesSmallRoomsAndNothingElse)
   const auto closet = scene.add(100, 120, 0, 20);
   const auto outside = scene.add(200, 220, 0, 20);
   const auto ceilings = joined({room, closet, outside});
-  const auto floor = joined({scene.add(0, 80, 0, 80, 0), scene.add(100, 120, 0, 12, 0)});
+  const auto floor =
+      joined({scene.add(0, 80, 0, 80, 0), scene.add(100, 120, 0, 12, 0)});
   Removal removal;
   removal.setInputCloud(scene.cloud);
   removal.setIndices(std::make_shared<pcl::Indices>(ceilings));

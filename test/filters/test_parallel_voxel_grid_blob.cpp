@@ -15,8 +15,7 @@ namespace {
 /** A blob of points of fields of one value each. */
 class BlobMaker {
 public:
-  void
-  field(const std::string& name, std::uint8_t datatype, unsigned count = 1)
+  void field(const std::string& name, std::uint8_t datatype, unsigned count = 1)
   {
     pcl::PCLPointField f;
     f.name = name;
@@ -28,34 +27,31 @@ public:
     blob_->height = 1;
   }
 
-  void
-  point(const std::vector<double>& values)
+  void point(const std::vector<double>& values)
   {
     const std::size_t begin = blob_->data.size();
     blob_->data.resize(begin + blob_->point_step);
     std::size_t v = 0;
     for (const auto& f : blob_->fields)
       for (unsigned k = 0; k < f.count; ++k)
-        pcl::sedr::writeField(&blob_->data[begin + f.offset +
-                                           k * pcl::sedr::fieldSize(f.datatype)],
-                              f.datatype,
-                              values[v++]);
+        pcl::sedr::writeField(
+            &blob_->data[begin + f.offset + k * pcl::sedr::fieldSize(f.datatype)],
+            f.datatype, values[v++]);
     ++blob_->width;
     blob_->row_step = blob_->width * blob_->point_step;
   }
 
-  pcl::PCLPointCloud2::Ptr
-  get() const
-  {
-    return blob_;
-  }
+  pcl::PCLPointCloud2::Ptr get() const { return blob_; }
 
 private:
   pcl::PCLPointCloud2::Ptr blob_ = std::make_shared<pcl::PCLPointCloud2>();
 };
 
 double
-valueOf(const pcl::PCLPointCloud2& blob, std::size_t row, std::size_t field, std::size_t k = 0)
+valueOf(const pcl::PCLPointCloud2& blob,
+        std::size_t row,
+        std::size_t field,
+        std::size_t k = 0)
 {
   const auto& f = blob.fields[field];
   return pcl::sedr::readField(&blob.data[row * blob.point_step + f.offset +
@@ -64,7 +60,8 @@ valueOf(const pcl::PCLPointCloud2& blob, std::size_t row, std::size_t field, std
 }
 
 pcl::PCLPointCloud2
-thin(const pcl::PCLPointCloud2::ConstPtr& blob, pcl::ParallelVoxelGrid<pcl::PCLPointCloud2>& grid)
+thin(const pcl::PCLPointCloud2::ConstPtr& blob,
+     pcl::ParallelVoxelGrid<pcl::PCLPointCloud2>& grid)
 {
   grid.setInputCloud(blob);
   grid.setLeafSize(1, 1, 1);
@@ -106,7 +103,8 @@ TEST(ParallelVoxelGridBlob, GivesWhatTheClassOfPointsGives)
     EXPECT_EQ(from_blob[i].r, expected[i].r);
     EXPECT_EQ(from_blob[i].g, expected[i].g);
     EXPECT_EQ(from_blob[i].b, expected[i].b);
-    EXPECT_LT((from_blob[i].getNormalVector3fMap() - expected[i].getNormalVector3fMap()).norm(),
+    EXPECT_LT((from_blob[i].getNormalVector3fMap() - expected[i].getNormalVector3fMap())
+                  .norm(),
               1e-5);
     EXPECT_NEAR(from_blob[i].curvature, expected[i].curvature, 1e-5);
   }

@@ -22,10 +22,10 @@ struct ProgramRun {
   std::string err;
 
   /** Whether stderr is one line, which a program is to say when it fails. */
-  bool
-  failsInOneSentence() const
+  bool failsInOneSentence() const
   {
-    return err.size() > 20 && std::count(err.begin(), err.end(), '\n') == 1 && out.empty();
+    return err.size() > 20 && std::count(err.begin(), err.end(), '\n') == 1 &&
+           out.empty();
   }
 };
 

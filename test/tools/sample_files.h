@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/sedr_filters/field_access.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -15,11 +18,13 @@ pcdBytes(const std::vector<std::vector<float>>& points,
          const std::vector<std::uint32_t>& labels = {})
 {
   const std::string n = std::to_string(points.size());
-  std::string bytes = labels.empty() ? "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
-                                       "COUNT 1 1 1\n"
-                                     : "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\n"
-                                       "TYPE F F F U\nCOUNT 1 1 1 1\n";
-  bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+  std::string bytes = labels.empty()
+                          ? "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
+                            "COUNT 1 1 1\n"
+                          : "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\n"
+                            "TYPE F F F U\nCOUNT 1 1 1 1\n";
+  bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
+           "\nDATA binary\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     bytes.append(reinterpret_cast<const char*>(points[i].data()), 3 * sizeof(float));
     if (!labels.empty())
@@ -32,6 +37,39 @@ inline void
 writeFile(const std::filesystem::path& path, const std::string& bytes)
 {
   std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/** A cloud of three points with fields of many types. */
+inline pcl::PCLPointCloud2
+manyFields()
+{
+  using Field = pcl::PCLPointField;
+  pcl::PCLPointCloud2 blob;
+  const std::vector<std::pair<std::string, std::uint8_t>> fields{
+      {"x", Field::FLOAT32},       {"intensity", Field::FLOAT64},
+      {"y", Field::FLOAT32},       {"z", Field::FLOAT32},
+      {"rgb", Field::FLOAT32},     {"ring", Field::UINT16},
+      {"flag", Field::INT8},       {"label", Field::INT16},
+      {"normal_x", Field::FLOAT32}};
+  for (const auto& [name, type] : fields) {
+    Field field;
+    field.name = name;
+    field.datatype = type;
+    field.count = 1;
+    field.offset = blob.point_step;
+    blob.fields.push_back(field);
+    blob.point_step += static_cast<unsigned>(pcl::sedr::fieldSize(type));
+  }
+  blob.width = 3;
+  blob.height = 1;
+  blob.row_step = 3 * blob.point_step;
+  blob.data.resize(blob.row_step);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      pcl::sedr::writeField(&blob.data[i * blob.point_step + blob.fields[f].offset],
+                            blob.fields[f].datatype,
+                            static_cast<double>(10 * f + i) + (f < 4 ? 0.25 : 0));
+  return blob;
 }
 
 } // namespace programs

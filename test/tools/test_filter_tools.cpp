@@ -19,27 +19,22 @@ INSTANTIATE_TEST_SUITE_P(FilterTools,
 
 class FilterTools : public ::testing::Test {
 protected:
-  std::string
-  in(const std::string& name) const
+  std::string in(const std::string& name) const
   {
     return (folder_.path() / name).string();
   }
 
-  ToolCloud
-  output() const
-  {
-    return loadCloud(in("output.pcd"));
-  }
+  ToolCloud output() const { return loadCloud(in("output.pcd")); }
 
   /** Runs a tool on an ascii PCD with the fields x y z label room intensity. */
-  ProgramRun
-  onPoints(const std::string& tool,
-           const std::vector<std::string>& lines,
-           const std::vector<std::string>& options = {})
+  ProgramRun onPoints(const std::string& tool,
+                      const std::vector<std::string>& lines,
+                      const std::vector<std::string>& options = {})
   {
-    std::string bytes = "FIELDS x y z label room intensity\nSIZE 4 4 4 1 2 8\nTYPE F F F U U F\n"
-                        "WIDTH " +
-                        std::to_string(lines.size()) + "\nDATA ascii\n";
+    std::string bytes =
+        "FIELDS x y z label room intensity\nSIZE 4 4 4 1 2 8\nTYPE F F F U U F\n"
+        "WIDTH " +
+        std::to_string(lines.size()) + "\nDATA ascii\n";
     for (const auto& line : lines)
       bytes += line + "\n";
     writeFile(in("input.pcd"), bytes);
@@ -56,11 +51,9 @@ using Whole = std::vector<std::uint32_t>;
 
 TEST_F(FilterTools, VoxelGridAveragesAllFields)
 {
-  const ProgramRun result = onPoints(PARALLEL_VOXEL_GRID,
-                              {"0.01 0.01 0.01 3 2 10",
-                               "0.03 0.01 0.01 3 2 20",
-                               "0.06 0.01 0.01 1 1 5",
-                               "1000000 0 0 1 1 7"});
+  const ProgramRun result =
+      onPoints(PARALLEL_VOXEL_GRID, {"0.01 0.01 0.01 3 2 10", "0.03 0.01 0.01 3 2 20",
+                                     "0.06 0.01 0.01 1 1 5", "1000000 0 0 1 1 7"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
   const ToolCloud cloud = output();
@@ -72,19 +65,19 @@ TEST_F(FilterTools, VoxelGridAveragesAllFields)
 
 TEST_F(FilterTools, VoxelGridTakesItsOptions)
 {
-  const std::vector<std::string> points{
-      "0.01 0 0 1 0 1", "0.2 0 0 1 0 2", "0.3 0 0 2 0 3", "5 0 0 1 0 4"};
-  EXPECT_EQ(onPoints(PARALLEL_VOXEL_GRID,
-                     points,
-                     {"--leaf", "1", "--min-points", "2", "--field", "label", "--low", "1",
-                      "--high", "1"})
+  const std::vector<std::string> points{"0.01 0 0 1 0 1", "0.2 0 0 1 0 2",
+                                        "0.3 0 0 2 0 3", "5 0 0 1 0 4"};
+  EXPECT_EQ(onPoints(PARALLEL_VOXEL_GRID, points,
+                     {"--leaf", "1", "--min-points", "2", "--field", "label", "--low",
+                      "1", "--high", "1"})
                 .exit_code,
             0);
   EXPECT_EQ(floatField(output().blob, "intensity"), (Numbers{1.5f}));
   const ProgramRun none = onPoints(PARALLEL_VOXEL_GRID, points, {"--min-points", "5"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_TRUE(none.failsInOneSentence());
-  const ProgramRun unknown = onPoints(PARALLEL_VOXEL_GRID, points, {"--field", "warmth"});
+  const ProgramRun unknown =
+      onPoints(PARALLEL_VOXEL_GRID, points, {"--field", "warmth"});
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_NE(unknown.err.find("warmth"), std::string::npos);
   EXPECT_EQ(onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "0"}).exit_code, 1);
@@ -112,7 +105,8 @@ ceilings()
 
 TEST_F(FilterTools, OutlierRemovalLabelsRoomsAndKeepsAllRows)
 {
-  EXPECT_EQ(onPoints(GRID_REGION_OUTLIER_REMOVAL, ceilings(), {"--grid", "1"}).exit_code, 0);
+  EXPECT_EQ(
+      onPoints(GRID_REGION_OUTLIER_REMOVAL, ceilings(), {"--grid", "1"}).exit_code, 0);
   const ToolCloud cloud = output();
   ASSERT_EQ(cloud.size(), 63u);
   EXPECT_EQ(cloud.label[0], 0u);
@@ -127,8 +121,7 @@ TEST_F(FilterTools, OutlierRemovalLabelsRoomsAndKeepsAllRows)
 
 TEST_F(FilterTools, OutlierRemovalRemovesRowsAndLeavesRoomsWhenAskedTo)
 {
-  EXPECT_EQ(onPoints(GRID_REGION_OUTLIER_REMOVAL,
-                     ceilings(),
+  EXPECT_EQ(onPoints(GRID_REGION_OUTLIER_REMOVAL, ceilings(),
                      {"--grid", "1", "--remove", "--rooms", "no"})
                 .exit_code,
             0);
@@ -154,7 +147,8 @@ TEST_F(FilterTools, OutlierRemovalTakesAllPointsOfAFileWithoutLabels)
 
 TEST_F(FilterTools, OutlierRemovalSaysWhenThereIsNoSuchLabel)
 {
-  const ProgramRun result = onPoints(GRID_REGION_OUTLIER_REMOVAL, ceilings(), {"--label", "4"});
+  const ProgramRun result =
+      onPoints(GRID_REGION_OUTLIER_REMOVAL, ceilings(), {"--label", "4"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(result.failsInOneSentence());
   EXPECT_FALSE(std::filesystem::exists(in("output.pcd")));
@@ -164,13 +158,10 @@ TEST_F(FilterTools, FloorRecoveryFillsEveryRoomAtItsOwnHeight)
 {
   const std::vector<std::string> points{
       "0.5 0.5 2.5 1 1 11", // room 1: ceiling of three cells, its floor missing in one
-      "1.5 0.5 2.5 1 1 12",
-      "2.5 0.5 2.5 1 1 13",
-      "0.5 0.4 0.1 2 0 14",
-      "1.5 0.4 0.3 2 0 15",
+      "1.5 0.5 2.5 1 1 12", "2.5 0.5 2.5 1 1 13",
+      "0.5 0.4 0.1 2 0 14", "1.5 0.4 0.3 2 0 15",
       "10.5 0.5 3 1 2 21", // room 2, lower, and a soffit beside its ceiling
-      "11.5 0.5 2 4 0 22",
-      "10.5 0.4 -1 2 2 23",
+      "11.5 0.5 2 4 0 22",  "10.5 0.4 -1 2 2 23",
       "30.5 0.5 0 2 0 31", // outside
       "5.5 0.5 1 3 0 41"}; // a wall
   EXPECT_EQ(onPoints(FLOOR_PROJECTION_RECOVERY, points, {"--grid", "1"}).exit_code, 0);
@@ -178,7 +169,8 @@ TEST_F(FilterTools, FloorRecoveryFillsEveryRoomAtItsOwnHeight)
   ASSERT_EQ(cloud.size(), 12u);
   EXPECT_EQ(cloud.label, (Whole{1, 1, 1, 2, 2, 1, 4, 2, 0, 3, 2, 2}));
   EXPECT_EQ(cloud.room, (Whole{1, 1, 1, 1, 1, 2, 2, 2, 0, 0, 1, 2}));
-  EXPECT_EQ(floatField(cloud.blob, "intensity")[10], 13.f) << "fields of the source survive";
+  EXPECT_EQ(floatField(cloud.blob, "intensity")[10], 13.f)
+      << "fields of the source survive";
   EXPECT_EQ(floatField(cloud.blob, "intensity")[11], 22.f);
   EXPECT_FLOAT_EQ((*cloud.points)[10].z, 0.2f);
   EXPECT_EQ((*cloud.points)[11].z, -1.f);
@@ -188,8 +180,7 @@ TEST_F(FilterTools, FloorRecoveryFillsEveryRoomAtItsOwnHeight)
 TEST_F(FilterTools, FloorRecoveryRemovesRowsAndTakesAHeight)
 {
   const std::vector<std::string> points{"0.5 0.5 2.5 1 0 1", "30.5 0.5 0 2 0 2"};
-  EXPECT_EQ(onPoints(FLOOR_PROJECTION_RECOVERY,
-                     points,
+  EXPECT_EQ(onPoints(FLOOR_PROJECTION_RECOVERY, points,
                      {"--grid", "1", "--remove", "--height", "-0.5"})
                 .exit_code,
             0);
@@ -218,10 +209,12 @@ TEST_F(FilterTools, InputAndOutputMayBeOneFile)
 
 TEST_F(FilterTools, PlyComesInAndGoesOut)
 {
-  writeFile(in("a.ply"),
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-            "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-            "end_header\n1 2 3 10 20 30\n");
+  writeFile(
+      in("a.ply"),
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar "
+      "blue\n"
+      "end_header\n1 2 3 10 20 30\n");
   EXPECT_EQ(run(PARALLEL_VOXEL_GRID, {in("a.ply"), in("b.ply")}).exit_code, 0);
   EXPECT_NE(bytesOf(in("b.ply")).find("property uchar green"), std::string::npos);
   EXPECT_EQ(loadCloud(in("b.ply")).blob.data, loadCloud(in("a.ply")).blob.data);

@@ -8,31 +8,29 @@
 
 #include <cmath>
 
-// What every tool of the form "pcl_x INPUT OUTPUT.pcd [options]" promises. A test program
-// instantiates it with the tools it knows:
+// What every tool of the form "pcl_x INPUT OUTPUT.pcd [options]" promises. A test
+// program instantiates it with the tools it knows:
 //
-//     INSTANTIATE_TEST_SUITE_P(Tools, ToolContract, ::testing::Values("/path/to/pcl_x", ...));
+//     INSTANTIATE_TEST_SUITE_P(Tools, ToolContract, ::testing::Values("/path/to/pcl_x",
+//     ...));
 
 namespace programs {
 
 class ToolContract : public ::testing::TestWithParam<std::string> {
 protected:
-  std::string
-  in(const std::string& name) const
+  std::string in(const std::string& name) const
   {
     return (folder_.path() / name).string();
   }
 
-  ProgramRun
-  onFile(const std::string& bytes)
+  ProgramRun onFile(const std::string& bytes)
   {
     writeFile(in("input.pcd"), bytes);
     return run(GetParam(), {in("input.pcd"), in("output.pcd")});
   }
 
   /** One sentence, the exit code, and no file but those that were there. */
-  void
-  expectFailure(const ProgramRun& result, int exit_code) const
+  void expectFailure(const ProgramRun& result, int exit_code) const
   {
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
     EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;

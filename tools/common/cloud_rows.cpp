@@ -46,9 +46,8 @@ addField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t dataty
 void
 dropField(pcl::PCLPointCloud2& blob, const std::string& name)
 {
-  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(), [&](const auto& f) {
-    return f.name == name;
-  });
+  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(),
+                               [&](const auto& f) { return f.name == name; });
   if (it == blob.fields.end())
     return;
   const std::size_t size = fieldSize(it->datatype) * it->count;
@@ -78,8 +77,8 @@ setTypedField(pcl::PCLPointCloud2& blob,
               const std::vector<ValueT>& values)
 {
   if (values.size() != rowsOf(blob))
-    throw std::logic_error("setField: " + std::to_string(values.size()) + " values for " +
-                           std::to_string(rowsOf(blob)) + " rows");
+    throw std::logic_error("setField: " + std::to_string(values.size()) +
+                           " values for " + std::to_string(rowsOf(blob)) + " rows");
   const auto* field = findField(blob, name);
   if (field && (field->datatype != datatype || field->count != 1))
     dropField(blob, name);
@@ -104,9 +103,8 @@ forEachValue(const pcl::PCLPointCloud2& blob, const std::string& name, FunctionT
 const pcl::PCLPointField*
 findField(const pcl::PCLPointCloud2& blob, const std::string& name)
 {
-  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(), [&](const auto& f) {
-    return f.name == name;
-  });
+  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(),
+                               [&](const auto& f) { return f.name == name; });
   return it == blob.fields.end() ? nullptr : &*it;
 }
 
@@ -136,8 +134,7 @@ appendRows(pcl::PCLPointCloud2& to,
   to.data.resize((old_rows + indices.size()) * step);
   for (std::size_t i = 0; i < indices.size(); ++i)
     std::memcpy(to.data.data() + (old_rows + i) * step,
-                from.data.data() + static_cast<std::size_t>(indices[i]) * step,
-                step);
+                from.data.data() + static_cast<std::size_t>(indices[i]) * step, step);
   setRows(to, old_rows + indices.size());
 }
 
@@ -153,8 +150,7 @@ setCoordinates(pcl::PCLPointCloud2& blob,
     const auto* field = findField(blob, name);
     for (std::size_t i = 0; field && i < points.size(); ++i)
       writeField(&blob.data[(first_row + i) * blob.point_step + field->offset],
-                 field->datatype,
-                 points[i][axis]);
+                 field->datatype, points[i][axis]);
     ++axis;
   }
 }
@@ -168,7 +164,9 @@ setField(pcl::PCLPointCloud2& blob,
 }
 
 void
-setField(pcl::PCLPointCloud2& blob, const std::string& name, const std::vector<float>& values)
+setField(pcl::PCLPointCloud2& blob,
+         const std::string& name,
+         const std::vector<float>& values)
 {
   setTypedField(blob, name, pcl::PCLPointField::FLOAT32, values);
 }
@@ -179,7 +177,8 @@ wholeField(const pcl::PCLPointCloud2& blob, const std::string& name)
   std::vector<std::uint32_t> values;
   forEachValue(blob, name, [&](double value) {
     std::uint32_t whole = 0;
-    writeField(reinterpret_cast<std::uint8_t*>(&whole), pcl::PCLPointField::UINT32, value);
+    writeField(reinterpret_cast<std::uint8_t*>(&whole), pcl::PCLPointField::UINT32,
+               value);
     values.push_back(whole);
   });
   return values;
@@ -189,8 +188,8 @@ std::vector<float>
 floatField(const pcl::PCLPointCloud2& blob, const std::string& name)
 {
   std::vector<float> values;
-  forEachValue(
-      blob, name, [&](double value) { values.push_back(static_cast<float>(value)); });
+  forEachValue(blob, name,
+               [&](double value) { values.push_back(static_cast<float>(value)); });
   return values;
 }
 

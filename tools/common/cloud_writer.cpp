@@ -70,12 +70,13 @@ pcdHeader(const pcl::PCLPointCloud2& blob,
   }
   std::ostringstream header;
   header.precision(std::numeric_limits<float>::max_digits10);
-  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" << names.str()
-         << "\nSIZE" << sizes.str() << "\nTYPE" << types.str() << "\nCOUNT" << counts.str()
-         << "\nWIDTH " << rowsOf(blob) << "\nHEIGHT 1\nVIEWPOINT " << origin.x() << ' '
-         << origin.y() << ' ' << origin.z() << ' ' << orientation.w() << ' '
-         << orientation.x() << ' ' << orientation.y() << ' ' << orientation.z()
-         << "\nPOINTS " << rowsOf(blob) << "\nDATA " << data << '\n';
+  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS"
+         << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
+         << "\nCOUNT" << counts.str() << "\nWIDTH " << rowsOf(blob)
+         << "\nHEIGHT 1\nVIEWPOINT " << origin.x() << ' ' << origin.y() << ' '
+         << origin.z() << ' ' << orientation.w() << ' ' << orientation.x() << ' '
+         << orientation.y() << ' ' << orientation.z() << "\nPOINTS " << rowsOf(blob)
+         << "\nDATA " << data << '\n';
   return header.str();
 }
 
@@ -86,7 +87,8 @@ writeBytes(std::ostream& stream, const std::vector<std::uint8_t>& bytes)
                static_cast<std::streamsize>(bytes.size()));
 }
 
-/** @brief The compressed form of a PCD's data, field after field; empty where it cannot be. */
+/** @brief The compressed form of a PCD's data, field after field; empty where it cannot
+ * be. */
 std::vector<std::uint8_t>
 compressed(const pcl::PCLPointCloud2& blob)
 {
@@ -99,8 +101,7 @@ compressed(const pcl::PCLPointCloud2& blob)
   for (const auto& field : blob.fields) {
     const std::size_t bytes = fieldSize(field.datatype) * field.count;
     for (std::size_t i = 0; i < rowsOf(blob); ++i, to += bytes)
-      std::memcpy(
-          &by_field[to], &blob.data[i * blob.point_step + field.offset], bytes);
+      std::memcpy(&by_field[to], &blob.data[i * blob.point_step + field.offset], bytes);
   }
   constexpr std::size_t sizes = 2 * sizeof(std::uint32_t);
   const std::size_t room = size + size / 16 + 64;
@@ -144,8 +145,9 @@ plyProperties(const pcl::PCLPointCloud2& blob)
     }
     const char* type = typeName(field.datatype).ply;
     if (!type)
-      throw ToolError("field '" + field.name + "' has 64 bits, which PLY does not know: write "
-                                               "PCD instead");
+      throw ToolError("field '" + field.name +
+                      "' has 64 bits, which PLY does not know: write "
+                      "PCD instead");
     std::string name = field.name;
     if (name.size() == 8 && name.compare(0, 7, "normal_") == 0)
       name = std::string("n") + name.back();
@@ -153,8 +155,7 @@ plyProperties(const pcl::PCLPointCloud2& blob)
     for (std::size_t k = 0; k < field.count; ++k)
       properties.push_back({type,
                             field.count > 1 ? name + "_" + std::to_string(k) : name,
-                            field.offset + k * size,
-                            size});
+                            field.offset + k * size, size});
   }
   return properties;
 }
@@ -163,7 +164,8 @@ void
 writePly(std::ostream& stream, const pcl::PCLPointCloud2& blob)
 {
   const auto properties = plyProperties(blob);
-  stream << "ply\nformat binary_little_endian 1.0\nelement vertex " << rowsOf(blob) << '\n';
+  stream << "ply\nformat binary_little_endian 1.0\nelement vertex " << rowsOf(blob)
+         << '\n';
   std::size_t step = 0;
   for (const auto& property : properties) {
     stream << "property " << property.type << ' ' << property.name << '\n';
@@ -203,9 +205,8 @@ bool
 endsIn(const std::string& path, const std::string& extension)
 {
   std::string end = std::filesystem::path(path).extension().string();
-  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return end == extension;
 }
 
@@ -229,18 +230,16 @@ void
 checkCloudOutput(const std::string& path)
 {
   if (!endsIn(path, ".pcd") && !endsIn(path, ".ply"))
-    throw ToolError("cannot write '" + path + "': the name of a cloud ends in .pcd or .ply");
+    throw ToolError("cannot write '" + path +
+                    "': the name of a cloud ends in .pcd or .ply");
   checkWritable(path);
 }
 
 void
 saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 {
-  save(path,
-       cloud.blob,
-       cloud.points->sensor_origin_,
-       cloud.points->sensor_orientation_,
-       data);
+  save(path, cloud.blob, cloud.points->sensor_origin_,
+       cloud.points->sensor_orientation_, data);
 }
 
 void

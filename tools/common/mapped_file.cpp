@@ -27,8 +27,8 @@ MappedFile::MappedFile(const std::string& path)
   const bool known = fstat(file, &status) == 0;
   void* mapped = MAP_FAILED;
   if (known && S_ISREG(status.st_mode) && status.st_size > 0)
-    mapped = mmap(
-        nullptr, static_cast<std::size_t>(status.st_size), PROT_READ, MAP_PRIVATE, file, 0);
+    mapped = mmap(nullptr, static_cast<std::size_t>(status.st_size), PROT_READ,
+                  MAP_PRIVATE, file, 0);
   const int map_error = errno;
   close(file);
   if (!known || S_ISDIR(status.st_mode))

@@ -92,7 +92,8 @@ Range::text(const std::string& unit) const
 }
 
 Options::Options(std::string tool, std::string purpose)
-: tool_(std::move(tool)), purpose_(std::move(purpose))
+    : tool_(std::move(tool))
+    , purpose_(std::move(purpose))
 {}
 
 void
@@ -161,9 +162,10 @@ Options::text(const std::string& name,
   about += choices.empty() ? "" : joined(choices, ", ") + "; ";
   about += "default " + (value.empty() ? "none" : value) + ")";
   const auto read = [name, &value, choices](const std::string& given) {
-    if (!choices.empty() && std::find(choices.begin(), choices.end(), given) == choices.end())
-      throw ToolError("--" + name + " is one of " + joined(choices, ", ") + ", not '" + given +
-                      "'");
+    if (!choices.empty() &&
+        std::find(choices.begin(), choices.end(), given) == choices.end())
+      throw ToolError("--" + name + " is one of " + joined(choices, ", ") + ", not '" +
+                      given + "'");
     value = given;
   };
   options_.push_back({name, about, true, read});
@@ -172,7 +174,8 @@ Options::text(const std::string& name,
 void
 Options::flag(const std::string& name, bool& value, const std::string& help)
 {
-  options_.push_back({name, help, false, [&value](const std::string&) { value = true; }});
+  options_.push_back(
+      {name, help, false, [&value](const std::string&) { value = true; }});
 }
 
 bool
@@ -181,15 +184,17 @@ Options::parse(int argc, const char* const* argv)
   po::options_description description;
   description.add_options()("help,h", "");
   for (const auto& option : options_)
-    option.takes_value ? description.add_options()(option.name.c_str(), po::value<std::string>(), "")
-                       : description.add_options()(option.name.c_str(), "");
+    option.takes_value
+        ? description.add_options()(option.name.c_str(), po::value<std::string>(), "")
+        : description.add_options()(option.name.c_str(), "");
   description.add_options()("file", po::value<std::vector<std::string>>(), "");
   po::positional_options_description positions;
   positions.add("file", -1);
 
   po::variables_map given;
   try {
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    const int style =
+        po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv)
                   .options(description)
                   .positional(positions)
@@ -203,12 +208,14 @@ Options::parse(int argc, const char* const* argv)
   if (given.count("help") != 0)
     return false;
 
-  const auto names =
-      given.count("file") != 0 ? given["file"].as<std::vector<std::string>>() : std::vector<std::string>();
+  const auto names = given.count("file") != 0
+                         ? given["file"].as<std::vector<std::string>>()
+                         : std::vector<std::string>();
   if (names.size() < files_.size())
     throw ToolError(files_[names.size()].name + " is missing; usage: " + usage());
   if (names.size() > files_.size())
-    throw ToolError("'" + names[files_.size()] + "' is one argument too many; usage: " + usage());
+    throw ToolError("'" + names[files_.size()] +
+                    "' is one argument too many; usage: " + usage());
   for (std::size_t i = 0; i < files_.size(); ++i)
     *files_[i].value = names[i];
   for (const auto& option : options_)
@@ -234,9 +241,11 @@ Options::help() const
     help += helpLine(file.name, file.help);
   help += "\nOptions:\n";
   for (const auto& option : options_)
-    help += helpLine("--" + option.name + (option.takes_value ? " arg" : ""), option.help);
+    help +=
+        helpLine("--" + option.name + (option.takes_value ? " arg" : ""), option.help);
   help += helpLine("-h, --help", "prints this");
-  help += "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing found.\n";
+  help += "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing "
+          "found.\n";
   return help;
 }
 

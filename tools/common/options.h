@@ -18,37 +18,29 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool open = false; ///< whether `low` itself is out
 
-  static Range
-  above(double low)
+  static Range above(double low)
   {
     return {low, std::numeric_limits<double>::infinity(), true};
   }
 
-  static Range
-  atLeast(double low)
+  static Range atLeast(double low)
   {
     return {low, std::numeric_limits<double>::infinity(), false};
   }
 
-  static Range
-  between(double low, double high)
-  {
-    return {low, high, false};
-  }
+  static Range between(double low, double high) { return {low, high, false}; }
 
-  bool
-  holds(double value) const
+  bool holds(double value) const
   {
     return (open ? value > low : value >= low) && value <= high;
   }
 
   /** @brief "above 0", "at least 1", "from 0 to 1"; empty for any number. */
-  std::string
-  text(const std::string& unit = "") const;
+  std::string text(const std::string& unit = "") const;
 };
 
-/** @brief The command line of a tool: every option is declared once, with its unit, and its default
- * is what the variable holds.
+/** @brief The command line of a tool: every option is declared once, with its unit, and
+ * its default is what the variable holds.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
  * std::string input, output;
@@ -65,66 +57,56 @@ public:
   Options(std::string tool, std::string purpose);
 
   /** @brief A file or folder that must be named, in the order of these calls. */
-  void
-  file(const std::string& name, std::string& value, const std::string& help);
+  void file(const std::string& name, std::string& value, const std::string& help);
 
-  /** @brief A number, `--name 0.05`, real or whole as `value` is; `unit` may be empty. */
+  /** @brief A number, `--name 0.05`, real or whole as `value` is; `unit` may be empty.
+   */
   template <typename NumberT>
-  void
-  number(const std::string& name,
-         NumberT& value,
-         const std::string& unit,
-         const std::string& help,
-         Range range = Range())
+  void number(const std::string& name,
+              NumberT& value,
+              const std::string& unit,
+              const std::string& help,
+              Range range = Range())
   {
     static_assert(std::is_arithmetic<NumberT>::value, "an option of numbers");
     constexpr bool whole = std::is_integral<NumberT>::value;
-    range.low = std::max(range.low, static_cast<double>(std::numeric_limits<NumberT>::lowest()));
+    range.low = std::max(range.low,
+                         static_cast<double>(std::numeric_limits<NumberT>::lowest()));
     // 2^53 is the last number up to which all whole ones are doubles.
-    range.high = std::min({range.high,
-                           static_cast<double>(std::numeric_limits<NumberT>::max()),
-                           whole ? 9007199254740992.0 : range.high});
-    addNumber(name, unit, help, range, whole, textOf(static_cast<double>(value)), [&value](double v) {
-      value = static_cast<NumberT>(v);
-    });
+    range.high =
+        std::min({range.high, static_cast<double>(std::numeric_limits<NumberT>::max()),
+                  whole ? 9007199254740992.0 : range.high});
+    addNumber(name, unit, help, range, whole, textOf(static_cast<double>(value)),
+              [&value](double v) { value = static_cast<NumberT>(v); });
   }
 
-  /** @brief A number without a default: `is_set` tells whether it was given, `otherwise` is what
-   * the help says of its absence. */
-  void
-  optionalNumber(const std::string& name,
-                 double& value,
-                 bool& is_set,
-                 const std::string& unit,
-                 const std::string& help,
-                 const std::string& otherwise,
-                 Range range = Range());
+  /** @brief A number without a default: `is_set` tells whether it was given,
+   * `otherwise` is what the help says of its absence. */
+  void optionalNumber(const std::string& name,
+                      double& value,
+                      bool& is_set,
+                      const std::string& unit,
+                      const std::string& help,
+                      const std::string& otherwise,
+                      Range range = Range());
 
   /** @brief A text, `--name text`; one of `choices` unless that is empty. */
-  void
-  text(const std::string& name,
-       std::string& value,
-       const std::string& help,
-       const std::vector<std::string>& choices = {});
+  void text(const std::string& name,
+            std::string& value,
+            const std::string& help,
+            const std::vector<std::string>& choices = {});
 
   /** @brief A switch, `--name`, which sets `value`. */
-  void
-  flag(const std::string& name, bool& value, const std::string& help);
+  void flag(const std::string& name, bool& value, const std::string& help);
 
   /** @brief Reads the command line into the variables.
    * @return false if -h or --help was given, and nothing else matters */
-  bool
-  parse(int argc, const char* const* argv);
+  bool parse(int argc, const char* const* argv);
 
   /** @brief Purpose, usage, files and options with units and defaults. */
-  std::string
-  help() const;
+  std::string help() const;
 
-  const std::string&
-  tool() const
-  {
-    return tool_;
-  }
+  const std::string& tool() const { return tool_; }
 
 private:
   struct File {
@@ -139,20 +121,17 @@ private:
     std::function<void(const std::string&)> read;
   };
 
-  static std::string
-  textOf(double value);
+  static std::string textOf(double value);
 
-  void
-  addNumber(const std::string& name,
-            const std::string& unit,
-            const std::string& help,
-            const Range& range,
-            bool whole,
-            const std::string& default_text,
-            const std::function<void(double)>& store);
+  void addNumber(const std::string& name,
+                 const std::string& unit,
+                 const std::string& help,
+                 const Range& range,
+                 bool whole,
+                 const std::string& default_text,
+                 const std::function<void(double)>& store);
 
-  std::string
-  usage() const;
+  std::string usage() const;
 
   std::string tool_;
   std::string purpose_;

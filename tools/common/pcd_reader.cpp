@@ -23,8 +23,7 @@ struct PcdHeader {
   std::map<std::string, Words, std::less<>> lines;
   std::size_t data_begin = 0;
 
-  const Words*
-  find(std::string_view keyword) const
+  const Words* find(std::string_view keyword) const
   {
     const auto it = lines.find(keyword);
     return it == lines.end() ? nullptr : &it->second;
@@ -40,9 +39,9 @@ refuse(const std::string& path, const std::string& reason)
 bool
 isKeyword(std::string_view word)
 {
-  constexpr std::array<std::string_view, 11> keywords{"VERSION", "FIELDS", "COLUMNS", "SIZE",
-                                                      "TYPE", "COUNT", "WIDTH", "HEIGHT",
-                                                      "VIEWPOINT", "POINTS", "DATA"};
+  constexpr std::array<std::string_view, 11> keywords{
+      "VERSION", "FIELDS", "COLUMNS",   "SIZE",   "TYPE", "COUNT",
+      "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
   return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
@@ -101,10 +100,10 @@ readFields(const PcdHeader& header, const std::string& path)
     refuse(path, "its header lacks FIELDS, SIZE or TYPE");
   if (sizes->size() != names->size() || types->size() != names->size() ||
       (counts && counts->size() != names->size()))
-    refuse(path,
-           "its header names " + std::to_string(names->size()) + " fields, but " +
-               std::to_string(sizes->size()) + " sizes, " + std::to_string(types->size()) +
-               " types and " + std::to_string(counts ? counts->size() : 0) + " counts");
+    refuse(path, "its header names " + std::to_string(names->size()) + " fields, but " +
+                     std::to_string(sizes->size()) + " sizes, " +
+                     std::to_string(types->size()) + " types and " +
+                     std::to_string(counts ? counts->size() : 0) + " counts");
   constexpr std::uint64_t most_values = 1 << 16;
   std::vector<pcl::PCLPointField> fields;
   for (std::size_t i = 0; i < names->size(); ++i) {
@@ -113,10 +112,9 @@ readFields(const PcdHeader& header, const std::string& path)
     const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
     field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
     if (field.datatype == 0 || count == 0 || count > most_values)
-      refuse(path,
-             "field '" + field.name + "' is of type " + std::string((*types)[i]) + ", size " +
-                 std::string((*sizes)[i]) + ", count " + std::to_string(count) +
-                 ", which is unknown");
+      refuse(path, "field '" + field.name + "' is of type " + std::string((*types)[i]) +
+                       ", size " + std::string((*sizes)[i]) + ", count " +
+                       std::to_string(count) + ", which is unknown");
     field.count = static_cast<pcl::uindex_t>(count);
     fields.push_back(field);
   }
@@ -128,7 +126,8 @@ readSize(const PcdHeader& header, const std::string& path)
 {
   const auto number = [&](const char* keyword, std::uint64_t otherwise) {
     const Words* words = header.find(keyword);
-    return words && !words->empty() ? wholeNumber(words->front(), keyword, path) : otherwise;
+    return words && !words->empty() ? wholeNumber(words->front(), keyword, path)
+                                    : otherwise;
   };
   if (!header.find("WIDTH") && !header.find("POINTS"))
     refuse(path, "its header lacks WIDTH and POINTS");
@@ -137,9 +136,9 @@ readSize(const PcdHeader& header, const std::string& path)
   const std::uint64_t width = number("WIDTH", points);
   constexpr std::uint64_t most = std::uint64_t{1} << 32;
   if (width > most || height > most || width * height != points)
-    refuse(path,
-           "its header gives " + std::to_string(width) + " x " + std::to_string(height) +
-               " points in rows, but " + std::to_string(points) + " in all");
+    refuse(path, "its header gives " + std::to_string(width) + " x " +
+                     std::to_string(height) + " points in rows, but " +
+                     std::to_string(points) + " in all");
   return points;
 }
 
@@ -163,11 +162,11 @@ readViewpoint(const PcdHeader& header, FileCloud& cloud)
 refuseCutOff(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t left)
 {
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
-  refuse(path,
-         "the file is cut off, its header promises " + std::to_string(blob.width) +
-             " points of " + std::to_string(blob.point_step) + " bytes, " +
-             std::to_string(needed) + " bytes, but " + std::to_string(left) +
-             " bytes follow");
+  refuse(path, "the file is cut off, its header promises " +
+                   std::to_string(blob.width) + " points of " +
+                   std::to_string(blob.point_step) + " bytes, " +
+                   std::to_string(needed) + " bytes, but " + std::to_string(left) +
+                   " bytes follow");
 }
 
 void
@@ -181,9 +180,9 @@ readAscii(const MappedFile& file,
     values += field.count;
   // A number and a blank take two bytes: a header may promise no more than that.
   if ((file.size() - begin + 1) / 2 < std::size_t{blob.width} * values)
-    refuse(path,
-           "the file is cut off, its header promises " + std::to_string(blob.width) +
-               " points, but " + std::to_string(file.size() - begin) + " bytes follow");
+    refuse(path, "the file is cut off, its header promises " +
+                     std::to_string(blob.width) + " points, but " +
+                     std::to_string(file.size() - begin) + " bytes follow");
   blob.data.resize(std::size_t{blob.width} * blob.point_step);
   TextCursor cursor(file, begin);
   std::size_t point = 0;
@@ -193,15 +192,15 @@ readAscii(const MappedFile& file,
     const std::size_t read =
         readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
     if (read != values)
-      refuse(path,
-             "point " + std::to_string(point + 1) + " has " + std::to_string(read) + " of " +
-                 std::to_string(values) + " numbers");
+      refuse(path, "point " + std::to_string(point + 1) + " has " +
+                       std::to_string(read) + " of " + std::to_string(values) +
+                       " numbers");
     ++point;
   }
   if (point < blob.width)
-    refuse(path,
-           "the file is cut off, its header promises " + std::to_string(blob.width) +
-               " points, it holds " + std::to_string(point));
+    refuse(path, "the file is cut off, its header promises " +
+                     std::to_string(blob.width) + " points, it holds " +
+                     std::to_string(point));
 }
 
 void
@@ -214,30 +213,31 @@ readCompressed(const MappedFile& file,
   std::uint32_t whole = 0;
   const std::size_t left = file.size() - begin;
   if (left < sizeof compressed + sizeof whole)
-    refuse(path, "the file is cut off, " + std::to_string(left) + " bytes follow the header");
+    refuse(path,
+           "the file is cut off, " + std::to_string(left) + " bytes follow the header");
   std::memcpy(&compressed, file.data() + begin, sizeof compressed);
   std::memcpy(&whole, file.data() + begin + sizeof compressed, sizeof whole);
   const std::size_t data = begin + sizeof compressed + sizeof whole;
   if (file.size() - data < compressed)
-    refuse(path,
-           "the file is cut off, " + std::to_string(compressed) +
-               " bytes of compressed points are promised, " +
-               std::to_string(file.size() - data) + " follow");
+    refuse(path, "the file is cut off, " + std::to_string(compressed) +
+                     " bytes of compressed points are promised, " +
+                     std::to_string(file.size() - data) + " follow");
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
   if (whole != needed)
-    refuse(path,
-           "its " + std::to_string(blob.width) + " points take " + std::to_string(needed) +
-               " bytes, the compressed ones hold " + std::to_string(whole));
+    refuse(path, "its " + std::to_string(blob.width) + " points take " +
+                     std::to_string(needed) + " bytes, the compressed ones hold " +
+                     std::to_string(whole));
   std::vector<std::uint8_t> by_field(whole);
-  if (pcl::lzfDecompress(file.data() + data, compressed, by_field.data(), whole) != whole)
+  if (pcl::lzfDecompress(file.data() + data, compressed, by_field.data(), whole) !=
+      whole)
     refuse(path, "its compressed points are damaged");
   blob.data.resize(needed);
   std::size_t from = 0;
   for (const auto& field : blob.fields) {
     const std::size_t size = fieldSize(field.datatype) * field.count;
     for (std::size_t i = 0; i < blob.width; ++i, from += size)
-      std::memcpy(
-          &blob.data[i * blob.point_step + field.offset], by_field.data() + from, size);
+      std::memcpy(&blob.data[i * blob.point_step + field.offset],
+                  by_field.data() + from, size);
   }
 }
 

@@ -40,12 +40,14 @@ dataType(std::string_view name)
 {
   using Field = pcl::PCLPointField;
   const std::map<std::string_view, std::uint8_t> types{
-      {"char", Field::INT8},      {"int8", Field::INT8},       {"uchar", Field::UINT8},
-      {"uint8", Field::UINT8},    {"short", Field::INT16},     {"int16", Field::INT16},
-      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},   {"int", Field::INT32},
-      {"int32", Field::INT32},    {"uint", Field::UINT32},     {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32}, {"double", Field::FLOAT64},
-      {"float64", Field::FLOAT64}};
+      {"char", Field::INT8},      {"int8", Field::INT8},
+      {"uchar", Field::UINT8},    {"uint8", Field::UINT8},
+      {"short", Field::INT16},    {"int16", Field::INT16},
+      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},
+      {"int", Field::INT32},      {"int32", Field::INT32},
+      {"uint", Field::UINT32},    {"uint32", Field::UINT32},
+      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32},
+      {"double", Field::FLOAT64}, {"float64", Field::FLOAT64}};
   const auto it = types.find(name);
   return it == types.end() ? 0 : it->second;
 }
@@ -67,9 +69,8 @@ addProperty(const std::vector<std::string_view>& words,
   field.count = 1;
   field.datatype = dataType(words[1]);
   if (field.datatype == 0)
-    refuse(path,
-           "property '" + field.name + "' is of the unknown type '" + std::string(words[1]) +
-               "'");
+    refuse(path, "property '" + field.name + "' is of the unknown type '" +
+                     std::string(words[1]) + "'");
   element.fields.push_back(field);
 }
 
@@ -108,11 +109,12 @@ readHeader(const MappedFile& file, const std::string& path)
 }
 
 [[noreturn]] void
-refuseCutOff(const std::string& path, const PlyElement& vertices, const std::string& found)
+refuseCutOff(const std::string& path,
+             const PlyElement& vertices,
+             const std::string& found)
 {
-  refuse(path,
-         "the file is cut off, its header promises " + std::to_string(vertices.count) +
-             " vertices, " + found);
+  refuse(path, "the file is cut off, its header promises " +
+                   std::to_string(vertices.count) + " vertices, " + found);
 }
 
 void
@@ -132,9 +134,9 @@ readAscii(const MappedFile& file,
     const std::size_t read =
         readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
     if (read != values)
-      refuse(path,
-             "vertex " + std::to_string(point + 1) + " has " + std::to_string(read) + " of " +
-                 std::to_string(values) + " numbers");
+      refuse(path, "vertex " + std::to_string(point + 1) + " has " +
+                       std::to_string(read) + " of " + std::to_string(values) +
+                       " numbers");
   }
   if (point < blob.width)
     refuseCutOff(path, vertices, "it holds " + std::to_string(point));
@@ -160,11 +162,13 @@ renameNormals(std::vector<pcl::PCLPointField>& fields)
         field.name = std::string("normal_") + axis;
 }
 
-/** @brief Joins red, green, blue and alpha of one byte each into `rgb`, or `rgba` with alpha. */
+/** @brief Joins red, green, blue and alpha of one byte each into `rgb`, or `rgba` with
+ * alpha. */
 void
 joinColours(pcl::PCLPointCloud2& blob)
 {
-  const std::array<const char*, 4> names{"blue", "green", "red", "alpha"}; // low byte first
+  const std::array<const char*, 4> names{"blue", "green", "red",
+                                         "alpha"}; // low byte first
   std::array<int, 4> offsets{-1, -1, -1, -1};
   for (std::size_t c = 0; c < names.size(); ++c)
     for (const auto& field : blob.fields)
@@ -182,7 +186,8 @@ joinColours(pcl::PCLPointCloud2& blob)
   const std::vector<pcl::PCLPointField> others = joined.fields;
   pcl::PCLPointField colour;
   colour.name = has_alpha ? "rgba" : "rgb";
-  colour.datatype = has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32;
+  colour.datatype =
+      has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32;
   colour.count = 1;
   joined.fields.push_back(colour);
   layOut(joined, blob.width, "");
@@ -191,8 +196,7 @@ joinColours(pcl::PCLPointCloud2& blob)
     const auto* from = &blob.data[i * blob.point_step];
     auto* to = &joined.data[i * joined.point_step];
     for (std::size_t f = 0; f < others.size(); ++f)
-      std::memcpy(to + joined.fields[f].offset,
-                  from + others[f].offset,
+      std::memcpy(to + joined.fields[f].offset, from + others[f].offset,
                   fieldSize(others[f].datatype));
     for (std::size_t c = 0; c < names.size(); ++c)
       to[joined.fields.back().offset + c] =
@@ -216,12 +220,11 @@ readPly(const MappedFile& file, const std::string& path)
 {
   const PlyHeader header = readHeader(file, path);
   const bool ascii = header.format == "ascii";
-  if (!ascii && header.format != "binary_little_endian" && header.format != "binary_big_endian")
+  if (!ascii && header.format != "binary_little_endian" &&
+      header.format != "binary_big_endian")
     refuse(path, "its format is '" + header.format + "'");
-  const auto vertices =
-      std::find_if(header.elements.begin(), header.elements.end(), [](const auto& e) {
-        return e.name == "vertex";
-      });
+  const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
+                                     [](const auto& e) { return e.name == "vertex"; });
   if (vertices == header.elements.end() || vertices->has_lists)
     refuse(path, "it has no element 'vertex' without lists");
 
@@ -246,10 +249,10 @@ readPly(const MappedFile& file, const std::string& path)
     const std::size_t needed = std::size_t{blob.width} * blob.point_step;
     const std::size_t follow = file.size() - header.data_begin;
     if (follow < skip || follow - skip < needed)
-      refuseCutOff(path,
-                   *vertices,
+      refuseCutOff(path, *vertices,
                    std::to_string(needed) + " bytes, but " +
-                       std::to_string(follow - std::min(skip, follow)) + " bytes follow");
+                       std::to_string(follow - std::min(skip, follow)) +
+                       " bytes follow");
     const auto* first = file.data() + header.data_begin + skip;
     blob.data.assign(first, first + needed);
     if (header.format == "binary_big_endian")

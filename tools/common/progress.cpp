@@ -11,7 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-Progress::Progress(std::string step) : step_(std::move(step))
+Progress::Progress(std::string step)
+    : step_(std::move(step))
 {
   if (isatty(STDERR_FILENO) != 0)
     watcher_ = std::thread(&Progress::watch, this);

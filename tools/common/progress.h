@@ -11,8 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Tells on a terminal what a tool is at, from its making to its end, if that takes over a
- * second. Silent where stderr is no terminal.
+/** @brief Tells on a terminal what a tool is at, from its making to its end, if that
+ * takes over a second. Silent where stderr is no terminal.
  * @code
  * const Progress progress("finding planes");
  * @endcode */
@@ -21,12 +21,10 @@ public:
   explicit Progress(std::string step);
   ~Progress();
   Progress(const Progress&) = delete;
-  Progress&
-  operator=(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
 private:
-  void
-  watch();
+  void watch();
 
   std::string step_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

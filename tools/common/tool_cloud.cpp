@@ -29,7 +29,8 @@ checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
     names += " " + field.name;
   for (const char* name : {"x", "y", "z"})
     if (!findField(blob, name))
-      throw ToolError("'" + path + "' has no field '" + name + "', its fields are:" + names);
+      throw ToolError("'" + path + "' has no field '" + name +
+                      "', its fields are:" + names);
 }
 
 /** @brief Leaves out padding and turns x, y and z into FLOAT32. */
@@ -40,9 +41,11 @@ tidyFields(pcl::PCLPointCloud2& blob, const std::string& path)
   std::vector<pcl::PCLPointField> sources;
   bool is_tidy = true;
   for (const auto& field : blob.fields) {
-    const bool is_coordinate = field.name == "x" || field.name == "y" || field.name == "z";
-    const bool converts = is_coordinate && (field.datatype != pcl::PCLPointField::FLOAT32 ||
-                                            field.count != 1);
+    const bool is_coordinate =
+        field.name == "x" || field.name == "y" || field.name == "z";
+    const bool converts =
+        is_coordinate &&
+        (field.datatype != pcl::PCLPointField::FLOAT32 || field.count != 1);
     is_tidy = is_tidy && field.name != "_" && !converts;
     if (field.name == "_")
       continue;
@@ -79,8 +82,8 @@ median(std::vector<double> values)
   return *middle;
 }
 
-/** @brief Refuses clouds without a finite point, and those that lie, but for stray points, too far
- * from the origin for a float. */
+/** @brief Refuses clouds without a finite point, and those that lie, but for stray
+ * points, too far from the origin for a float. */
 void
 checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
 {
@@ -92,8 +95,8 @@ checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
   for (std::size_t i = 0; i < blob.width; ++i) {
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] =
-          readField(&blob.data[i * blob.point_step + xyz[axis]->offset], xyz[axis]->datatype);
+      p[axis] = readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
+                          xyz[axis]->datatype);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       continue;
     if (finite++ % stride != 0)
@@ -111,12 +114,13 @@ checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
   std::ostringstream sentence;
   sentence.precision(2);
   sentence << "the coordinates of '" << path << "' are too large: at "
-           << static_cast<long long>(std::min(size, 1e18)) << " m a float resolves no finer than "
-           << size * float_step * 1000 << " mm; subtract an origin first, say (";
+           << static_cast<long long>(std::min(size, 1e18))
+           << " m a float resolves no finer than " << size * float_step * 1000
+           << " mm; subtract an origin first, say (";
   for (std::size_t axis = 0; axis < 3; ++axis)
     sentence << (axis > 0 ? ", " : "")
-             << static_cast<long long>(
-                    std::clamp(std::round(median(values[axis]) / 1000) * 1000, -1e18, 1e18));
+             << static_cast<long long>(std::clamp(
+                    std::round(median(values[axis]) / 1000) * 1000, -1e18, 1e18));
   throw ToolError(sentence.str() + ") m");
 }
 
@@ -158,8 +162,7 @@ loadCloud(const std::string& path)
   for (std::size_t i = 0; i < blob.width; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis)
       std::memcpy(&(*cloud.points)[i].data[axis],
-                  &blob.data[i * blob.point_step + offsets[axis]],
-                  sizeof(float));
+                  &blob.data[i * blob.point_step + offsets[axis]], sizeof(float));
 
   cloud.label = wholeField(blob, "label");
   cloud.room = wholeField(blob, "room");

@@ -11,52 +11,50 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A cloud as a tool holds it: all fields, and what every stage reads of them. */
+/** @brief A cloud as a tool holds it: all fields, and what every stage reads of them.
+ */
 struct ToolCloud {
   std::string path;
-  pcl::PCLPointCloud2 blob; ///< every field of the file; x, y, z as FLOAT32, no padding, height 1
-  pcl::PointCloud<pcl::PointXYZ>::Ptr points; ///< x, y, z of the rows; carries the viewpoint
-  std::vector<std::uint32_t> label; ///< a StructureLabel a row, zeros if the file has none
-  std::vector<std::uint32_t> room;  ///< 0 none, zeros if the file has none
+  pcl::PCLPointCloud2
+      blob; ///< every field of the file; x, y, z as FLOAT32, no padding, height 1
+  pcl::PointCloud<pcl::PointXYZ>::Ptr
+      points; ///< x, y, z of the rows; carries the viewpoint
+  std::vector<std::uint32_t>
+      label; ///< a StructureLabel a row, zeros if the file has none
+  std::vector<std::uint32_t> room; ///< 0 none, zeros if the file has none
   bool has_label = false;
   bool has_room = false;
 
-  std::size_t
-  size() const
-  {
-    return label.size();
-  }
+  std::size_t size() const { return label.size(); }
 
   /** @brief The rows with this label. */
-  pcl::Indices
-  withLabel(StructureLabel wanted) const;
+  pcl::Indices withLabel(StructureLabel wanted) const;
 };
 
 /** @brief Reads a PCD or PLY file, told apart by its content.
  *
- * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD nor PLY, cut
- * off, damaged, no x, y or z, 0 points, no finite point, or most coordinates so large that a float
- * resolves them no finer than 1 mm (above 8388 m). */
-ToolCloud
-loadCloud(const std::string& path);
+ * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
+ * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most
+ * coordinates so large that a float resolves them no finer than 1 mm (above 8388 m). */
+ToolCloud loadCloud(const std::string& path);
 
 enum class PcdData { Binary, Compressed };
 
-/** @brief Throws a ToolError if no cloud can be written to `path`: see checkWritable(); the name
- * must end in .pcd or .ply. To be asked before the work. */
-void
-checkCloudOutput(const std::string& path);
+/** @brief Throws a ToolError if no cloud can be written to `path`: see checkWritable();
+ * the name must end in .pcd or .ply. To be asked before the work. */
+void checkCloudOutput(const std::string& path);
 
-/** @brief Writes `cloud.blob` whole or not at all: PCD, or binary PLY if `path` ends in .ply. What
- * fails is a ToolError. `label` and `room` of the ToolCloud are not looked at: see setField(). */
-void
-saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data = PcdData::Binary);
+/** @brief Writes `cloud.blob` whole or not at all: PCD, or binary PLY if `path` ends in
+ * .ply. What fails is a ToolError. `label` and `room` of the ToolCloud are not looked
+ * at: see setField(). */
+void saveCloud(const std::string& path,
+               const ToolCloud& cloud,
+               PcdData data = PcdData::Binary);
 
 /** @brief The same for a blob alone, seen from the origin. */
-void
-saveCloud(const std::string& path,
-          const pcl::PCLPointCloud2& blob,
-          PcdData data = PcdData::Binary);
+void saveCloud(const std::string& path,
+               const pcl::PCLPointCloud2& blob,
+               PcdData data = PcdData::Binary);
 
 } // namespace tools
 } // namespace sedr

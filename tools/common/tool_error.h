@@ -19,14 +19,11 @@ enum ExitCode {
 class ToolError : public std::runtime_error {
 public:
   explicit ToolError(const std::string& sentence, ExitCode exit_code = BadUse)
-  : std::runtime_error(sentence), exit_code_(exit_code)
+      : std::runtime_error(sentence)
+      , exit_code_(exit_code)
   {}
 
-  ExitCode
-  exitCode() const
-  {
-    return exit_code_;
-  }
+  ExitCode exitCode() const { return exit_code_; }
 
 private:
   ExitCode exit_code_;

@@ -43,7 +43,8 @@ checkWritable(const std::string& path)
     throw ToolError("cannot write a file without a name");
   std::error_code error;
   const fs::path target = targetOf(path);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::path folder =
+      target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
     refuse(path, "there is no folder '" + folder.string() + "'");
   if (fs::is_directory(target, error))

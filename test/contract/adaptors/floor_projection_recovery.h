@@ -9,43 +9,37 @@
 
 namespace contract {
 
-/** The indices are taken for the floor only where they lie low: its ceiling is the sample room's. */
+/** The indices are taken for the floor only where they lie low: its ceiling is the
+ * sample room's. */
 class FloorProjectionRecoveryAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool works_in_place = true;
   static constexpr int spoils = 6;
 
-  FloorProjectionRecoveryAdaptor()
-  {
-    mend();
-  }
+  FloorProjectionRecoveryAdaptor() { mend(); }
 
-  void
-  setInput(const Cloud::ConstPtr& cloud)
+  void setInput(const Cloud::ConstPtr& cloud)
   {
     recovery_.setInputCloud(cloud);
     recovery_.setCeilingIndices(between(*cloud, 2.4f, 2.6f));
   }
 
-  void
-  setIndices(const pcl::IndicesPtr& indices)
+  void setIndices(const pcl::IndicesPtr& indices)
   {
     recovery_.setIndices(indices);
     recovery_.setCeilingIndices(ceilingAmong(*indices));
   }
 
-  void
-  mend()
+  void mend()
   {
     recovery_.setGridSize(0.05);
     recovery_.setFloorCoefficients(nullptr);
   }
 
-  void
-  spoil(int which)
+  void spoil(int which)
   {
-    const double sizes[] = {
-        0, -1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+    const double sizes[] = {0, -1, std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity()};
     if (which < 4) {
       recovery_.setGridSize(sizes[which]);
       return;
@@ -58,8 +52,7 @@ public:
     recovery_.setFloorCoefficients(plane);
   }
 
-  Outcome
-  run()
+  Outcome run()
   {
     Cloud output;
     output.emplace_back(7.f, 7.f, 7.f);
@@ -67,8 +60,7 @@ public:
     return outcomeOf(output);
   }
 
-  Outcome
-  runInPlace(const Cloud::Ptr& cloud)
+  Outcome runInPlace(const Cloud::Ptr& cloud)
   {
     setInput(cloud);
     recovery_.filter(*cloud);
@@ -76,8 +68,7 @@ public:
   }
 
 private:
-  pcl::IndicesPtr
-  ceilingAmong(const pcl::Indices& indices) const
+  pcl::IndicesPtr ceilingAmong(const pcl::Indices& indices) const
   {
     const auto& cloud = *recovery_.getInputCloud();
     auto ceiling = std::make_shared<pcl::Indices>();
@@ -88,8 +79,7 @@ private:
     return ceiling;
   }
 
-  Outcome
-  outcomeOf(const Cloud& output) const
+  Outcome outcomeOf(const Cloud& output) const
   {
     Outcome outcome;
     outcome.size = output.size();

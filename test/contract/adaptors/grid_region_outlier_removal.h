@@ -13,34 +13,20 @@ public:
   static constexpr bool works_in_place = true;
   static constexpr int spoils = 5;
 
-  void
-  setInput(const Cloud::ConstPtr& cloud)
-  {
-    removal_.setInputCloud(cloud);
-  }
+  void setInput(const Cloud::ConstPtr& cloud) { removal_.setInputCloud(cloud); }
 
-  void
-  setIndices(const pcl::IndicesPtr& indices)
-  {
-    removal_.setIndices(indices);
-  }
+  void setIndices(const pcl::IndicesPtr& indices) { removal_.setIndices(indices); }
 
-  void
-  setNegative(bool negative)
-  {
-    removal_.setNegative(negative);
-  }
+  void setNegative(bool negative) { removal_.setNegative(negative); }
 
-  void
-  mend()
+  void mend()
   {
     removal_.setGridSize(0.05);
     removal_.setOpeningRadius(0);
     removal_.setMinimumSupport(0.5);
   }
 
-  void
-  spoil(int which)
+  void spoil(int which)
   {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double sizes[] = {0, -0.05, std::numeric_limits<double>::infinity()};
@@ -52,8 +38,7 @@ public:
       removal_.setMinimumSupport(which == 4 ? 1.5 : nan);
   }
 
-  Outcome
-  run()
+  Outcome run()
   {
     pcl::Indices kept{7, 7, 7};
     removal_.filter(kept);
@@ -65,8 +50,7 @@ public:
     return outcome;
   }
 
-  Outcome
-  runInPlace(const Cloud::Ptr& cloud)
+  Outcome runInPlace(const Cloud::Ptr& cloud)
   {
     setInput(cloud);
     removal_.filter(*cloud);
@@ -76,8 +60,7 @@ public:
   }
 
 protected:
-  Outcome
-  outcomeOf(std::size_t size) const
+  Outcome outcomeOf(std::size_t size) const
   {
     Outcome outcome;
     outcome.size = size;
@@ -98,20 +81,15 @@ protected:
 /** The same with everything beyond the paper turned on. */
 class OpenedGridRegionOutlierRemovalAdaptor : public GridRegionOutlierRemovalAdaptor {
 public:
-  OpenedGridRegionOutlierRemovalAdaptor()
-  {
-    mend();
-  }
+  OpenedGridRegionOutlierRemovalAdaptor() { mend(); }
 
-  void
-  setInput(const Cloud::ConstPtr& cloud)
+  void setInput(const Cloud::ConstPtr& cloud)
   {
     GridRegionOutlierRemovalAdaptor::setInput(cloud);
     removal_.setSupportIndices(between(*cloud, -0.1f, 0.1f));
   }
 
-  void
-  mend()
+  void mend()
   {
     GridRegionOutlierRemovalAdaptor::mend();
     removal_.setOpeningRadius(2);

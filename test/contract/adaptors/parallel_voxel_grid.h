@@ -13,47 +13,30 @@ public:
   static constexpr bool works_in_place = true;
   static constexpr int spoils = 5;
 
-  ParallelVoxelGridAdaptor()
-  {
-    mend();
-  }
+  ParallelVoxelGridAdaptor() { mend(); }
 
-  void
-  setInput(const Cloud::ConstPtr& cloud)
-  {
-    grid_.setInputCloud(cloud);
-  }
+  void setInput(const Cloud::ConstPtr& cloud) { grid_.setInputCloud(cloud); }
 
-  void
-  setIndices(const pcl::IndicesPtr& indices)
-  {
-    grid_.setIndices(indices);
-  }
+  void setIndices(const pcl::IndicesPtr& indices) { grid_.setIndices(indices); }
 
-  void
-  setThreads(unsigned threads)
-  {
-    grid_.setNumberOfThreads(threads);
-  }
+  void setThreads(unsigned threads) { grid_.setNumberOfThreads(threads); }
 
-  void
-  mend()
+  void mend()
   {
     grid_.setLeafSize(0.1f, 0.1f, 0.1f);
     grid_.setFilterFieldName("");
     grid_.setSaveLeafLayout(true);
   }
 
-  void
-  spoil(int which)
+  void spoil(int which)
   {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float leaves[] = {0.f, -1.f, nan, std::numeric_limits<float>::infinity(), 1e-45f};
+    const float leaves[] = {0.f, -1.f, nan, std::numeric_limits<float>::infinity(),
+                            1e-45f};
     grid_.setLeafSize(0.1f, leaves[which], 0.1f);
   }
 
-  Outcome
-  run()
+  Outcome run()
   {
     Cloud output;
     output.emplace_back(7.f, 7.f, 7.f);
@@ -61,8 +44,7 @@ public:
     return outcomeOf(output);
   }
 
-  Outcome
-  runInPlace(const Cloud::Ptr& cloud)
+  Outcome runInPlace(const Cloud::Ptr& cloud)
   {
     setInput(cloud);
     grid_.filter(*cloud);
@@ -70,8 +52,7 @@ public:
   }
 
 private:
-  Outcome
-  outcomeOf(const Cloud& output) const
+  Outcome outcomeOf(const Cloud& output) const
   {
     Outcome outcome;
     outcome.size = output.size();

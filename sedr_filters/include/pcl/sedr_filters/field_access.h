@@ -12,8 +12,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Calls `f` with a value of the C++ type behind `datatype`, a constant of PCLPointField; not
- * at all if it is none. */
+/** @brief Calls `f` with a value of the C++ type behind `datatype`, a constant of
+ * PCLPointField; not at all if it is none. */
 template <typename FunctionT>
 void
 withFieldType(std::uint8_t datatype, FunctionT f)
@@ -58,8 +58,8 @@ readField(const std::uint8_t* where, std::uint8_t datatype)
   return value;
 }
 
-/** @brief Writes `value` to `where` as a `datatype`: rounded to the nearest and kept within the
- * range where that is an integer, NaN as 0. */
+/** @brief Writes `value` to `where` as a `datatype`: rounded to the nearest and kept
+ * within the range where that is an integer, NaN as 0. */
 inline void
 writeField(std::uint8_t* where, std::uint8_t datatype, double value)
 {
@@ -69,7 +69,8 @@ writeField(std::uint8_t* where, std::uint8_t datatype, double value)
     constexpr auto high = std::numeric_limits<T>::max();
     if constexpr (!std::is_integral<T>::value)
       typed = static_cast<T>(value);
-    else if (value >= static_cast<double>(high)) // itself perhaps above any T, once a double
+    else if (value >=
+             static_cast<double>(high)) // itself perhaps above any T, once a double
       typed = high;
     else if (value <= static_cast<double>(low))
       typed = low;

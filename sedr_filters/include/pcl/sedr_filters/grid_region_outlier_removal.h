@@ -10,18 +10,21 @@
 
 namespace pcl {
 
-/** @brief Removes what is not part of a large region in plan (paper, section 2.3.1): pieces of
- * neighbouring rooms or of the street, seen through doors and windows at the height of a ceiling.
+/** @brief Removes what is not part of a large region in plan (paper, section 2.3.1):
+ * pieces of neighbouring rooms or of the street, seen through doors and windows at the
+ * height of a ceiling.
  *
- * The points are divided into square cells of the x-y plane (z up, metres); occupied cells that
- * touch, corners included, form a region; the sizes of the regions in cells are sorted, and regions
- * above the smaller side of their largest difference are kept. One region alone, or several of one
- * size, are all kept. The kept regions are the first segmentation into rooms.
+ * The points are divided into square cells of the x-y plane (z up, metres); occupied
+ * cells that touch, corners included, form a region; the sizes of the regions in cells
+ * are sorted, and regions above the smaller side of their largest difference are kept.
+ * One region alone, or several of one size, are all kept. The kept regions are the
+ * first segmentation into rooms.
  *
- * Non-finite points are never kept, with setNegative(true) neither, and always among the removed
- * indices. An empty cloud gives an empty output. A grid size that is not above 0, an index beyond
- * the cloud, and the like: PCL_ERROR, nothing is kept, and getErrorMessage() says why.
- * O(n log n) in time, O(n) in memory at any extent; no threads, no chance.
+ * Non-finite points are never kept, with setNegative(true) neither, and always among
+ * the removed indices. An empty cloud gives an empty output. A grid size that is not
+ * above 0, an index beyond the cloud, and the like: PCL_ERROR, nothing is kept, and
+ * getErrorMessage() says why. O(n log n) in time, O(n) in memory at any extent; no
+ * threads, no chance.
  * @code
  * pcl::GridRegionOutlierRemoval<pcl::PointXYZ> removal;
  * removal.setInputCloud(scan);
@@ -39,130 +42,69 @@ public:
 
   /** @param extract_removed_indices whether getRemovedIndices() is filled */
   explicit GridRegionOutlierRemoval(bool extract_removed_indices = false)
-  : FilterIndices<PointT>(extract_removed_indices)
+      : FilterIndices<PointT>(extract_removed_indices)
   {
     filter_name_ = "GridRegionOutlierRemoval";
   }
 
-  /** @brief Edge of a cell, metres, > 0 (default 0.05): the leaf of the thinning, or more. */
-  void
-  setGridSize(double size)
-  {
-    grid_size_ = size;
-  }
+  /** @brief Edge of a cell, metres, > 0 (default 0.05): the leaf of the thinning, or
+   * more. */
+  void setGridSize(double size) { grid_size_ = size; }
 
-  double
-  getGridSize() const
-  {
-    return grid_size_;
-  }
+  double getGridSize() const { return grid_size_; }
 
-  /** @brief Beyond the paper: necks narrower than 2 radius + 1 cells do not join regions (default 0:
-   * off). The regions are those of the cells eroded by so many, grown back. */
-  void
-  setOpeningRadius(int cells)
-  {
-    opening_radius_ = cells;
-  }
+  /** @brief Beyond the paper: necks narrower than 2 radius + 1 cells do not join
+   * regions (default 0: off). The regions are those of the cells eroded by so many,
+   * grown back. */
+  void setOpeningRadius(int cells) { opening_radius_ = cells; }
 
-  int
-  getOpeningRadius() const
-  {
-    return opening_radius_;
-  }
+  int getOpeningRadius() const { return opening_radius_; }
 
-  /** @brief What erosion leaves of a region must have so many cells to be a region of its own where
-   * a larger one can be reached (default 100, 0.25 square metres). For the opening alone. */
-  void
-  setMinimumCore(std::size_t cells)
-  {
-    minimum_core_ = cells;
-  }
+  /** @brief Of what an opening parts, pieces under so many cells go back to a larger
+   * one that they touch (default 400, one square metre). Without an opening of no
+   * effect. */
+  void setMinimumPart(std::size_t cells) { minimum_part_ = cells; }
 
-  std::size_t
-  getMinimumCore() const
-  {
-    return minimum_core_;
-  }
+  std::size_t getMinimumPart() const { return minimum_part_; }
 
-  /** @brief Beyond the paper: points of the input cloud, say the floor, that speak for a region:
-   * one below the threshold is kept too if enough of its cells have such a point within a cell.
-   * Null: off (default). */
-  void
-  setSupportIndices(const IndicesConstPtr& support)
-  {
-    support_ = support;
-  }
+  /** @brief Beyond the paper: points of the input cloud, say the floor, that speak for
+   * a region: one below the threshold is kept too if enough of its cells have such a
+   * point within a cell. Null: off (default). */
+  void setSupportIndices(const IndicesConstPtr& support) { support_ = support; }
 
-  IndicesConstPtr
-  getSupportIndices() const
-  {
-    return support_;
-  }
+  IndicesConstPtr getSupportIndices() const { return support_; }
 
   /** @brief Share of a region's cells that must be supported, 0 to 1 (default 0.5). */
-  void
-  setMinimumSupport(double share)
-  {
-    minimum_support_ = share;
-  }
+  void setMinimumSupport(double share) { minimum_support_ = share; }
 
-  double
-  getMinimumSupport() const
-  {
-    return minimum_support_;
-  }
+  double getMinimumSupport() const { return minimum_support_; }
 
-  /** @brief Cells that a region must have to be kept for its support (default 400, one square
-   * metre). */
-  void
-  setMinimumSupportedCells(std::size_t cells)
-  {
-    minimum_supported_cells_ = cells;
-  }
+  /** @brief Cells that a region must have to be kept for its support (default 400, one
+   * square metre). */
+  void setMinimumSupportedCells(std::size_t cells) { minimum_supported_cells_ = cells; }
 
-  std::size_t
-  getMinimumSupportedCells() const
-  {
-    return minimum_supported_cells_;
-  }
+  std::size_t getMinimumSupportedCells() const { return minimum_supported_cells_; }
 
   /** @brief Writes the points kept to `output`, which may be the input. */
-  void
-  filter(PointCloud& output);
+  void filter(PointCloud& output);
 
-  /** @brief Writes the indices of the points kept to `indices`, in the order they were given. */
-  void
-  filter(Indices& indices);
+  /** @brief Writes the indices of the points kept to `indices`, in the order they were
+   * given. */
+  void filter(Indices& indices);
 
-  /** @brief Of each point of the input cloud its region after the last run: 1 .. n the kept ones by
-   * decreasing size, 0 for all other points. */
-  const std::vector<int>&
-  getRegionLabels() const
-  {
-    return region_labels_;
-  }
+  /** @brief Of each point of the input cloud its region after the last run: 1 .. n the
+   * kept ones by decreasing size, 0 for all other points. */
+  const std::vector<int>& getRegionLabels() const { return region_labels_; }
 
   /** @brief Sizes of all regions of the last run, kept or not: cells, decreasing. */
-  const std::vector<std::size_t>&
-  getRegionSizes() const
-  {
-    return region_sizes_;
-  }
+  const std::vector<std::size_t>& getRegionSizes() const { return region_sizes_; }
 
-  /** @brief The adaptive threshold of the last run, in cells: larger regions were kept. */
-  std::size_t
-  getThreshold() const
-  {
-    return threshold_;
-  }
+  /** @brief The adaptive threshold of the last run, in cells: larger regions were kept.
+   */
+  std::size_t getThreshold() const { return threshold_; }
 
   /** @brief How many regions the last run kept. */
-  std::size_t
-  getNumberOfRegions() const
-  {
-    return number_of_regions_;
-  }
+  std::size_t getNumberOfRegions() const { return number_of_regions_; }
 
 protected:
   using FilterIndices<PointT>::filter_name_;
@@ -174,37 +116,30 @@ protected:
   using FilterIndices<PointT>::extract_removed_indices_;
   using FilterIndices<PointT>::applyFilter;
 
-  void
-  applyFilter(Indices& indices) override;
+  void applyFilter(Indices& indices) override;
 
 private:
-  void
-  clearResults();
+  void clearResults();
 
-  bool
-  validate();
+  bool validate();
 
   /** @brief Number of each region, 1 .. n for those to keep and 0 for the rest. */
-  std::vector<int>
-  numberKeptRegions(const sedr::CellSet& cells,
-                    const sedr::CellRegions& regions,
-                    const sedr::CellGrid& grid) const;
+  std::vector<int> numberKeptRegions(const sedr::CellSet& cells,
+                                     const sedr::CellRegions& regions,
+                                     const sedr::CellGrid& grid) const;
 
-  void
-  labelPoints(const sedr::CellGrid& grid,
-              const sedr::CellSet& cells,
-              const sedr::CellRegions& regions,
-              const std::vector<int>& number);
+  void labelPoints(const sedr::CellGrid& grid,
+                   const sedr::CellSet& cells,
+                   const sedr::CellRegions& regions,
+                   const std::vector<int>& number);
 
-  void
-  labelRegions();
+  void labelRegions();
 
-  void
-  split(Indices& kept);
+  void split(Indices& kept);
 
   double grid_size_ = 0.05;
   int opening_radius_ = 0;
-  std::size_t minimum_core_ = 100;
+  std::size_t minimum_part_ = 400;
   IndicesConstPtr support_;
   double minimum_support_ = 0.5;
   std::size_t minimum_supported_cells_ = 400;

@@ -9,20 +9,23 @@
 
 namespace pcl {
 
-/** @brief Thins a cloud to the mean of the points of each voxel (paper, section 2.2): a drop-in for
- * pcl::VoxelGrid that uses all processors and works at any extent.
+/** @brief Thins a cloud to the mean of the points of each voxel (paper, section 2.2): a
+ * drop-in for pcl::VoxelGrid that uses all processors and works at any extent.
  *
  * Voxels, means and the order of the output are those of pcl::VoxelGrid: voxel
- * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed in double. The other
- * fields are averaged as pcl::CentroidPoint does (colours by channel, normals made unit length,
- * labels and rooms by majority), or left at their defaults with setDownsampleAllData(false).
+ * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed in
+ * double. The other fields are averaged as pcl::CentroidPoint does (colours by channel,
+ * normals made unit length, labels and rooms by majority), or left at their defaults
+ * with setDownsampleAllData(false).
  *
- * An empty cloud, or one of nothing but NaN, gives an empty output. Non-finite points are skipped.
- * A leaf that is not above 0, an unknown filter field or an index beyond the cloud: PCL_ERROR, an
- * empty output, all indices removed, and getErrorMessage() says why. The removed indices are those that took part in no
- * output point: non-finite, outside the limits, or in a voxel with too few points.
+ * An empty cloud, or one of nothing but NaN, gives an empty output. Non-finite points
+ * are skipped. A leaf that is not above 0, an unknown filter field or an index beyond
+ * the cloud: PCL_ERROR, an empty output, all indices removed, and getErrorMessage()
+ * says why. The removed indices are those that took part in no output point:
+ * non-finite, outside the limits, or in a voxel with too few points.
  *
- * O(n), about 20 bytes a point beside input and output. The same bytes for any number of threads.
+ * O(n), about 20 bytes a point beside input and output. The same bytes for any number
+ * of threads.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
  * grid.setInputCloud(scan);
@@ -40,25 +43,23 @@ public:
 
   /** @param extract_removed_indices whether getRemovedIndices() is filled */
   explicit ParallelVoxelGrid(bool extract_removed_indices = false)
-  : Filter<PointT>(extract_removed_indices)
+      : Filter<PointT>(extract_removed_indices)
   {
     filter_name_ = "ParallelVoxelGrid";
   }
 
   /** @brief Writes one point a voxel to `output`, which may be the input. */
-  void
-  filter(PointCloud& output);
+  void filter(PointCloud& output);
 
-  /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there is none or
-   * the layout was not saved. */
-  int
-  getCentroidIndex(const PointT& p) const
+  /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there
+   * is none or the layout was not saved. */
+  int getCentroidIndex(const PointT& p) const
   {
     return getCentroidIndexAt(getGridCoordinates(p.x, p.y, p.z));
   }
 
-  /** @brief Indices in the output of the voxels at `relative_coordinates` (3 x n) from the voxel of
-   * `reference_point`, -1 for the empty ones. */
+  /** @brief Indices in the output of the voxels at `relative_coordinates` (3 x n) from
+   * the voxel of `reference_point`, -1 for the empty ones. */
   std::vector<int>
   getNeighborCentroidIndices(const PointT& reference_point,
                              const Eigen::MatrixXi& relative_coordinates) const;
@@ -70,43 +71,40 @@ protected:
   using Filter<PointT>::removed_indices_;
   using Filter<PointT>::extract_removed_indices_;
 
-  void
-  applyFilter(PointCloud& output) override;
+  void applyFilter(PointCloud& output) override;
 
 private:
-  /** @brief Checks the parameters, and selects the points within the limits of the filter field. */
-  bool
-  selectPoints(pcl::Indices& selected);
+  /** @brief Checks the parameters, and selects the points within the limits of the
+   * filter field. */
+  bool selectPoints(pcl::Indices& selected);
 
-  PointT
-  meanOf(const pcl::index_t* first, const pcl::index_t* last) const;
+  PointT meanOf(const pcl::index_t* first, const pcl::index_t* last) const;
 };
 
-/** @brief The same for a cloud of any fields: every field is averaged, integers rounded to the
- * nearest, `rgb` and `rgba` by channel, `label` and `room` by majority, normals made unit length. x, y
- * and z may be FLOAT32 or FLOAT64; voxels are told apart in float. */
+/** @brief The same for a cloud of any fields: every field is averaged, integers rounded
+ * to the nearest, `rgb` and `rgba` by channel, `label` and `room` by majority, normals
+ * made unit length. x, y and z may be FLOAT32 or FLOAT64; voxels are told apart in
+ * float. */
 template <>
 class PCL_EXPORTS ParallelVoxelGrid<pcl::PCLPointCloud2>
-: public Filter<pcl::PCLPointCloud2>,
-  public sedr::VoxelGridSettings,
-  public sedr::StageError {
+    : public Filter<pcl::PCLPointCloud2>,
+      public sedr::VoxelGridSettings,
+      public sedr::StageError {
 public:
   using Ptr = shared_ptr<ParallelVoxelGrid<pcl::PCLPointCloud2>>;
   using ConstPtr = shared_ptr<const ParallelVoxelGrid<pcl::PCLPointCloud2>>;
 
   explicit ParallelVoxelGrid(bool extract_removed_indices = false)
-  : Filter<pcl::PCLPointCloud2>(extract_removed_indices)
+      : Filter<pcl::PCLPointCloud2>(extract_removed_indices)
   {
     filter_name_ = "ParallelVoxelGrid";
   }
 
   /** @brief Writes one point a voxel to `output`, which may be the input. */
-  void
-  filter(PCLPointCloud2& output);
+  void filter(PCLPointCloud2& output);
 
 protected:
-  void
-  applyFilter(PCLPointCloud2& output) override;
+  void applyFilter(PCLPointCloud2& output) override;
 };
 
 } // namespace pcl

@@ -10,11 +10,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Which room lies over a place: that of the ceiling above it, or under a detail of the
- * ceiling that of the ceiling the detail adjoins.
+/** @brief Which room lies over a place: that of the ceiling above it, or under a detail
+ * of the ceiling that of the ceiling the detail adjoins.
  *
- * A cell takes the room with most ceiling points in it; rooms grow from there over the cells of
- * details that have none. O(n log n). */
+ * A cell takes the room with most ceiling points in it; rooms grow from there over the
+ * cells of details that have none. O(n log n). */
 class RoomMap {
 public:
   /** @param grid cells of the plan
@@ -27,9 +27,9 @@ public:
           const pcl::Indices& ceiling,
           const pcl::Indices& detail);
 
-  /** @brief Room over (or at) point `index` of the cloud, 0 if there is none. O(log n). */
-  std::uint32_t
-  roomOver(pcl::index_t index) const;
+  /** @brief Room over (or at) point `index` of the cloud, 0 if there is none. O(log n).
+   */
+  std::uint32_t roomOver(pcl::index_t index) const;
 
 private:
   CellGrid grid_;

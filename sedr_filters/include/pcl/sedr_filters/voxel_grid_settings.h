@@ -13,179 +13,125 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What all ParallelVoxelGrid have in common, whatever their points: the parameters of
- * pcl::VoxelGrid, and the layout of the voxels after a run. */
+/** @brief What all ParallelVoxelGrid have in common, whatever their points: the
+ * parameters of pcl::VoxelGrid, and the layout of the voxels after a run. */
 class VoxelGridSettings {
 public:
   /** @brief Edges of a voxel, metres; the fourth value is ignored. */
-  void
-  setLeafSize(const Eigen::Vector4f& leaf_size)
+  void setLeafSize(const Eigen::Vector4f& leaf_size)
   {
     leaf_size_ = leaf_size.head<3>();
   }
 
   /** @brief Edges of a voxel along x, y and z, metres (default 0.05 each). */
-  void
-  setLeafSize(float lx, float ly, float lz)
-  {
-    leaf_size_ = {lx, ly, lz};
-  }
+  void setLeafSize(float lx, float ly, float lz) { leaf_size_ = {lx, ly, lz}; }
 
-  Eigen::Vector3f
-  getLeafSize() const
-  {
-    return leaf_size_;
-  }
+  Eigen::Vector3f getLeafSize() const { return leaf_size_; }
 
   /** @brief Whether all fields are averaged (default), or x, y and z alone. */
-  void
-  setDownsampleAllData(bool downsample)
-  {
-    downsample_all_data_ = downsample;
-  }
+  void setDownsampleAllData(bool downsample) { downsample_all_data_ = downsample; }
 
-  bool
-  getDownsampleAllData() const
-  {
-    return downsample_all_data_;
-  }
+  bool getDownsampleAllData() const { return downsample_all_data_; }
 
   /** @brief Voxels with fewer points give none (default 0). */
-  void
-  setMinimumPointsNumberPerVoxel(unsigned int min_points_per_voxel)
+  void setMinimumPointsNumberPerVoxel(unsigned int min_points_per_voxel)
   {
     min_points_per_voxel_ = min_points_per_voxel;
   }
 
-  unsigned int
-  getMinimumPointsNumberPerVoxel() const
-  {
-    return min_points_per_voxel_;
-  }
+  unsigned int getMinimumPointsNumberPerVoxel() const { return min_points_per_voxel_; }
 
-  /** @brief Whether to keep which voxel became which point (default false): 12 bytes a voxel. */
-  void
-  setSaveLeafLayout(bool save_leaf_layout)
+  /** @brief Whether to keep which voxel became which point (default false): 12 bytes a
+   * voxel. */
+  void setSaveLeafLayout(bool save_leaf_layout)
   {
     save_leaf_layout_ = save_leaf_layout;
   }
 
-  bool
-  getSaveLeafLayout() const
-  {
-    return save_leaf_layout_;
-  }
+  bool getSaveLeafLayout() const { return save_leaf_layout_; }
 
-  /** @brief Uses only points whose field `field_name` lies within the limits; empty: all. */
-  void
-  setFilterFieldName(const std::string& field_name)
+  /** @brief Uses only points whose field `field_name` lies within the limits; empty:
+   * all. */
+  void setFilterFieldName(const std::string& field_name)
   {
     filter_field_name_ = field_name;
   }
 
-  const std::string&
-  getFilterFieldName() const
-  {
-    return filter_field_name_;
-  }
+  const std::string& getFilterFieldName() const { return filter_field_name_; }
 
-  /** @brief The limits, both included; a value of NaN lies neither inside nor outside. */
-  void
-  setFilterLimits(double limit_min, double limit_max)
+  /** @brief The limits, both included; a value of NaN lies neither inside nor outside.
+   */
+  void setFilterLimits(double limit_min, double limit_max)
   {
     filter_limit_min_ = limit_min;
     filter_limit_max_ = limit_max;
   }
 
-  void
-  getFilterLimits(double& limit_min, double& limit_max) const
+  void getFilterLimits(double& limit_min, double& limit_max) const
   {
     limit_min = filter_limit_min_;
     limit_max = filter_limit_max_;
   }
 
   /** @brief Whether to use the points outside the limits instead (default false). */
-  void
-  setFilterLimitsNegative(bool limit_negative)
+  void setFilterLimitsNegative(bool limit_negative)
   {
     filter_limit_negative_ = limit_negative;
   }
 
-  bool
-  getFilterLimitsNegative() const
-  {
-    return filter_limit_negative_;
-  }
+  bool getFilterLimitsNegative() const { return filter_limit_negative_; }
 
-  /** @brief Threads to use, 0 = all processors (default). The result is the same, byte for byte. */
-  void
-  setNumberOfThreads(unsigned int threads)
-  {
-    threads_ = threads;
-  }
+  /** @brief Threads to use, 0 = all processors (default). The result is the same, byte
+   * for byte. */
+  void setNumberOfThreads(unsigned int threads) { threads_ = threads; }
 
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
+  unsigned int getNumberOfThreads() const { return threads_; }
 
-  /** @brief Smallest voxel coordinates of the last run; saturated where an int is too small. */
-  Eigen::Vector3i
-  getMinBoxCoordinates() const
-  {
-    return min_box_;
-  }
+  /** @brief Smallest voxel coordinates of the last run; saturated where an int is too
+   * small. */
+  Eigen::Vector3i getMinBoxCoordinates() const { return min_box_; }
 
-  /** @brief Largest voxel coordinates of the last run; saturated where an int is too small. */
-  Eigen::Vector3i
-  getMaxBoxCoordinates() const
-  {
-    return max_box_;
-  }
+  /** @brief Largest voxel coordinates of the last run; saturated where an int is too
+   * small. */
+  Eigen::Vector3i getMaxBoxCoordinates() const { return max_box_; }
 
   /** @brief Voxels along x, y and z of the box; saturated where an int is too small. */
-  Eigen::Vector3i
-  getNrDivisions() const;
+  Eigen::Vector3i getNrDivisions() const;
 
-  /** @brief (1, nx, nx ny) for nx by ny by nz voxels; saturated where an int is too small. */
-  Eigen::Vector3i
-  getDivisionMultiplier() const;
+  /** @brief (1, nx, nx ny) for nx by ny by nz voxels; saturated where an int is too
+   * small. */
+  Eigen::Vector3i getDivisionMultiplier() const;
 
-  /** @brief Voxel of a finite position (metres); saturated where an int is too small. */
-  Eigen::Vector3i
-  getGridCoordinates(float x, float y, float z) const
+  /** @brief Voxel of a finite position (metres); saturated where an int is too small.
+   */
+  Eigen::Vector3i getGridCoordinates(float x, float y, float z) const
   {
     return voxelOf({x, y, z}, inverseLeaf());
   }
 
-  /** @brief Index of the point that came of voxel `ijk`; -1 if the voxel is empty, outside, or
-   * the layout was not saved. O(log n). */
-  int
-  getCentroidIndexAt(const Eigen::Vector3i& ijk) const;
+  /** @brief Index of the point that came of voxel `ijk`; -1 if the voxel is empty,
+   * outside, or the layout was not saved. O(log n). */
+  int getCentroidIndexAt(const Eigen::Vector3i& ijk) const;
 
   /** @brief The layout as pcl::VoxelGrid gives it: entry (i - min_x) + (j - min_y) nx +
-   * (k - min_z) nx ny holds the index of the point of voxel (i, j, k), -1 if it is empty. Made when
-   * asked for; empty, with a PCL_ERROR, where it would hold more than 2^27 entries. */
-  std::vector<int>
-  getLeafLayout() const;
+   * (k - min_z) nx ny holds the index of the point of voxel (i, j, k), -1 if it is
+   * empty. Made when asked for; empty, with a PCL_ERROR, where it would hold more than
+   * 2^27 entries. */
+  std::vector<int> getLeafLayout() const;
 
 protected:
   VoxelGridSettings() = default;
   ~VoxelGridSettings() = default;
 
   /** @brief What is wrong with the parameters, a sentence; empty if nothing is. */
-  std::string
-  parameterProblem() const;
+  std::string parameterProblem() const;
 
-  Eigen::Array3f
-  inverseLeaf() const
+  Eigen::Array3f inverseLeaf() const
   {
     return Eigen::Array3f::Ones() / leaf_size_.array();
   }
 
-  bool
-  passesLimits(double value) const
+  bool passesLimits(double value) const
   {
     if (filter_limit_negative_)
       return value <= filter_limit_min_ || value >= filter_limit_max_;
@@ -193,19 +139,16 @@ protected:
   }
 
   /** @brief Forgets what the last run left. */
-  void
-  clearLayout();
+  void clearLayout();
 
-  /** @brief Drops the voxels with too few points from `partition` and keeps the box, and the
-   * layout if asked for. */
-  void
-  finishPartition(const PointView& points, VoxelPartition& partition);
+  /** @brief Drops the voxels with too few points from `partition` and keeps the box,
+   * and the layout if asked for. */
+  void finishPartition(const PointView& points, VoxelPartition& partition);
 
   /** @brief `indices` without what stayed in `partition`, in their order. */
-  static pcl::Indices
-  removedIndices(const pcl::Indices& indices,
-                 const VoxelPartition& partition,
-                 std::size_t cloud_size);
+  static pcl::Indices removedIndices(const pcl::Indices& indices,
+                                     const VoxelPartition& partition,
+                                     std::size_t cloud_size);
 
 private:
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);

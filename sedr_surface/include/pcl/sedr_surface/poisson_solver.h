@@ -47,7 +47,7 @@ solvePoisson(const std::vector<OrientedPoint>& points,
              std::size_t& complaints);
 
 /** @brief Typical distance between neighbouring points of a surface, metres: the side of the
- * square that each has for itself, median over at most 2000 of them.
+ * square that each has for itself, median over the area, from at most 4000 of the points.
  * Zero for fewer than 10 points. O(n log n). */
 double
 measureSpacing(const std::vector<OrientedPoint>& points);

@@ -59,14 +59,15 @@ FloorProjectionRecovery<PointT>::validate()
 {
   constexpr const char* name = "FloorProjectionRecovery";
   if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
-    return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
+    return fail(name,
+                "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
   std::string problem = sedr::indicesProblem(*indices_, input_->size());
   if (!problem.empty())
     return fail(name, "floor " + problem);
   if (!ceiling_ || ceiling_->empty())
-    return fail(name,
-                "the ceiling has 0 points, there is nothing to complete the " +
-                    std::to_string(indices_->size()) + " points of the floor from");
+    return fail(name, "the ceiling has 0 points, there is nothing to complete the " +
+                          std::to_string(indices_->size()) +
+                          " points of the floor from");
   problem = sedr::indicesProblem(*ceiling_, input_->size());
   if (!problem.empty())
     return fail(name, "ceiling " + problem);
@@ -85,24 +86,22 @@ FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
     const double height = sedr::meanHeight(sedr::PointView(*input_), floor_in_scope);
     plane = {0, 0, 1, -height};
     return !floor_in_scope.empty() ||
-           fail(name,
-                "none of the " + std::to_string(indices_->size()) +
-                    " floor points lies under the " + std::to_string(ceiling_->size()) +
-                    " ceiling points, and no floor plane was set");
+           fail(name, "none of the " + std::to_string(indices_->size()) +
+                          " floor points lies under the " +
+                          std::to_string(ceiling_->size()) +
+                          " ceiling points, and no floor plane was set");
   }
   if (plane_->values.size() != 4)
-    return fail(name,
-                "a floor plane has 4 coefficients, " + std::to_string(plane_->values.size()) +
-                    " were set");
+    return fail(name, "a floor plane has 4 coefficients, " +
+                          std::to_string(plane_->values.size()) + " were set");
   for (int k = 0; k < 4; ++k)
     plane[k] = plane_->values[static_cast<std::size_t>(k)];
   const double length = plane.head<3>().norm();
   constexpr double steepest = 0.1; // cosine, about 84 degrees from level
   if (!plane.allFinite() || !(length > 0) || std::abs(plane[2]) < steepest * length)
-    return fail(name,
-                "the floor plane must not stand upright, its normal is (" +
-                    std::to_string(plane[0]) + ", " + std::to_string(plane[1]) + ", " +
-                    std::to_string(plane[2]) + ")");
+    return fail(name, "the floor plane must not stand upright, its normal is (" +
+                          std::to_string(plane[0]) + ", " + std::to_string(plane[1]) +
+                          ", " + std::to_string(plane[2]) + ")");
   plane /= plane[2] < 0 ? -length : length;
   return true;
 }
@@ -112,11 +111,8 @@ bool
 FloorProjectionRecovery<PointT>::recover(sedr::FloorRecovery& recovery,
                                          Eigen::Vector4d& plane)
 {
-  recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_),
-                                sedr::PointView(*input_),
-                                *indices_,
-                                *ceiling_,
-                                detail_ ? *detail_ : Indices());
+  recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_), sedr::PointView(*input_),
+                                *indices_, *ceiling_, detail_ ? *detail_ : Indices());
   return findPlane(recovery.kept, plane);
 }
 
@@ -136,8 +132,8 @@ FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
     return;
   }
   source_indices_ = recovery.kept;
-  source_indices_.insert(
-      source_indices_.end(), recovery.sources.begin(), recovery.sources.end());
+  source_indices_.insert(source_indices_.end(), recovery.sources.begin(),
+                         recovery.sources.end());
   number_of_projected_ = recovery.sources.size();
   output.reserve(source_indices_.size());
   for (const auto i : source_indices_)
@@ -150,5 +146,5 @@ FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_FloorProjectionRecovery(T)                                           \
+#define PCL_INSTANTIATE_FloorProjectionRecovery(T)                                     \
   template class PCL_EXPORTS pcl::FloorProjectionRecovery<T>;

@@ -59,15 +59,14 @@ GridRegionOutlierRemoval<PointT>::validate()
 {
   constexpr const char* name = "GridRegionOutlierRemoval";
   if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
-    return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
+    return fail(name,
+                "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
   if (opening_radius_ < 0)
-    return fail(name,
-                "the opening radius must be at least 0 cells, it is " +
-                    std::to_string(opening_radius_));
+    return fail(name, "the opening radius must be at least 0 cells, it is " +
+                          std::to_string(opening_radius_));
   if (!(minimum_support_ >= 0 && minimum_support_ <= 1))
-    return fail(name,
-                "the minimum support must lie between 0 and 1, it is " +
-                    std::to_string(minimum_support_));
+    return fail(name, "the minimum support must lie between 0 and 1, it is " +
+                          std::to_string(minimum_support_));
   std::string problem = sedr::indicesProblem(*indices_, input_->size());
   if (!problem.empty())
     return fail(name, problem);
@@ -90,9 +89,9 @@ GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellSet& cells,
   int kept = 0;
   for (std::size_t r = 0; r < number.size(); ++r) {
     const std::size_t size = regions.sizes[r];
-    const bool is_supported =
-        support_ && size >= minimum_supported_cells_ &&
-        static_cast<double>(supported[r]) >= minimum_support_ * static_cast<double>(size);
+    const bool is_supported = support_ && size >= minimum_supported_cells_ &&
+                              static_cast<double>(supported[r]) >=
+                                  minimum_support_ * static_cast<double>(size);
     if (size > threshold_ || is_supported)
       number[r] = ++kept;
   }
@@ -111,8 +110,7 @@ GridRegionOutlierRemoval<PointT>::labelPoints(const sedr::CellGrid& grid,
     const auto i = static_cast<std::size_t>(index);
     const Eigen::Vector3f p = points[i];
     if (points.isFinite(i) && grid.holds(p.x(), p.y()))
-      region_labels_[i] =
-          number[regions.label[cells.find(grid.at(p.x(), p.y()))]];
+      region_labels_[i] = number[regions.label[cells.find(grid.at(p.x(), p.y()))]];
   }
 }
 
@@ -152,7 +150,7 @@ GridRegionOutlierRemoval<PointT>::labelRegions()
 {
   const sedr::CellGrid grid(grid_size_);
   const sedr::CellSet cells(grid, sedr::PointView(*input_), *indices_);
-  const auto regions = sedr::labelOpenedRegions(cells, opening_radius_, minimum_core_);
+  const auto regions = sedr::labelOpenedRegions(cells, opening_radius_, minimum_part_);
   threshold_ = sedr::largestGapThreshold(regions.sizes);
   const auto number = numberKeptRegions(cells, regions, grid);
   for (const int n : number)
@@ -164,5 +162,5 @@ GridRegionOutlierRemoval<PointT>::labelRegions()
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_GridRegionOutlierRemoval(T)                                          \
+#define PCL_INSTANTIATE_GridRegionOutlierRemoval(T)                                    \
   template class PCL_EXPORTS pcl::GridRegionOutlierRemoval<T>;

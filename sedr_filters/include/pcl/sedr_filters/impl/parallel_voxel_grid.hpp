@@ -19,8 +19,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The most frequent room of some points, the smallest of equally frequent ones: what
- * pcl::CentroidPoint does with `label` but not with `room`. */
+/** @brief The most frequent room of some points, the smallest of equally frequent ones:
+ * what pcl::CentroidPoint does with `label` but not with `room`. */
 template <typename PointT>
 void
 majorityRoom(const pcl::PointCloud<PointT>& cloud,
@@ -73,7 +73,8 @@ ParallelVoxelGrid<PointT>::selectPoints(pcl::Indices& selected)
   std::vector<pcl::PCLPointField> fields;
   const int field = pcl::getFieldIndex<PointT>(getFilterFieldName(), fields);
   if (field < 0)
-    return fail(name, "the points have no field '" + getFilterFieldName() + "' to filter by");
+    return fail(name,
+                "the points have no field '" + getFilterFieldName() + "' to filter by");
   const auto& f = fields[static_cast<std::size_t>(field)];
   for (const auto i : *indices_) {
     const auto* point = reinterpret_cast<const std::uint8_t*>(&(*input_)[i]);
@@ -85,10 +86,12 @@ ParallelVoxelGrid<PointT>::selectPoints(pcl::Indices& selected)
 
 template <typename PointT>
 PointT
-ParallelVoxelGrid<PointT>::meanOf(const pcl::index_t* first, const pcl::index_t* last) const
+ParallelVoxelGrid<PointT>::meanOf(const pcl::index_t* first,
+                                  const pcl::index_t* last) const
 {
   PointT mean;
-  if constexpr (boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3) {
+  if constexpr (boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value >
+                3) {
     if (getDownsampleAllData()) {
       pcl::CentroidPoint<PointT> centroid;
       std::for_each(first, last, [&](pcl::index_t i) { centroid.add((*input_)[i]); });
@@ -132,9 +135,7 @@ ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
 
   output.resize(partition.size());
   constexpr std::size_t voxels_at_once = 4096;
-  sedr::parallelBlocks(partition.size(),
-                       voxels_at_once,
-                       getNumberOfThreads(),
+  sedr::parallelBlocks(partition.size(), voxels_at_once, getNumberOfThreads(),
                        [&](std::size_t begin, std::size_t end) {
                          for (std::size_t v = begin; v < end; ++v)
                            output[v] =
@@ -148,17 +149,19 @@ ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
 template <typename PointT>
 std::vector<int>
 ParallelVoxelGrid<PointT>::getNeighborCentroidIndices(
-    const PointT& reference_point, const Eigen::MatrixXi& relative_coordinates) const
+    const PointT& reference_point,
+    const Eigen::MatrixXi& relative_coordinates) const
 {
   const Eigen::Vector3i voxel =
       getGridCoordinates(reference_point.x, reference_point.y, reference_point.z);
   std::vector<int> neighbours;
   for (Eigen::Index n = 0; n < relative_coordinates.cols(); ++n)
-    neighbours.push_back(getCentroidIndexAt(voxel + relative_coordinates.col(n).head<3>()));
+    neighbours.push_back(
+        getCentroidIndexAt(voxel + relative_coordinates.col(n).head<3>()));
   return neighbours;
 }
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_ParallelVoxelGrid(T)                                                 \
+#define PCL_INSTANTIATE_ParallelVoxelGrid(T)                                           \
   template class PCL_EXPORTS pcl::ParallelVoxelGrid<T>;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Which room a place belongs to: rooms grow from the cells of their ceilings outwards until
+ * they meet or have gone as far as walls can be, 0.7 m at cells of 5 cm. So each face of a thin
+ * partition lies in its own room. O(cells of the box around all rooms). */
+class RoomTerritory {
+public:
+  /** @param scopes the cells of each room */
+  RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes);
+
+  /** @brief What is wrong, a sentence; empty if nothing is. */
+  const std::string&
+  problem() const
+  {
+    return problem_;
+  }
+
+  /** @brief Position in `scopes` of the room at `p`, -1 for none and for points not finite. */
+  std::int32_t
+  roomAt(const Eigen::Vector3f& p) const;
+
+private:
+  CellGrid grid_;
+  CellMask frame_;
+  std::vector<std::int32_t> room_;
+  std::string problem_;
+};
+
+} // namespace sedr
+} // namespace pcl

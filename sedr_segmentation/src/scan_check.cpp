@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include <pcl/sedr_filters/cell_grid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+std::string
+text(const char* format, double a, double b = 0, double c = 0, double d = 0)
+{
+  std::array<char, 400> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, a, b, c, d);
+  return buffer.data();
+}
+
+/** @brief Extent along one axis of all but the outermost hundredth of the points at each end. */
+double
+extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
+{
+  std::vector<float> values;
+  for (const auto& p : points)
+    values.push_back(p[axis]);
+  const std::size_t cut = values.size() / 100;
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(cut);
+  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+  std::nth_element(values.begin(), low, values.end());
+  const double from = *low;
+  std::nth_element(values.begin(), high, values.end());
+  return *high - from;
+}
+
+/** @brief Two large planes across an axis: the smaller one's cells, and their distance. */
+struct PlanePair {
+  std::size_t cells = 0;
+  double distance = 0;
+};
+
+/** @brief The best pair of levels across `axis` that are between `nearest` and `farthest` metres
+ * apart: slabs of a decimetre, measured in distinct cells of a decimetre. */
+PlanePair
+bestPair(const PointView& points,
+         const std::vector<int>& indices,
+         int axis,
+         double nearest,
+         double farthest)
+{
+  constexpr double cell = 0.1;
+  const CellGrid grid(cell);
+  std::map<std::int64_t, std::vector<CellKey>> slabs;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const double u = p[(axis + 1) % 3];
+    const double v = p[(axis + 2) % 3];
+    if (points.isFinite(static_cast<std::size_t>(i)) && grid.holds(u, v) &&
+        grid.holds(p[axis], 0))
+      slabs[static_cast<std::int64_t>(std::floor(p[axis] / cell))].push_back(
+          keyOf(grid.at(u, v)));
+  }
+  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
+  for (auto& [level, keys] : slabs)
+    sizes.emplace_back(level, CellSet(std::move(keys)).size());
+  PlanePair best;
+  for (std::size_t a = 0; a < sizes.size(); ++a)
+    for (std::size_t b = a + 1; b < sizes.size(); ++b) {
+      const double distance = static_cast<double>(sizes[b].first - sizes[a].first) * cell;
+      const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
+      if (distance >= nearest && distance <= farthest && cells > best.cells)
+        best = {cells, distance};
+    }
+  return best;
+}
+
+} // namespace
+
+std::string
+scanProblem(const PointView& points, const std::vector<int>& indices)
+{
+  constexpr std::size_t fewest = 1000;
+  constexpr std::size_t most_looked_at = 100000;
+  std::vector<Eigen::Vector3f> sample;
+  std::size_t finite = 0;
+  const std::size_t step = indices.size() / most_looked_at + 1;
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const auto i = static_cast<std::size_t>(indices[k]);
+    if (!points.isFinite(i))
+      continue;
+    if (finite++ % step == 0)
+      sample.push_back(points[i]);
+  }
+  if (finite < fewest)
+    return text("%.0f of %.0f points are finite, a room needs at least %.0f",
+                static_cast<double>(finite),
+                static_cast<double>(indices.size()),
+                static_cast<double>(fewest));
+  const double x = extentAlong(sample, 0);
+  const double y = extentAlong(sample, 1);
+  const double z = extentAlong(sample, 2);
+  if (z > 200 || std::min(x, y) > 20000)
+    return text("the scan is %.0f x %.0f x %.0f m large: if its unit is the millimetre, scale it "
+                "by 0.001",
+                x,
+                y,
+                z);
+  if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
+    return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its unit must be "
+                "the metre",
+                x,
+                y,
+                z);
+  return {};
+}
+
+std::string
+upProblem(const PointView& points, const std::vector<int>& indices)
+{
+  constexpr double lowest_room = 1.8;
+  constexpr double highest_usual_room = 4.5;
+  const PlanePair up = bestPair(points, indices, 2, lowest_room, 1000);
+  if (up.cells == 0 || up.distance <= highest_usual_room)
+    return {};
+  for (const int axis : {1, 0}) {
+    const PlanePair other = bestPair(points, indices, axis, lowest_room, highest_usual_room);
+    if (2 * other.cells > 3 * up.cells)
+      return std::string(axis == 1 ? "y" : "x") +
+             text(" seems to be up, not z: across it two planes of %.0f square metres are %.1f m "
+                  "apart, across z of %.0f square metres %.1f m; turn the scan",
+                  static_cast<double>(other.cells) * 0.01,
+                  other.distance,
+                  static_cast<double>(up.cells) * 0.01,
+                  up.distance);
+  }
+  return {};
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+
+#include <chrono>
+
+namespace pcl {
+
+template <typename PointT>
+IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
+{
+  voxel_grid_.setDownsampleAllData(false);
+  this->check_tree_ = false;
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setVoxelSize(float size)
+{
+  voxel_grid_.setLeafSize(size, size, size);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setPlaneTolerance(double tolerance)
+{
+  chain_.plane_detection.setDistanceThreshold(tolerance);
+  chain_.slice_detail.setDistanceThreshold(tolerance);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setGridSize(double size)
+{
+  chain_.plane_detection.setGridSize(size);
+  chain_.outlier_removal.setGridSize(size);
+  chain_.slice_detail.setGridSize(size);
+  chain_.floor_recovery.setGridSize(size);
+  chain_.floorplan_fitting.setGridSize(size);
+  chain_.hole_repair.setGridSize(size);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setBoundaryEstimation(double angle, unsigned neighbours)
+{
+  chain_.wall_growing.setAngleThreshold(static_cast<float>(angle));
+  chain_.wall_growing.setNumberOfNeighbors(neighbours);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
+{
+  threads_ = threads;
+  voxel_grid_.setNumberOfThreads(threads);
+  chain_.wall_growing.setNumberOfThreads(threads);
+  chain_.refinement.setNumberOfThreads(threads);
+  chain_.poisson.setNumberOfThreads(threads);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::setSeed(std::uint64_t seed)
+{
+  chain_.plane_detection.setSeed(seed);
+  chain_.floorplan_fitting.setSeed(seed);
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
+{
+  constexpr const char* name = "IndoorStructureReconstruction";
+  std::string problem = sedr::indicesProblem(*indices_, input_->size());
+  // Before thinning: a scan in millimetres would not get any smaller.
+  if (problem.empty())
+    problem = sedr::scanProblem(sedr::PointView(*input_), *indices_);
+  if (!problem.empty()) {
+    chain_.failed_stage = "input";
+    return fail(name, problem);
+  }
+  if (chain_.on_stage)
+    chain_.on_stage("ParallelVoxelGrid");
+  const auto start = std::chrono::steady_clock::now();
+  PointCloud means;
+  voxel_grid_.setInputCloud(input_);
+  voxel_grid_.setIndices(indices_);
+  voxel_grid_.filter(means);
+  if (!voxel_grid_.getErrorMessage().empty()) {
+    chain_.failed_stage = "ParallelVoxelGrid";
+    return fail(name, voxel_grid_.getErrorMessage());
+  }
+  pcl::copyPointCloud(means, thinned);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  reports_.push_back({"ParallelVoxelGrid", indices_->size(), thinned.size(), seconds.count()});
+  return true;
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::findStructure()
+{
+  constexpr const char* name = "IndoorStructureReconstruction";
+  this->clearError();
+  reports_.clear();
+  const sedr::StructureChain::Cloud::Ptr thinned(new sedr::StructureChain::Cloud);
+  chain_.reset(thinned);
+  if (!this->initCompute()) {
+    chain_.failed_stage = "input";
+    return fail(name, "no input cloud was set");
+  }
+  bool is_done = thin(*thinned);
+  if (is_done) {
+    is_done = chain_.findStructure(thinned);
+    reports_.insert(reports_.end(), chain_.reports.begin(), chain_.reports.end());
+    if (!is_done)
+      fail(name, chain_.failed_stage + ": " + chain_.problem);
+  }
+  this->deinitCompute();
+  return is_done;
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::reconstruct(pcl::PolygonMesh& output)
+{
+  output = pcl::PolygonMesh();
+  if (findStructure())
+    performReconstruction(output);
+  if (input_)
+    output.header = input_->header;
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::reconstruct(PointCloud& points,
+                                                   std::vector<pcl::Vertices>& polygons)
+{
+  points.clear();
+  polygons.clear();
+  if (findStructure())
+    performReconstruction(points, polygons);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
+{
+  const bool is_done = chain_.makeMesh();
+  reports_.push_back(chain_.reports.back());
+  if (!is_done) {
+    fail("IndoorStructureReconstruction", chain_.failed_stage + ": " + chain_.problem);
+    return;
+  }
+  sedr::toPolygonMesh(chain_.poisson.getMesh(), output);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::performReconstruction(
+    PointCloud& points, std::vector<pcl::Vertices>& polygons)
+{
+  pcl::PolygonMesh mesh;
+  performReconstruction(mesh);
+  pcl::PointCloud<pcl::PointXYZ> vertices;
+  pcl::fromPCLPointCloud2(mesh.cloud, vertices);
+  pcl::copyPointCloud(vertices, points);
+  polygons = mesh.polygons;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_IndoorStructureReconstruction(T)                                 \
+  template class PCL_EXPORTS pcl::IndoorStructureReconstruction<T>;

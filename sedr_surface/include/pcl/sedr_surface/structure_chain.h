@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floor_projection_recovery.h>
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/structure_refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+#include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/grid_slice_detail.h>
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/room_segmentation.h>
+#include <pcl/sedr_surface/structural_poisson.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What a stage of the chain did. */
+struct StageReport {
+  std::string name;           ///< of the stage's class
+  std::size_t points_in = 0;  ///< points it looked at
+  std::size_t points_out = 0; ///< points it found or made
+  double seconds = 0;
+};
+
+/** @brief The stages 2 to 10 on a thinned cloud, one after the other (paper, section 2.1): each is
+ * PCL's kind of object, reached by its name and set as it is alone. What flows through is one
+ * cloud with a label and a room a point; recovered floor points are appended to it. */
+class StructureChain {
+public:
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  using StructureCloud = pcl::PointCloud<pcl::PointStructure>;
+
+  StructureChain();
+
+  pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
+  pcl::GridRegionOutlierRemoval<pcl::PointXYZ> outlier_removal;
+  RoomParameters room_segmentation;
+  pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
+  pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery;
+  pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
+  pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
+  pcl::StructureRefinement<pcl::PointStructure> refinement;
+  pcl::VerticalHoleRepair<pcl::PointStructure> hole_repair;
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+
+  /** @brief Called with a stage's name before it runs. */
+  std::function<void(const std::string&)> on_stage;
+
+  /** @brief Whether a scan in which z seems not to be up is taken as it is. */
+  bool trust_up = false;
+
+  /** @brief Finds the structure: all stages but the mesh.
+   * @return false where a stage found nothing; failed_stage and problem say which and why */
+  bool
+  findStructure(const Cloud::ConstPtr& thinned);
+
+  /** @brief Makes the mesh of what findStructure() found. */
+  bool
+  makeMesh();
+
+  /** @brief Forgets the last run, and takes `thinned` as the cloud. */
+  void
+  reset(const Cloud::ConstPtr& thinned);
+
+  // What the last run left.
+  Cloud::Ptr cloud;                  ///< thinned points, then recovered floor points
+  std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
+  std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
+  std::vector<pcl::HorizontalPlane> planes;
+  std::shared_ptr<Floorplan> plan;
+  StructureCloud::Ptr structure; ///< refined and repaired
+  std::vector<StageReport> reports;
+  std::vector<std::string> warnings;
+  std::string failed_stage;
+  std::string problem;
+
+private:
+  /** @brief Runs one stage, `step(report)`, and keeps its report. */
+  template <typename Step>
+  bool
+  runStage(const std::string& name, std::size_t points_in, Step step);
+
+  bool
+  fail(const std::string& reason);
+
+  bool
+  checkScan();
+  bool
+  findPlanes(StageReport& report);
+  bool
+  removeOutliers(StageReport& report);
+  bool
+  partRooms(StageReport& report);
+  bool
+  findDetails(StageReport& report);
+  bool
+  recoverFloors(StageReport& report);
+  bool
+  growWalls(StageReport& report);
+  bool
+  fitPlan(StageReport& report);
+  bool
+  refine(StageReport& report);
+  bool
+  repair(StageReport& report);
+
+  /** @brief Points of a label, of one room or (0) of all. */
+  pcl::IndicesPtr
+  labelled(StructureLabel label, std::uint32_t room) const;
+
+  /** @brief Points that lie in each room's territory. */
+  std::vector<pcl::IndicesPtr>
+  territories() const;
+
+  std::vector<Level> levels_;
+  std::vector<RoomRegion> regions_;
+  std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
+  std::vector<double> slice_height_;       ///< of each room, NaN without details
+  StructureCloud::Ptr refined_;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <pcl/sedr_segmentation/room_territory.h>
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+double
+secondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::uint32_t
+valueOf(StructureLabel label)
+{
+  return static_cast<std::uint32_t>(label);
+}
+
+pcl::IndicesPtr
+allIndices(std::size_t n)
+{
+  pcl::IndicesPtr indices(new pcl::Indices(n));
+  std::iota(indices->begin(), indices->end(), 0);
+  return indices;
+}
+
+const char*
+kindName(LevelKind kind)
+{
+  return kind == LevelKind::Ceiling ? "ceiling" : kind == LevelKind::Floor ? "floor" : "other";
+}
+
+/** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the largest six. */
+std::string
+listOf(std::vector<pcl::HorizontalPlane> planes)
+{
+  std::stable_sort(planes.begin(), planes.end(), [](const auto& a, const auto& b) {
+    return a.area > b.area;
+  });
+  std::string list;
+  for (std::size_t i = 0; i < planes.size() && i < 6; ++i) {
+    char text[96];
+    std::snprintf(text,
+                  sizeof text,
+                  "%s%.2f m %s %.1f m2",
+                  i == 0 ? "" : ", ",
+                  -planes[i].slab.plane[3] / planes[i].slab.plane[2],
+                  kindName(planes[i].kind),
+                  planes[i].area);
+    list += text;
+  }
+  return list;
+}
+
+} // namespace
+
+StructureChain::StructureChain()
+{
+  // Wall points may lie a cell of ceiling plus a voxel away from the outermost ceiling point.
+  wall_growing.setDistanceThreshold(0.15);
+}
+
+void
+StructureChain::reset(const Cloud::ConstPtr& thinned)
+{
+  cloud.reset(new Cloud(*thinned));
+  labels.assign(cloud->size(), 0);
+  rooms.assign(cloud->size(), 0);
+  planes.clear();
+  plan = std::make_shared<Floorplan>();
+  structure.reset(new StructureCloud);
+  refined_.reset(new StructureCloud);
+  reports.clear();
+  warnings.clear();
+  failed_stage.clear();
+  problem.clear();
+  levels_.clear();
+  regions_.clear();
+  territory_.clear();
+  slice_height_.clear();
+}
+
+template <typename Step>
+bool
+StructureChain::runStage(const std::string& name, std::size_t points_in, Step step)
+{
+  if (on_stage)
+    on_stage(name);
+  StageReport report{name, points_in, 0, 0};
+  failed_stage = name;
+  const auto start = std::chrono::steady_clock::now();
+  const bool is_done = step(report);
+  report.seconds = secondsSince(start);
+  reports.push_back(report);
+  if (is_done)
+    failed_stage.clear();
+  return is_done;
+}
+
+bool
+StructureChain::fail(const std::string& reason)
+{
+  problem = reason;
+  return false;
+}
+
+bool
+StructureChain::findStructure(const Cloud::ConstPtr& thinned)
+{
+  reset(thinned);
+  const std::size_t n = cloud->size();
+  return checkScan() &&
+         runStage("HorizontalPlaneDetection", n, [&](auto& r) { return findPlanes(r); }) &&
+         runStage("GridRegionOutlierRemoval", n, [&](auto& r) { return removeOutliers(r); }) &&
+         runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
+         runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
+         runStage("FloorProjectionRecovery", n, [&](auto& r) { return recoverFloors(r); }) &&
+         runStage("CeilingBoundaryWallGrowing", n, [&](auto& r) { return growWalls(r); }) &&
+         runStage("FloorplanFitting", cloud->size(), [&](auto& r) { return fitPlan(r); }) &&
+         runStage("StructureRefinement", cloud->size(), [&](auto& r) { return refine(r); }) &&
+         runStage("VerticalHoleRepair", refined_->size(), [&](auto& r) { return repair(r); });
+}
+
+bool
+StructureChain::makeMesh()
+{
+  return runStage("StructuralPoisson", structure->size(), [&](StageReport& report) {
+    poisson.setInputCloud(structure);
+    pcl::PolygonMesh unused;
+    poisson.reconstruct(unused);
+    report.points_out = poisson.getMesh().vertices.size();
+    if (poisson.getMesh().empty())
+      return fail(poisson.getErrorMessage());
+    if (!poisson.getErrorMessage().empty())
+      warnings.push_back(poisson.getErrorMessage());
+    return true;
+  });
+}
+
+bool
+StructureChain::checkScan()
+{
+  failed_stage = "input";
+  const pcl::IndicesPtr all = allIndices(cloud->size());
+  const PointView points(*cloud);
+  std::string reason = scanProblem(points, *all);
+  if (reason.empty() && !trust_up)
+    reason = upProblem(points, *all);
+  return reason.empty() || fail(reason);
+}
+
+bool
+StructureChain::findPlanes(StageReport& report)
+{
+  plane_detection.setInputCloud(cloud);
+  if (!plane_detection.segment(planes))
+    return fail(plane_detection.getErrorMessage());
+  std::size_t ceilings = 0;
+  std::size_t floors = 0;
+  for (const auto& plane : planes) {
+    ceilings += plane.kind == LevelKind::Ceiling ? 1 : 0;
+    floors += plane.kind == LevelKind::Floor ? 1 : 0;
+    if (plane.kind != LevelKind::Other)
+      report.points_out += plane.inliers.indices.size();
+  }
+  if (ceilings > 0 && floors > 0)
+    return true;
+  char text[160];
+  std::snprintf(text,
+                sizeof text,
+                "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling needs a floor "
+                "at least %.2f m below it; found: ",
+                planes.size(),
+                ceilings,
+                floors,
+                plane_detection.getMinimumRoomHeight());
+  return fail(text + listOf(planes));
+}
+
+bool
+StructureChain::removeOutliers(StageReport& report)
+{
+  pcl::IndicesPtr floors(new pcl::Indices);
+  for (const auto& plane : planes)
+    if (plane.kind == LevelKind::Floor)
+      floors->insert(
+          floors->end(), plane.inliers.indices.begin(), plane.inliers.indices.end());
+  outlier_removal.setInputCloud(cloud);
+  outlier_removal.setSupportIndices(floors);
+  const CellGrid grid(outlier_removal.getGridSize());
+  const PointView points(*cloud);
+  for (const auto& plane : planes) {
+    Level level;
+    level.slab = plane.slab;
+    level.kind = plane.kind;
+    level.inliers = plane.inliers.indices;
+    if (level.kind == LevelKind::Ceiling) {
+      outlier_removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(level.inliers)));
+      outlier_removal.filter(level.inliers);
+      if (!outlier_removal.getErrorMessage().empty())
+        return fail(outlier_removal.getErrorMessage());
+    }
+    if (level.kind != LevelKind::Other) {
+      level.cells = CellSet(grid, points, level.inliers);
+      report.points_out += level.inliers.size();
+    }
+    levels_.push_back(std::move(level));
+  }
+  return true;
+}
+
+bool
+StructureChain::partRooms(StageReport& report)
+{
+  RoomParameters parameters = room_segmentation;
+  parameters.cell_size = outlier_removal.getGridSize();
+  const PointView points(*cloud);
+  std::string reason;
+  regions_ =
+      segmentRooms(points, *allIndices(cloud->size()), levels_, parameters, reason);
+  if (!reason.empty())
+    return fail(reason);
+  if (regions_.empty()) {
+    char text[200];
+    std::snprintf(text,
+                  sizeof text,
+                  "no room of at least %.1f square metres with a floor below %.0f %% of its "
+                  "ceiling and walls along %.0f %% of its outline; planes: ",
+                  parameters.minimum_area,
+                  100 * parameters.minimum_floor_share,
+                  100 * parameters.minimum_wall_share);
+    return fail(text + listOf(planes));
+  }
+  const CellGrid grid(parameters.cell_size);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (const int i : levels_[regions_[r].ceiling_level].inliers) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+      if (!regions_[r].ceiling.contains(grid.at(p.x(), p.y())))
+        continue;
+      labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Ceiling);
+      rooms[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(r + 1);
+      ++report.points_out;
+    }
+  territory_ = territories();
+  return true;
+}
+
+std::vector<pcl::IndicesPtr>
+StructureChain::territories() const
+{
+  std::vector<CellSet> scopes;
+  for (const auto& region : regions_)
+    scopes.push_back(region.scope);
+  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes);
+  std::vector<pcl::IndicesPtr> result;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    result.emplace_back(new pcl::Indices);
+  const PointView points(*cloud);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t room = territory.roomAt(points[i]);
+    if (room >= 0)
+      result[static_cast<std::size_t>(room)]->push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+pcl::IndicesPtr
+StructureChain::labelled(StructureLabel label, std::uint32_t room) const
+{
+  pcl::IndicesPtr indices(new pcl::Indices);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == valueOf(label) && (room == 0 || rooms[i] == room))
+      indices->push_back(static_cast<int>(i));
+  return indices;
+}
+
+bool
+StructureChain::findDetails(StageReport& report)
+{
+  slice_detail.setInputCloud(cloud);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    const Eigen::Vector2d middle = CellGrid(outlier_removal.getGridSize())
+                                       .centre(regions_[r].scope[regions_[r].scope.size() / 2]);
+    slice_detail.setIndices(territory_[r]);
+    slice_detail.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    slice_detail.setFloorHeight(levels_[regions_[r].floor_level].slab.heightAt(middle));
+    pcl::PointIndices details;
+    if (!slice_detail.segment(details))
+      return fail(slice_detail.getErrorMessage());
+    slice_height_.push_back(slice_detail.getSliceHeight());
+    for (const int i : details.indices) {
+      labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
+      rooms[static_cast<std::size_t>(i)] = room;
+    }
+    report.points_out += details.indices.size();
+  }
+  return true;
+}
+
+bool
+StructureChain::recoverFloors(StageReport& report)
+{
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    const Level& floor = levels_[regions_[r].floor_level];
+    pcl::IndicesPtr seen(new pcl::Indices);
+    std::set_intersection(floor.inliers.begin(),
+                          floor.inliers.end(),
+                          territory_[r]->begin(),
+                          territory_[r]->end(),
+                          std::back_inserter(*seen));
+    pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
+    for (int k = 0; k < 4; ++k)
+      plane->values.push_back(static_cast<float>(floor.slab.plane[k]));
+    floor_recovery.setInputCloud(cloud);
+    floor_recovery.setIndices(seen);
+    floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    floor_recovery.setDetailIndices(labelled(StructureLabel::Detail, room));
+    floor_recovery.setFloorCoefficients(plane);
+    Cloud whole;
+    floor_recovery.filter(whole);
+    if (!floor_recovery.getErrorMessage().empty())
+      return fail(floor_recovery.getErrorMessage());
+    const std::size_t kept = whole.size() - floor_recovery.getNumberOfProjected();
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      std::size_t at = cloud->size();
+      if (k < kept)
+        at = static_cast<std::size_t>(floor_recovery.getProjectedIndices()[k]);
+      else {
+        cloud->push_back(whole[k]);
+        labels.push_back(0);
+        rooms.push_back(0);
+      }
+      labels[at] = valueOf(StructureLabel::Floor);
+      rooms[at] = room;
+    }
+    report.points_out += whole.size();
+  }
+  return true;
+}
+
+bool
+StructureChain::growWalls(StageReport& report)
+{
+  wall_growing.setInputCloud(cloud);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    wall_growing.setIndices(territory_[r]);
+    wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    wall_growing.setFloorIndices(labelled(StructureLabel::Floor, room));
+    wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
+    wall_growing.setSliceHeight(slice_height_[r]);
+    pcl::PointIndices walls;
+    if (!wall_growing.segment(walls))
+      return fail(wall_growing.getErrorMessage());
+    for (const int i : wall_growing.getWallIndices()) {
+      const auto at = static_cast<std::size_t>(i);
+      if (labels[at] != 0)
+        continue;
+      labels[at] = valueOf(StructureLabel::Wall);
+      rooms[at] = room;
+      ++report.points_out;
+    }
+  }
+  return report.points_out > 0 ||
+         fail("no point lies within " + std::to_string(wall_growing.getDistanceThreshold()) +
+              " m in plan of the boundary of the ceilings");
+}
+
+bool
+StructureChain::fitPlan(StageReport& report)
+{
+  floorplan_fitting.setInputCloud(cloud);
+  floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling, 0));
+  floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor, 0));
+  floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail, 0));
+  floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall, 0));
+  floorplan_fitting.setRooms(rooms);
+  if (!floorplan_fitting.segment(*plan))
+    return fail(floorplan_fitting.getErrorMessage());
+  warnings.insert(warnings.end(),
+                  floorplan_fitting.getWarnings().begin(),
+                  floorplan_fitting.getWarnings().end());
+  for (const auto& room : plan->rooms)
+    for (const auto& element : room.boundary.elements)
+      report.points_out += element.inliers;
+  return true;
+}
+
+bool
+StructureChain::refine(StageReport& report)
+{
+  StructureCloud::Ptr labelled_cloud(new StructureCloud);
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if (labels[i] == 0)
+      continue;
+    pcl::PointStructure p;
+    p.getVector3fMap() = (*cloud)[i].getVector3fMap();
+    p.label = labels[i];
+    p.room = rooms[i];
+    labelled_cloud->push_back(p);
+  }
+  refinement.setInputCloud(labelled_cloud);
+  refinement.setFloorplan(plan);
+  refinement.filter(*refined_);
+  report.points_out = refined_->size();
+  return !refined_->empty() || fail(refinement.getErrorMessage().empty()
+                                        ? "no labelled point lies on the floor plan"
+                                        : refinement.getErrorMessage());
+}
+
+bool
+StructureChain::repair(StageReport& report)
+{
+  hole_repair.setInputCloud(refined_);
+  hole_repair.setFloorplan(plan);
+  hole_repair.filter(*structure);
+  report.points_out = structure->size();
+  return !structure->empty() || fail(hole_repair.getErrorMessage());
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+
+#include <pcl/filters/voxel_grid.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+randomRoom(std::size_t n)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> coordinate(-4, 4);
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (std::size_t i = 0; i < n; ++i) {
+    const float x = coordinate(random);
+    const float y = coordinate(random);
+    cloud->emplace_back(x, y, coordinate(random) / 4);
+  }
+  return cloud;
+}
+
+TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
+{
+  const auto room = randomRoom(50000);
+  pcl::PointCloud<pcl::PointXYZ> expected;
+  pcl::VoxelGrid<pcl::PointXYZ> oracle;
+  oracle.setInputCloud(room);
+  oracle.setLeafSize(0.05f, 0.05f, 0.05f);
+  oracle.filter(expected);
+
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*room);
+  cloud->emplace_back(1e6f, 1e6f, 1e6f);
+  cloud->emplace_back(-1e6f, 1e6f, 600.f);
+  cloud->emplace_back(-1e30f, -1e30f, -1e30f);
+  cloud->emplace_back(-1e30f, -1e30f, -1e30f);
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  grid.setSaveLeafLayout(true);
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  grid.filter(thinned);
+  ASSERT_EQ(thinned.size(), expected.size() + 3);
+  EXPECT_EQ(thinned.front().x, -1e30f);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    ASSERT_LT((thinned[i + 1].getVector3fMap() - expected[i].getVector3fMap()).norm(),
+              1e-5);
+  EXPECT_EQ(thinned[expected.size() + 1].z, 600.f);
+  EXPECT_EQ(thinned.back().z, 1e6f);
+  // Even the layout: only its dense form is refused.
+  EXPECT_EQ(grid.getCentroidIndex({1e6f, 1e6f, 1e6f}),
+            static_cast<int>(thinned.size()) - 1);
+  EXPECT_TRUE(grid.getLeafLayout().empty());
+}
+
+/** n points, all coordinates of an axis different: voxels of 1 m hold one point each.
+ */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+scattered(std::uint32_t n, std::uint32_t modulus)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (std::uint32_t i = 0; i < n; ++i)
+    cloud->emplace_back(static_cast<float>(i) + 0.5f,
+                        static_cast<float>(i * 5u % modulus) + 0.5f,
+                        static_cast<float>(i * 13u % modulus) + 0.5f);
+  return cloud;
+}
+
+TEST(ParallelVoxelGrid, VoxelsWhoseKeysTakeMoreThan32Or64BitsAreToldApart)
+{
+  // 3 x 15 bits, and 3 x 22 bits.
+  for (const auto& [n, modulus] : {std::make_pair(1u << 15, 1u << 15),
+                                   std::make_pair((1u << 21) + 1000, 1u << 22)}) {
+    const auto cloud = scattered(n, modulus);
+    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    grid.setLeafSize(1, 1, 1);
+    pcl::PointCloud<pcl::PointXYZ> output;
+    grid.filter(output);
+    ASSERT_EQ(output.size(), n);
+    for (std::size_t i = 1; i < n; ++i)
+      ASSERT_LT(output[i - 1].z, output[i].z);
+  }
+}
+
+TEST(ParallelVoxelGrid, MeanIsExactWhereAFloatSumWouldDrift)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (int i = 0; i < 3000000; ++i)
+    cloud->emplace_back(5000.25f, 5000.25f, 5000.25f);
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZ> output;
+  grid.filter(output);
+  ASSERT_EQ(output.size(), 1u);
+  EXPECT_EQ(output[0].x, 5000.25f);
+}
+
+} // namespace

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/field_access.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+using programs::bytesOf;
+using programs::manyFields;
+using programs::TemporaryFolder;
+using programs::writeFile;
+using Field = pcl::PCLPointField;
+
+class CloudFiles : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  ToolCloud load(const std::string& bytes)
+  {
+    writeFile(in("cloud"), bytes);
+    return loadCloud(in("cloud"));
+  }
+
+  /** The sentence with which `bytes` are refused; "" if they are not. */
+  std::string refusal(const std::string& bytes)
+  {
+    try {
+      load(bytes);
+      return "";
+    }
+    catch (const ToolError& error) {
+      EXPECT_EQ(error.exitCode(), BadUse);
+      return error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CloudFiles, EveryFieldSurvivesPcdBinaryAndCompressed)
+{
+  const auto blob = manyFields();
+  for (const auto data : {PcdData::Binary, PcdData::Compressed}) {
+    saveCloud(in("a.pcd"), blob, data);
+    const ToolCloud cloud = loadCloud(in("a.pcd"));
+    ASSERT_EQ(cloud.blob.fields.size(), blob.fields.size());
+    for (std::size_t f = 0; f < blob.fields.size(); ++f) {
+      EXPECT_EQ(cloud.blob.fields[f].name, blob.fields[f].name);
+      EXPECT_EQ(cloud.blob.fields[f].datatype, blob.fields[f].datatype);
+    }
+    EXPECT_EQ(cloud.blob.data, blob.data);
+    EXPECT_TRUE(cloud.has_label);
+    EXPECT_FALSE(cloud.has_room);
+    EXPECT_EQ(cloud.label, (std::vector<std::uint32_t>{70, 71, 72}));
+    EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{0, 0, 0}));
+    EXPECT_EQ((*cloud.points)[2].y, 22.25f);
+  }
+  EXPECT_NE(bytesOf(in("a.pcd")).find("DATA binary_compressed"), std::string::npos);
+}
+
+TEST_F(CloudFiles, EveryFieldSurvivesPly)
+{
+  auto blob = manyFields();
+  const std::uint32_t colour = 0xff102030u; // r 16, g 32, b 48
+  std::memcpy(&blob.data[findField(blob, "rgb")->offset], &colour, sizeof colour);
+  saveCloud(in("a.PLY"), blob);
+  const ToolCloud cloud = loadCloud(in("a.PLY"));
+  ASSERT_EQ(cloud.blob.fields.size(), blob.fields.size());
+  for (const auto& field : blob.fields) {
+    const auto* read = findField(cloud.blob, field.name);
+    ASSERT_NE(read, nullptr) << field.name;
+    EXPECT_EQ(read->datatype, field.datatype);
+    if (field.name != "rgb") {
+      EXPECT_EQ(floatField(cloud.blob, field.name), floatField(blob, field.name));
+    }
+  }
+  std::uint32_t read_colour = 0;
+  std::memcpy(&read_colour, &cloud.blob.data[findField(cloud.blob, "rgb")->offset], 4);
+  EXPECT_EQ(read_colour, colour);
+}
+
+TEST_F(CloudFiles, AsciiPcdIsReadWithCommentsBlankLinesAndNaN)
+{
+  const ToolCloud cloud =
+      load("# a comment\nVERSION .7\nFIELDS x y z room\nSIZE 4 8 4 1\n"
+           "TYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+           "VIEWPOINT 1 2 3 1 0 0 0\nPOINTS 2\nDATA ascii\n"
+           "1.5 -2e1 +3 7\r\n\n nan 5 -inf 9\n");
+  EXPECT_EQ((*cloud.points)[0].y, -20.f);
+  EXPECT_EQ((*cloud.points)[0].z, 3.f);
+  EXPECT_TRUE(std::isnan((*cloud.points)[1].x));
+  EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{7, 9}));
+  EXPECT_EQ(cloud.points->sensor_origin_.y(), 2.f);
+  EXPECT_EQ(findField(cloud.blob, "y")->datatype, Field::FLOAT32)
+      << "doubles become floats";
+}
+
+TEST_F(CloudFiles, PaddingOfBinaryPcdIsLeftOut)
+{
+  std::string bytes =
+      "VERSION 0.7\nFIELDS x y z _ label\nSIZE 4 4 4 1 4\nTYPE F F F U U\n"
+      "COUNT 1 1 1 4 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n";
+  const float xyz[] = {1, 2, 3};
+  const std::uint32_t rest[] = {77, 5};
+  bytes.append(reinterpret_cast<const char*>(xyz), sizeof xyz);
+  bytes.append(reinterpret_cast<const char*>(rest), sizeof rest);
+  const ToolCloud cloud = load(bytes);
+  EXPECT_EQ(cloud.blob.fields.size(), 4u);
+  EXPECT_EQ(cloud.label, (std::vector<std::uint32_t>{5}));
+}
+
+TEST_F(CloudFiles, PlyOfAnyByteOrderIsReadAndFacesAreSkipped)
+{
+  const std::string rest =
+      "comment made by hand\nelement vertex 2\nproperty double x\n"
+      "property double y\nproperty double z\nproperty uchar red\n"
+      "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+      "property float nx\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const ToolCloud ascii = load("ply\nformat ascii 1.0\n" + rest +
+                               "1 2 3 10 20 30 40 0.5\n4 5 6 1 2 3 4 1\n3 0 1 0\n");
+  EXPECT_EQ((*ascii.points)[1].x, 4.f);
+  EXPECT_EQ(floatField(ascii.blob, "normal_x"), (std::vector<float>{0.5f, 1.f}));
+  EXPECT_EQ(wholeField(ascii.blob, "rgba"),
+            (std::vector<std::uint32_t>{0x280a141eu, 0x04010203u}));
+
+  std::string swapped = "ply\nformat binary_big_endian 1.0\n" + rest;
+  const auto append = [&](auto value) {
+    const char* first = reinterpret_cast<const char*>(&value);
+    for (std::size_t k = sizeof value; k-- > 0;)
+      swapped += first[k];
+  };
+  for (const double v : {1.0, 2.0, 3.0})
+    append(v);
+  swapped += "\x0a\x14\x1e\x28";
+  append(0.5f);
+  for (const double v : {4.0, 5.0, 6.0})
+    append(v);
+  swapped += "\x01\x02\x03\x04";
+  append(1.0f);
+  EXPECT_EQ(load(swapped).blob.data, ascii.blob.data);
+}
+
+TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
+{
+  const std::string good = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string bytes = good;
+    bytes.replace(bytes.find(from), from.size(), to);
+    return bytes;
+  };
+  EXPECT_EQ(refusal(good), "");
+  EXPECT_NE(refusal(good.substr(0, good.size() - 5)).find("promises 2 points"),
+            std::string::npos);
+  EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH 3")), "");
+  EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH -2")), "");
+  EXPECT_NE(refusal(replaced("POINTS 2", "POINTS 4000000000000")), "");
+  EXPECT_NE(refusal(replaced("SIZE 4 4 4", "SIZE 4 4")), "");
+  EXPECT_NE(refusal(replaced("SIZE 4 4 4", "SIZE 4 4 3")), "");
+  EXPECT_NE(refusal(replaced("COUNT 1 1 1", "COUNT 1 1 0")), "");
+  EXPECT_NE(refusal(replaced("COUNT 1 1 1", "COUNT 1 1 999999999")), "");
+  EXPECT_NE(refusal(replaced("DATA binary", "DATA morse")), "");
+  EXPECT_NE(refusal(replaced("FIELDS x y z", "FIELDS x y w")).find("'z'"),
+            std::string::npos);
+  const std::string huge =
+      "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2000000000\nDATA ascii\n";
+  EXPECT_NE(refusal(huge + "1 2 3\n").find("2000000000"), std::string::npos)
+      << "refused before memory is taken";
+  EXPECT_NE(
+      refusal("ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty float x\n"
+              "end_header\n1\n")
+          .find("2000000000"),
+      std::string::npos);
+}
+
+/** All files that a good one becomes by cutting it off anywhere, or by changing bytes,
+ * are read or refused, never worse. */
+TEST_F(CloudFiles, DamagedFilesAreReadOrRefused)
+{
+  std::vector<std::string> files;
+  saveCloud(in("a.pcd"), manyFields());
+  files.push_back(bytesOf(in("a.pcd")));
+  saveCloud(in("a.pcd"), manyFields(), PcdData::Compressed);
+  files.push_back(bytesOf(in("a.pcd")));
+  saveCloud(in("a.ply"), manyFields());
+  files.push_back(bytesOf(in("a.ply")));
+  files.push_back(
+      "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n"
+      "1 2 3\n4 5 6\n");
+  files.push_back(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n1 2 3\n");
+  std::mt19937 random(1);
+  for (const auto& file : files) {
+    ASSERT_EQ(refusal(file), "");
+    for (std::size_t size = 0; size + 2 < file.size(); ++size)
+      EXPECT_NE(refusal(file.substr(0, size)), "") << size << " of " << file.size();
+    for (int i = 0; i < 1000; ++i) {
+      std::string damaged = file;
+      for (int k = 0; k < 3; ++k)
+        damaged[random() % damaged.size()] = static_cast<char>(random());
+      refusal(damaged);
+    }
+  }
+}
+
+TEST_F(CloudFiles, CoordinatesTooLargeForAFloatAreRefusedButStrayPointsAreNot)
+{
+  EXPECT_EQ(refusal(programs::pcdBytes({{8000, 1, 1}, {8000, 2, 1}, {8000, 3, 1}})),
+            "");
+  EXPECT_EQ(refusal(programs::pcdBytes({{1, 1, 1}, {1, 2, 1}, {4.5e6f, 3, 1}})), "");
+  const std::string sentence =
+      refusal("FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 2\n"
+              "DATA ascii\n412345.5 5650100 90\n412346.5 5650101 91\n");
+  EXPECT_NE(sentence.find("5650101 m"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("(412000, 5650000, 0)"), std::string::npos) << sentence;
+}
+
+} // namespace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+#include "tool_error.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+
+/** A tool's options, as tests see them. */
+struct SampleOptions {
+  std::string input;
+  float leaf = 0.05f;
+  unsigned int threads = 0;
+  int steps = 3;
+  double height = 0;
+  bool has_height = false;
+  std::string mode = "auto";
+  bool fast = false;
+  Options options{"pcl_sample", "Does something."};
+
+  SampleOptions()
+  {
+    options.file("INPUT", input, "cloud");
+    options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
+    options.number("threads", threads, "", "threads");
+    options.number("steps", steps, "", "steps", Range::between(-5, 5));
+    options.optionalNumber("height", height, has_height, "m", "height", "measured");
+    options.text("mode", mode, "mode", {"auto", "manual"});
+    options.flag("fast", fast, "in haste");
+  }
+
+  bool parse(std::vector<const char*> arguments)
+  {
+    arguments.insert(arguments.begin(), "pcl_sample");
+    return options.parse(static_cast<int>(arguments.size()), arguments.data());
+  }
+
+  /** The sentence of refusal. */
+  std::string refusal(const std::vector<const char*>& arguments)
+  {
+    try {
+      parse(arguments);
+      return "";
+    }
+    catch (const ToolError& error) {
+      EXPECT_EQ(error.exitCode(), BadUse);
+      return error.what();
+    }
+  }
+};
+
+TEST(ToolOptions, ReadNumbersTextsFlagsAndFilesAnywhere)
+{
+  SampleOptions sample;
+  ASSERT_TRUE(sample.parse({"--leaf", "0.1", "in.pcd", "--steps=-4", "--height", "-1.5",
+                            "--mode", "manual", "--fast"}));
+  EXPECT_EQ(sample.input, "in.pcd");
+  EXPECT_EQ(sample.leaf, 0.1f);
+  EXPECT_EQ(sample.threads, 0u);
+  EXPECT_EQ(sample.steps, -4);
+  EXPECT_TRUE(sample.has_height);
+  EXPECT_EQ(sample.height, -1.5);
+  EXPECT_EQ(sample.mode, "manual");
+  EXPECT_TRUE(sample.fast);
+}
+
+TEST(ToolOptions, HelpShowsUnitsRangesAndTheDefaultsOfTheVariables)
+{
+  SampleOptions sample;
+  EXPECT_FALSE(sample.parse({"-h"}));
+  EXPECT_FALSE(sample.parse({"--help", "--leaf", "nonsense"}));
+  const std::string help = sample.options.help();
+  EXPECT_NE(help.find("edge of a voxel [m] (above 0; default 0.05)"), std::string::npos)
+      << help;
+  EXPECT_NE(help.find("(from -5 to 5; default 3)"), std::string::npos) << help;
+  EXPECT_NE(help.find("(default measured)"), std::string::npos) << help;
+  EXPECT_NE(help.find("pcl_sample INPUT [options]"), std::string::npos) << help;
+}
+
+TEST(ToolOptions, RefuseEachMistakeWithASentenceThatNamesIt)
+{
+  SampleOptions sample;
+  EXPECT_NE(sample.refusal({}).find("INPUT is missing"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "b"}).find("'b'"), std::string::npos);
+  EXPECT_NE(
+      sample.refusal({"a", "--leaf", "0"}).find("--leaf must be above 0 m, not 0"),
+      std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf", "-1"}).find("not -1"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf", "nan"}).find("'nan'"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf", "1cm"}).find("'1cm'"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf", "1e300"}).find("1e300"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf"}).find("needs a value"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--leaf", "1", "--leaf", "2"}).find("more than once"),
+            std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--threads", "-1"}).find("-1"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--threads", "1.5"}).find("whole number"),
+            std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--threads", "99999999999"}), "");
+  EXPECT_NE(sample.refusal({"a", "--steps", "6"}).find("from -5 to 5"),
+            std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--mode", "soon"}).find("auto, manual"),
+            std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--lea", "1"}).find("--lea"), std::string::npos);
+  EXPECT_NE(sample.refusal({"a", "--fast=yes"}), "");
+}
+
+} // namespace

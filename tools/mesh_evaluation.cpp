@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::DistanceStatistics;
+using pcl::sedr::MeshEvaluationResult;
+using pcl::sedr::MeshFigures;
+using pcl::sedr::TriangleMesh;
+
+namespace {
+
+struct Settings {
+  std::string model;
+  std::string truth;
+  std::string cloud;
+  std::string labels;
+  std::string json;
+};
+
+std::shared_ptr<const TriangleMesh>
+load(const std::string& path)
+{
+  auto mesh = std::make_shared<TriangleMesh>();
+  const std::string problem = pcl::sedr::loadMesh(path, *mesh);
+  if (!problem.empty())
+    throw ToolError(problem);
+  return mesh;
+}
+
+/** @brief The labels of a list such as "1,2,3". */
+std::vector<std::uint32_t>
+parseLabels(const std::string& list)
+{
+  std::vector<std::uint32_t> labels;
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (word.empty() || word.size() > 9 ||
+        word.find_first_not_of("0123456789") != std::string::npos)
+      throw ToolError("--labels takes numbers with commas between them, such as 1,2,3, not '" +
+                      list + "'");
+    labels.push_back(static_cast<std::uint32_t>(std::stoul(word)));
+  }
+  return labels;
+}
+
+pcl::IndicesPtr
+select(const ToolCloud& cloud, const std::string& list)
+{
+  if (!cloud.has_label)
+    throw ToolError(cloud.path + " has no field 'label', which --labels asks for");
+  const std::vector<std::uint32_t> labels = parseLabels(list);
+  auto indices = std::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (std::find(labels.begin(), labels.end(), cloud.label[i]) != labels.end())
+      indices->push_back(static_cast<pcl::index_t>(i));
+  if (indices->empty())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " + cloud.path +
+                        " has one of the labels " + list,
+                    NothingFound);
+  return indices;
+}
+
+const char*
+yesOrNo(bool value)
+{
+  return value ? "yes" : "no";
+}
+
+void
+print(const char* name, const MeshFigures& figures)
+{
+  const auto& topology = figures.topology;
+  std::printf("%s\n", name);
+  std::printf("  closed manifold     %s%s%s\n",
+              yesOrNo(figures.closed),
+              figures.closed ? "" : ": ",
+              topology.problem().c_str());
+  if (figures.closed != figures.closed_when_welded)
+    std::printf("  with equal vertices made one: %s\n", yesOrNo(figures.closed_when_welded));
+  std::printf("  closed %s, edge-manifold %s, vertex-manifold %s, oriented %s\n",
+              yesOrNo(topology.isClosed()),
+              yesOrNo(topology.isEdgeManifold()),
+              yesOrNo(topology.isVertexManifold()),
+              yesOrNo(topology.isOriented()));
+  std::printf("  vertices, triangles %zu, %zu\n", topology.vertices, topology.triangles);
+  std::printf("  Euler characteristic %lld\n",
+              static_cast<long long>(topology.euler_characteristic));
+  std::printf("  area                %.3f m2\n", figures.area);
+  std::printf("  volume              %.3f m3\n", figures.volume);
+  std::printf("  components          %zu\n", topology.components.size());
+  for (std::size_t i = 0; i < topology.components.size() && i < 10; ++i) {
+    const auto& component = topology.components[i];
+    std::printf("    %-3zu %8zu triangles %10.3f m2 %10.3f m3 %s\n",
+                i + 1,
+                component.triangles,
+                component.area,
+                component.signed_volume,
+                component.closed ? "closed" : "open");
+  }
+}
+
+void
+print(const char* name, const std::optional<DistanceStatistics>& s)
+{
+  if (s)
+    std::printf("%-14s %9zu %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f %7.2f %7.2f\n",
+                name,
+                s->count,
+                100 * s->mean,
+                100 * s->rms,
+                100 * s->median,
+                100 * s->p95,
+                100 * s->p99,
+                100 * s->max,
+                100 * s->within_1cm,
+                100 * s->within_5cm);
+}
+
+void
+print(const MeshEvaluationResult& result)
+{
+  print("model", result.mesh);
+  if (result.truth)
+    print("truth", *result.truth);
+  if (!result.truth && !result.cloud_to_mesh)
+    return;
+  std::printf("\n%-14s %9s %8s %8s %8s %8s %8s %8s %7s %7s\n",
+              "distances, cm",
+              "samples",
+              "mean",
+              "rms",
+              "median",
+              "p95",
+              "p99",
+              "max",
+              "% <=1",
+              "% <=5");
+  print("cloud to model", result.cloud_to_mesh);
+  print("model to truth", result.mesh_to_truth);
+  print("truth to model", result.truth_to_mesh);
+}
+
+int
+run(const Settings& settings, pcl::MeshEvaluation& evaluation)
+{
+  if (!settings.json.empty())
+    checkWritable(settings.json);
+  if (!settings.labels.empty() && settings.cloud.empty())
+    throw ToolError("--labels chooses points of a cloud, but there is no --cloud");
+  evaluation.setInputMesh(load(settings.model));
+  if (!settings.truth.empty())
+    evaluation.setTruth(load(settings.truth));
+  if (!settings.cloud.empty()) {
+    const ToolCloud cloud = loadCloud(settings.cloud);
+    evaluation.setInputCloud(cloud.points);
+    if (!settings.labels.empty())
+      evaluation.setIndices(select(cloud, settings.labels));
+  }
+  MeshEvaluationResult result;
+  {
+    const Progress progress("measuring distances");
+    if (!evaluation.compute(result))
+      throw ToolError(evaluation.getErrorMessage(), NothingFound);
+  }
+  if (!settings.json.empty())
+    writeWhole(settings.json, [&result](std::ostream& stream) {
+      pcl::sedr::writeJson(stream, result);
+      stream << '\n';
+    });
+  print(result);
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  pcl::MeshEvaluation evaluation;
+  Settings settings;
+  double spacing = evaluation.getSampleSpacing();
+  std::uint64_t seed = evaluation.getSeed();
+  std::size_t bins = evaluation.getHistogramBins();
+  double range = evaluation.getHistogramRange();
+  unsigned threads = evaluation.getNumberOfThreads();
+  Options options("pcl_mesh_evaluation",
+                  "Tells whether a mesh is closed and how far it lies from a cloud and from the "
+                  "truth.");
+  options.file("MODEL", settings.model, "PLY or OBJ mesh to judge");
+  options.text("truth", settings.truth, "PLY or OBJ mesh that the model should be");
+  options.text("cloud", settings.cloud, "PCD or PLY cloud to measure from the model");
+  options.text("labels", settings.labels, "only points of these labels, such as 1,2,3");
+  options.text("json", settings.json, "file to write all figures to");
+  options.number("spacing", spacing, "m", "between the samples of a mesh", Range::above(0));
+  options.number("seed", seed, "", "chooses the samples");
+  options.number("bins", bins, "", "of the histograms in the JSON", Range::between(0, 1e6));
+  options.number("range", range, "m", "where the histograms end", Range::above(0));
+  options.number("threads", threads, "", "threads to use, 0 = all processors");
+  return runTool(options, argc, argv, [&] {
+    evaluation.setSampleSpacing(spacing);
+    evaluation.setSeed(seed);
+    evaluation.setHistogram(bins, range);
+    evaluation.setNumberOfThreads(threads);
+    return run(settings, evaluation);
+  });
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/structural_poisson.h>
+
+#include <iostream>
+#include <sstream>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::RoomPoissonReport;
+
+namespace {
+
+struct Settings {
+  std::string input;
+  std::string output;
+  bool one_room = false;
+};
+
+using Poisson = pcl::StructuralPoisson<pcl::PointStructure>;
+
+pcl::PointCloud<pcl::PointStructure>::Ptr
+load(const Settings& settings)
+{
+  const ToolCloud cloud = loadCloud(settings.input);
+  const std::vector<float> normals[3] = {floatField(cloud.blob, "normal_x"),
+                                         floatField(cloud.blob, "normal_y"),
+                                         floatField(cloud.blob, "normal_z")};
+  for (const auto& component : normals)
+    if (component.size() != cloud.size())
+      throw ToolError(settings.input + " has no normals (normal_x, normal_y, normal_z): refine " +
+                          "the structure first",
+                      NothingFound);
+  auto points = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
+  points->resize(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    pcl::PointStructure& point = (*points)[i];
+    point.getVector3fMap() = (*cloud.points)[i].getVector3fMap();
+    for (int k = 0; k < 3; ++k)
+      point.normal[k] = normals[k][i];
+    point.label = cloud.label[i];
+    point.room = settings.one_room ? 0 : cloud.room[i];
+  }
+  return points;
+}
+
+void
+tell(const RoomPoissonReport& report)
+{
+  std::ostringstream line;
+  line << "room " << report.room << ": " << report.points << " points " << report.spacing
+       << " m apart, depth " << report.depth << ", cells " << report.cell << " m, "
+       << report.attempts << (report.attempts == 1 ? " run, " : " runs, ")
+       << report.topology.triangles << " triangles, " << report.area << " m2, " << report.volume
+       << " m3, " << (report.closed ? "closed" : report.problem);
+  if (report.unsupported_share > 0.001)
+    line << ", " << 100 * report.unsupported_share << " % of the area is a guess";
+  say(line.str());
+}
+
+int
+run(const Settings& settings, Poisson& poisson)
+{
+  if (settings.output.size() < 4 ||
+      settings.output.compare(settings.output.size() - 4, 4, ".ply") != 0)
+    throw ToolError("the mesh is written as PLY, '" + settings.output +
+                    "' does not end in .ply");
+  checkWritable(settings.output);
+  poisson.setInputCloud(load(settings));
+  pcl::PolygonMesh mesh;
+  {
+    const Progress progress("solving");
+    poisson.reconstruct(mesh);
+  }
+  for (const RoomPoissonReport& report : poisson.getReports())
+    tell(report);
+  if (poisson.getMesh().empty())
+    throw ToolError(poisson.getErrorMessage(), NothingFound);
+  const std::string problem = pcl::sedr::savePly(settings.output, poisson.getMesh());
+  if (!problem.empty())
+    throw ToolError(problem);
+  if (!poisson.getErrorMessage().empty())
+    std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Poisson poisson;
+  Settings settings;
+  int depth = poisson.getDepth();
+  int min_depth = poisson.getMinDepth();
+  float weight = poisson.getPointWeight();
+  float scale = poisson.getScale();
+  float samples = poisson.getSamplesPerNode();
+  double cell = poisson.getCellRatio();
+  std::size_t min_points = poisson.getMinimumPoints();
+  std::size_t holes = poisson.getMaxHoleEdges();
+  double support = poisson.getSupportDistance();
+  unsigned threads = poisson.getNumberOfThreads();
+  int solver_threads = poisson.getSolverThreads();
+  Options options("pcl_structural_poisson",
+                  "Makes one closed mesh a room from oriented points, by screened Poisson.");
+  options.file("INPUT", settings.input, "PCD or PLY cloud with normals into the room; its fields "
+                                        "room and label are used if there");
+  options.file("OUTPUT.ply", settings.output, "mesh to write, faces with room and label");
+  options.number("depth", depth, "", "largest depth of the octree", Range::between(3, 14));
+  options.number("min-depth", min_depth, "", "depth of the octree everywhere", Range::atLeast(0));
+  options.number("cell-ratio", cell, "", "finest octree cell / spacing of the points",
+                 Range::between(0.1, 10));
+  options.number("point-weight", weight, "", "of the points against smoothness",
+                 Range::atLeast(0));
+  options.number("scale", scale, "", "least cube of the octree / extent of the points",
+                 Range::above(1));
+  options.number("samples-per-node", samples, "", "points that an octree node should hold",
+                 Range::above(0));
+  options.number("min-points", min_points, "", "rooms of fewer are left out",
+                 Range::atLeast(10));
+  options.number("max-hole-edges", holes, "", "longer holes in the surface stay open");
+  options.number("support", support, "m", "surface further from all points is told as a guess",
+                 Range::above(0));
+  options.flag("one-room", settings.one_room, "take all points for one room");
+  options.number("threads", threads, "", "threads to use where the result stays the same, "
+                                         "0 = all processors");
+  options.number("solver-threads", solver_threads, "", "threads of the solver: more than 1 is "
+                                                       "faster, but not repeatable",
+                 Range::atLeast(1));
+  return runTool(options, argc, argv, [&] {
+    poisson.setDepth(depth);
+    poisson.setMinDepth(min_depth);
+    poisson.setPointWeight(weight);
+    poisson.setScale(scale);
+    poisson.setSamplesPerNode(samples);
+    poisson.setCellRatio(cell);
+    poisson.setMinimumPoints(min_points);
+    poisson.setMaxHoleEdges(holes);
+    poisson.setSupportDistance(support);
+    poisson.setNumberOfThreads(threads);
+    poisson.setSolverThreads(solver_threads);
+    return run(settings, poisson);
+  });
+}
