@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "labelled_points.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;
@@ -73,23 +73,6 @@ pointsOfRoom(const ToolCloud& cloud, std::uint32_t id)
       room.details.push_back(index);
   }
   return room;
-}
-
-/** @brief Numbers of the rooms that have a ceiling; 0 alone if none has a number. */
-std::set<std::uint32_t>
-roomNumbers(const ToolCloud& cloud)
-{
-  const pcl::Indices ceiling = cloud.withLabel(StructureLabel::Ceiling);
-  if (ceiling.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' has label 1, ceiling",
-                    NothingFound);
-  std::set<std::uint32_t> numbers;
-  for (const auto i : ceiling)
-    numbers.insert(cloud.room[static_cast<std::size_t>(i)]);
-  if (numbers.size() > 1)
-    numbers.erase(0);
-  return numbers;
 }
 
 /** @brief The given slice height or, where there are details, that of the lowest one.
@@ -201,7 +184,7 @@ run(const Settings& settings)
     checkCloudOutput(settings.boundary_output);
   ToolCloud cloud = loadCloud(settings.input);
   std::vector<Found> rooms;
-  for (const auto id : roomNumbers(cloud)) {
+  for (const auto id : ceilingRooms(cloud)) {
     const Progress progress(
         "growing walls" + (id > 0 ? " of room " + std::to_string(id) : std::string()));
     rooms.push_back(growIn(settings, cloud, pointsOfRoom(cloud, id)));

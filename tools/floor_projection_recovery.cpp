@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "labelled_points.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -49,12 +50,8 @@ std::map<std::uint32_t, RoomPoints>
 splitRooms(const Settings& settings, ToolCloud& cloud)
 {
   const pcl::Indices floor = cloud.withLabel(StructureLabel::Floor);
-  const pcl::Indices ceiling = cloud.withLabel(StructureLabel::Ceiling);
+  const pcl::Indices ceiling = requireLabel(cloud, StructureLabel::Ceiling);
   const pcl::Indices detail = cloud.withLabel(StructureLabel::Detail);
-  if (ceiling.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' has label 1, ceiling",
-                    NothingFound);
   const bool has_rooms =
       std::any_of(ceiling.begin(), ceiling.end(), [&](pcl::index_t i) {
         return cloud.room[static_cast<std::size_t>(i)] != 0;
@@ -75,25 +72,6 @@ splitRooms(const Settings& settings, ToolCloud& cloud)
   share(detail, &RoomPoints::detail);
   share(floor, &RoomPoints::floor);
   return rooms;
-}
-
-/** @brief Height for rooms whose own floor was not seen at all: that of all floors. */
-double
-commonHeight(const Settings& settings, const ToolCloud& cloud)
-{
-  if (settings.has_height)
-    return settings.height;
-  const pcl::sedr::PointView points(*cloud.points);
-  pcl::Indices finite;
-  for (const auto i : cloud.withLabel(StructureLabel::Floor))
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      finite.push_back(i);
-  if (finite.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path +
-                        "' has label 2, floor; --height would stand for them",
-                    NothingFound);
-  return pcl::sedr::meanHeight(points, finite);
 }
 
 void
@@ -183,7 +161,10 @@ run(const Settings& settings)
   checkCloudOutput(settings.output);
   ToolCloud cloud = loadCloud(settings.input);
   const auto rooms = splitRooms(settings, cloud);
-  const double height = commonHeight(settings, cloud);
+  // For rooms whose own floor was not seen at all.
+  const double height = settings.has_height
+                            ? settings.height
+                            : meanFloorHeight(cloud, "--height would stand for them");
   Recovered result;
   result.removed.assign(cloud.size(), false);
   {

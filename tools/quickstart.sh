@@ -14,7 +14,7 @@ step() { printf '\n== %s\n' "$*"; }
 step "Installing what is missing"
 bash tools/install_dependencies.sh
 
-step "Building (about ten minutes the first time)"
+step "Building (some minutes the first time)"
 cmake --preset release -DSEDR_BUILD_TESTS=OFF
 cmake --build --preset release --parallel "$jobs"
 
@@ -29,11 +29,11 @@ step "Comparing the model with the truth"
 
 step "Done. Look at"
 cat <<TEXT
-  $scene/scan.pcd             the scan
-  $scene/model/mesh.ply       the model: closed, ceiling, floor and walls
-  $scene/model/structure.pcd  the points of the structure, label and room of each
-  $scene/model/floorplan.json walls, columns, details and heights as numbers
-  $scene/model/report.json    what was done, with figures
-  $scene/truth.ply            what was simulated
+  $scene/scan.pcd              the scan
+  $scene/model/mesh.ply        the model: closed, ceiling, floor and walls
+  $scene/model/structure.pcd   the points of the structure, label and room of each
+  $scene/model/floorplan.json  walls, columns, details and heights as numbers
+  $scene/model/report.json     what was done, with figures
+  $scene/truth.ply             what was simulated
 Your own scan: $bin/pcl_sedr SCAN.pcd OUTPUT_DIR   (metres, z up; -h tells all options)
 TEXT

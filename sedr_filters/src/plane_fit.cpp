@@ -60,6 +60,44 @@ planeThrough(const Eigen::Vector3d& a,
   return true;
 }
 
+/** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the tolerance, so
+ * that a thin layer wins over a thick one. */
+double
+agreement(const PointView& points,
+          const std::vector<int>& indices,
+          const PlanSlab& slab,
+          double tolerance)
+{
+  double sum = 0;
+  for (const int i : indices) {
+    const double d =
+        distanceAbove(slab, points[static_cast<std::size_t>(i)]) / tolerance;
+    sum += std::max(0.0, 1 - d * d);
+  }
+  return sum;
+}
+
+/** @brief The horizontal plane at the height around which, within the tolerance, most points lie. */
+PlanSlab
+densestLevel(const PointView& points, const std::vector<int>& indices, double tolerance)
+{
+  std::vector<float> heights;
+  for (const int i : indices)
+    heights.push_back(points[static_cast<std::size_t>(i)].z());
+  std::sort(heights.begin(), heights.end());
+  std::size_t best_first = 0;
+  std::size_t best_last = 0;
+  for (std::size_t first = 0, last = 0; last < heights.size(); ++last) {
+    while (heights[last] - heights[first] > tolerance)
+      ++first;
+    if (last - first > best_last - best_first) {
+      best_first = first;
+      best_last = last;
+    }
+  }
+  return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
+}
+
 } // namespace
 
 PlanSlab
@@ -127,19 +165,12 @@ findSlab(const PointView& points,
   for (std::size_t k = 0; k < indices.size(); k += step)
     scored.push_back(indices[k]);
 
-  // What the search starts from: the horizontal plane at the middle height.
-  std::vector<float> heights;
-  for (const int i : scored)
-    heights.push_back(points[static_cast<std::size_t>(i)].z());
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  PlanSlab best = horizontalSlab(heights.empty() ? 0 : *middle);
-  std::size_t best_score = withinBand(points, scored, best, tolerance).size();
-
+  const PlanSlab level = densestLevel(points, scored, tolerance);
+  PlanSlab best = level;
+  double best_score = agreement(points, scored, best, tolerance);
   const auto draw = [&]() {
     const std::size_t k = random() % indices.size();
-    return Eigen::Vector3d(
-        points[static_cast<std::size_t>(indices[k])].cast<double>());
+    return Eigen::Vector3d(points[static_cast<std::size_t>(indices[k])].cast<double>());
   };
   for (int trial = 0; trial < trials && indices.size() >= 3; ++trial) {
     PlanSlab slab;
@@ -147,14 +178,44 @@ findSlab(const PointView& points,
     const Eigen::Vector3d b = draw();
     if (!planeThrough(a, b, draw(), minimum_cosine, slab))
       continue;
-    const std::size_t score = withinBand(points, scored, slab, tolerance).size();
+    const double score = agreement(points, scored, slab, tolerance);
     if (score > best_score) {
       best_score = score;
       best = slab;
     }
   }
   const PlanSlab refined = fitSlabRobustly(points, indices, best, tolerance);
-  return refined.plane[2] >= minimum_cosine ? refined : best;
+  return refined.plane[2] >= minimum_cosine
+             ? refined
+             : fitParallel(points, indices, level, level, tolerance);
+}
+
+PlanSlab
+fitParallel(const PointView& points,
+            const std::vector<int>& indices,
+            const PlanSlab& direction,
+            const PlanSlab& start,
+            double band)
+{
+  PlanSlab slab = start;
+  slab.plane.head<3>() = direction.plane.head<3>();
+  const double widest = band;
+  for (int round = 0; round < 6; ++round) {
+    const std::vector<int> inside = withinBand(points, indices, slab, band);
+    if (inside.empty())
+      break;
+    double sum = 0;
+    for (const int i : inside)
+      sum += distanceAbove(slab, points[static_cast<std::size_t>(i)]);
+    slab.plane[3] -= sum / static_cast<double>(inside.size());
+    double squares = 0;
+    for (const int i : inside)
+      squares += std::pow(distanceAbove(slab, points[static_cast<std::size_t>(i)]), 2);
+    slab.inliers = inside.size();
+    slab.residual = std::sqrt(squares / static_cast<double>(inside.size()));
+    band = std::clamp(2.5 * robustDeviation(points, inside, slab), 1e-4, widest);
+  }
+  return slab;
 }
 
 } // namespace sedr

@@ -145,7 +145,10 @@ rankAxes(const PointView& points,
 {
   const Pieces pieces(indices.size(), threads);
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::vector<BoxRanks> found(pieces.count);
+  std::vector<BoxRanks> found;
+  for (std::size_t k = 0; k < pieces.count; ++k)
+    found.push_back({AxisRanks(indices.size()), AxisRanks(indices.size()),
+                     AxisRanks(indices.size())});
   std::vector<Eigen::Array3f> low(pieces.count, Eigen::Array3f::Constant(infinity));
   std::vector<Eigen::Array3f> high(pieces.count, Eigen::Array3f::Constant(-infinity));
   pieces.forEach([&](std::size_t k, std::size_t begin, std::size_t end) {

@@ -57,6 +57,33 @@ heightOverCeiling(const PlanRoom& room,
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
+/** @brief The plane of the underside above some cells: parallel to the main ceiling, unless its
+ * points say clearly otherwise. */
+PlanSlab
+undersideOf(const PointView& points,
+            const RoomEvidence& evidence,
+            const PlanRoom& room,
+            const Level& level,
+            const CellMask& cells,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  std::vector<int> own;
+  for (const int i : evidence.details) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cells.at(grid.at(p.x(), p.y())) &&
+        std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
+      own.push_back(i);
+  }
+  const PlanSlab leaning =
+      fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
+  const PlanSlab parallel = fitParallel(
+      points, own, room.ceiling, level.slab, parameters.slab_tolerance);
+  const bool is_clear = leaning.residual < 0.7 * parallel.residual &&
+                        leaning.inliers >= parallel.inliers;
+  return is_clear ? leaning : parallel;
+}
+
 /** @brief Labels the cells of the ceiling and of each connected underside. */
 HeightMap
 seenHeights(const PointView& points,
@@ -84,7 +111,13 @@ seenHeights(const PointView& points,
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < least)
         continue;
-      map.undersides.push_back(level.slab);
+      map.undersides.push_back(
+          undersideOf(points,
+                      evidence,
+                      room_plan,
+                      level,
+                      regionMask(cells, regions, static_cast<std::int32_t>(r)),
+                      parameters));
       for (std::size_t i = 0; i < map.label.size(); ++i)
         if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
           map.label[i] = static_cast<std::int32_t>(map.undersides.size());
@@ -213,6 +246,10 @@ fitDetail(const HeightMap& map,
   CellMask cells(map.room.box());
   for (std::size_t i = 0; i < map.label.size(); ++i)
     cells.values()[i] = map.label[i] == label ? 1 : 0;
+  // The cells of the riser itself belong to the underside: it stands up to a cell inside.
+  LoopParameters loop = parameters.loop;
+  loop.expected_offset = parameters.cell_size / 2;
+  loop.reach = 2 * parameters.cell_size;
   PlanDetail detail;
   detail.slab = map.undersides[static_cast<std::size_t>(label - 1)];
   double largest = 0;
@@ -221,10 +258,10 @@ fitDetail(const HeightMap& map,
     const double area = signedArea(contour);
     if (area > largest) {
       largest = area;
-      detail.boundary = fitLoop(contour, risers, walls, parameters.loop);
+      detail.boundary = fitLoop(contour, risers, walls, loop);
     }
     else if (area < -least_hole)
-      detail.holes.push_back(fitLoop(contour, risers, walls, parameters.loop));
+      detail.holes.push_back(fitLoop(contour, risers, walls, loop));
   }
   return detail;
 }

@@ -205,7 +205,7 @@ isBlur(const Run& before,
     return false;
   const std::vector<Eigen::Vector2d> meetings = intersections(before.curve, after.curve);
   return std::any_of(meetings.begin(), meetings.end(), [&](const Eigen::Vector2d& p) {
-    return (p - place).norm() < parameters.reach;
+    return (p - place).norm() < parameters.corner_reach;
   });
 }
 
@@ -237,7 +237,7 @@ tidied(std::vector<Run> runs,
 std::vector<Eigen::Vector2d>
 joint(const Run& a, const Run& b, const Eigen::Vector2d& place, const LoopParameters& parameters)
 {
-  const double farthest = 4 * parameters.reach;
+  const double farthest = 4 * parameters.corner_reach;
   const Eigen::Vector2d on_a = a.curve.project(place);
   const Eigen::Vector2d on_b = b.curve.project(place);
   const double sine = std::abs(a.curve.tangentAt(place).x() * b.curve.tangentAt(place).y() -
@@ -331,7 +331,7 @@ runsForward(const PlanLoop& loop)
 }
 
 /** @brief Whether the loop is a sound outline of the contour: it does not cross itself, and its
- * area is that of the contour but for a rim as wide as the reach. */
+ * area is that of the contour but for a rim. */
 bool
 isSound(const PlanLoop& loop, const Contour& contour, const LoopParameters& parameters)
 {
@@ -341,7 +341,7 @@ isSound(const PlanLoop& loop, const Contour& contour, const LoopParameters& para
   if (polygon.size() < 3 || crossesItself(polygon))
     return false;
   const double area = signedArea(contour);
-  const double rim = parameters.reach * loop.length() + 0.01;
+  const double rim = parameters.corner_reach * loop.length() + 0.01;
   return std::abs(loop.area() - area) < std::min(rim, 0.5 * std::abs(area) + 0.01) &&
          (loop.area() > 0) == (area > 0);
 }

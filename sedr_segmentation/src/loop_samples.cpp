@@ -24,8 +24,7 @@ struct WallStretch {
 };
 
 /** @brief Mean and number of the offsets within `width` of each other, for the stretch with most of
- * them, near ones before far ones. The contour runs up to a cell inside of the wall, so the wall is
- * looked for at `expected`. */
+ * them, near ones before far ones: the wall is looked for at `expected`, within `reach`. */
 WallStretch
 findWall(std::vector<double>& offsets, double width, double expected, double reach)
 {
@@ -105,8 +104,6 @@ sampleContour(const Contour& contour,
   const auto corner = [&](std::size_t i) { return contour[i % n]; };
   const std::size_t reach = std::max<std::size_t>(1, std::min(tangent_reach, n / 8));
   const double edge = n > 1 ? (contour[1] - contour[0]).norm() : 0;
-  // Farther away it is another wall, such as the other face of a partition.
-  const double farthest = std::min(parameters.reach, 1.2 * parameters.tolerance);
 
   std::vector<ContourSample> samples(n);
   std::vector<std::size_t> counts(n, 0);
@@ -126,12 +123,15 @@ sampleContour(const Contour& contour,
     std::vector<double> offsets;
     const Eigen::Vector2d middle = sample.position;
     evidence.forEachWithin(
-        middle, std::hypot(parameters.reach, edge), [&](const Eigen::Vector2d& p) {
+        middle,
+        std::hypot(std::abs(parameters.expected_offset) + parameters.reach, edge),
+        [&](const Eigen::Vector2d& p) {
           const Eigen::Vector2d d = p - middle;
           if (std::abs(d.dot(sample.tangent)) <= edge)
             offsets.push_back(d.dot(across));
         });
-    const WallStretch wall = findWall(offsets, parameters.tolerance, -edge / 2, farthest);
+    const WallStretch wall =
+        findWall(offsets, parameters.tolerance, parameters.expected_offset, parameters.reach);
     counts[i] = wall.count;
     walls[i] = sample.position + wall.offset * across;
   }

@@ -71,6 +71,7 @@ sampleMesh(const TriangleMesh& mesh,
                                 : max_samples;
   samples.spacing = std::sqrt(area / static_cast<double>(count));
   samples.points.reserve(count);
+  samples.triangles.reserve(count);
   std::size_t t = 0;
   std::uint64_t in_triangle = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -79,6 +80,7 @@ sampleMesh(const TriangleMesh& mesh,
     for (; t + 1 < summed_area.size() && summed_area[t] <= at; ++t)
       in_triangle = 0;
     samples.points.push_back(pointInTriangle(mesh, t, in_triangle++, seed));
+    samples.triangles.push_back(static_cast<std::uint32_t>(t));
   }
   return samples;
 }

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace pcl {
 namespace sedr {
@@ -20,6 +22,15 @@ struct Attempt {
 };
 constexpr Attempt attempts[] = {
     {1, 0}, {1.06, 0}, {0.95, 0}, {1.13, 0}, {1.2, 0}, {1, -1}, {1.13, -1}};
+
+// With as many digits as people want to read.
+std::string
+shortNumber(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
 
 Eigen::Vector3d
 centroidOf(const std::vector<OrientedPoint>& points)
@@ -112,6 +123,10 @@ moveAndRepair(TriangleMesh& mesh,
                       std::to_string(report.topology.components.size()) + " components";
   else if (report.problem.empty() && hasEqualPositions(mesh))
     report.problem = "vertices at equal positions";
+  if (report.repair.open_holes > 0)
+    report.problem += ", " + std::to_string(report.repair.open_holes) +
+                      (report.repair.open_holes == 1 ? " hole" : " holes") + " of more than " +
+                      std::to_string(parameters.max_hole_edges) + " edges";
   report.closed = report.problem.empty();
 }
 
@@ -137,7 +152,7 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
   report.spacing = measureSpacing(local);
   if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
     report.problem = "the " + std::to_string(points.size()) + " points extend over " +
-                     std::to_string(extent) + " m only";
+                     shortNumber(extent) + " m only";
     return false;
   }
   bool found = false;
@@ -166,7 +181,8 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
       best = current;
       found = true;
     }
-    if (best.closed)
+    // Where the surface runs out of the octree, a little more or less of it changes nothing.
+    if (best.closed || (best.repair.open_holes > 0 && report.attempts == 3))
       break;
   }
   best.attempts = report.attempts;
@@ -216,6 +232,12 @@ findNearest(const std::vector<OrientedPoint>& points,
   });
 }
 
+double
+supportDistance(const RoomPoissonParameters& parameters, const RoomPoissonReport& report)
+{
+  return std::max(parameters.support_distance, 4 * report.spacing);
+}
+
 // Turns the surface to the side of the points' normals and sees how much of it they bear out.
 void
 compareWithPoints(const std::vector<OrientedPoint>& points,
@@ -231,7 +253,7 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d normal = mesh.scaledNormal(t);
     agreement += normal.dot(points[nearest[t]].normal.cast<double>());
-    if (distance[t] > std::max(parameters.support_distance, 4 * report.spacing))
+    if (distance[t] > supportDistance(parameters, report))
       far_area += normal.norm() / 2;
   }
   if (agreement < 0)
@@ -239,6 +261,10 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   report.area = mesh.area();
   report.volume = std::abs(mesh.signedVolume());
   report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
+  if (report.unsupported_share > 0.05)
+    report.warning = std::to_string(std::lround(100 * report.unsupported_share)) +
+                     " % of its surface is a guess, further than " +
+                     shortNumber(supportDistance(parameters, report)) + " m from all points";
 }
 
 } // namespace

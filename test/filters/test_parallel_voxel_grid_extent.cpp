@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace {
@@ -84,6 +86,37 @@ TEST(ParallelVoxelGrid, VoxelsWhoseKeysTakeMoreThan32Or64BitsAreToldApart)
     ASSERT_EQ(output.size(), n);
     for (std::size_t i = 1; i < n; ++i)
       ASSERT_LT(output[i - 1].z, output[i].z);
+  }
+}
+
+TEST(ParallelVoxelGrid, PointsAllFarFromOneAnotherTakeNoMoreMemoryThanTheyAreWorth)
+{
+  // 200 000 distances over 60 powers of two; a page of voxels each would take 10 GB.
+  std::mt19937 random(5);
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  const auto coordinate = [&] {
+    return std::ldexp(1.f + static_cast<float>(random() % (1 << 23)) / (1 << 23),
+                      static_cast<int>(random() % 60) + 23);
+  };
+  for (int i = 0; i < 200000; ++i) {
+    const float x = coordinate();
+    const float y = -coordinate();
+    cloud->emplace_back(x, y, coordinate());
+  }
+  std::vector<float> heights;
+  for (const auto& p : *cloud)
+    heights.push_back(p.z);
+  std::sort(heights.begin(), heights.end());
+  for (const unsigned threads : {1u, 2u}) {
+    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    grid.setLeafSize(1, 1, 1);
+    grid.setNumberOfThreads(threads);
+    pcl::PointCloud<pcl::PointXYZ> output;
+    grid.filter(output);
+    ASSERT_EQ(output.size(), cloud->size());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      ASSERT_EQ(output[i].z, heights[i]);
   }
 }
 

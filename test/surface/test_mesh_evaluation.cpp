@@ -180,6 +180,8 @@ TEST(DistanceStatistics, are_what_their_definitions_say)
   EXPECT_EQ(in_bins, 100u);
   EXPECT_NEAR(static_cast<double>(s.beyond_histogram), 51, 1);
   EXPECT_EQ(summarizeDistances({}).count, 0u);
+  EXPECT_EQ(summarizeDistances({3, 1, 2}).median, 2);
+  EXPECT_EQ(summarizeDistances({4, 1, 2, 3}).median, 2);
 }
 
 TEST(MeshEvaluation, a_shifted_plate_is_off_by_the_shift)

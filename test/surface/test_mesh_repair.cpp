@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace pcl::sedr;
 using namespace sedr_test;
 
@@ -81,6 +83,17 @@ TEST(MeshRepair, welding_within_a_tolerance_joins_what_lies_within_it_only)
   EXPECT_EQ(weldVertices(same, 0.0005), 0u); // the diagonal is 0.00057 long
   EXPECT_EQ(weldVertices(mesh, 0.0006), 2u);
   EXPECT_EQ(checkTopology(mesh).non_manifold_edges, 1u);
+}
+
+TEST(MeshRepair, welding_within_a_tolerance_finds_neighbours_in_every_direction)
+{
+  for (int direction = 0; direction < 27; ++direction) {
+    const Eigen::Vector3d step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+    TriangleMesh mesh;
+    // The first vertex is where cells are counted from: the second lies on a corner of them.
+    mesh.vertices = {{0, 0, 0}, {5, 5, 5}, Eigen::Vector3d(5, 5, 5) + 0.01 * step};
+    EXPECT_EQ(weldVertices(mesh, 0.05), 1u) << step.transpose();
+  }
 }
 
 TEST(MeshRepair, sheets_back_to_back_go_and_doubles_stay_once)
@@ -264,6 +277,27 @@ TEST(MeshRepair, collapsing_never_tears_a_surface_however_long_the_edges)
     EXPECT_TRUE(checkTopology(mesh).isClosedManifold()) << length;
     EXPECT_EQ(checkTopology(mesh).euler_characteristic, 0) << length;
   }
+}
+
+TEST(MeshRepair, collapsing_turns_no_triangle_over)
+{
+  TriangleMesh mesh = sphere({0, 0, 0}, 1, 12);
+  weldVertices(mesh);
+  mesh.removeUnusedVertices();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> jitter(-0.045, 0.045);
+  for (auto& v : mesh.vertices)
+    v = (v + Eigen::Vector3d(jitter(random), jitter(random), jitter(random))).normalized();
+  const auto turnedOver = [](const TriangleMesh& m) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < m.triangles.size(); ++t)
+      count += m.scaledNormal(t).dot(m.corner(t, 0) + m.corner(t, 1) + m.corner(t, 2)) < 0;
+    return count;
+  };
+  const std::size_t before = turnedOver(mesh);
+  EXPECT_GT(collapseShortEdges(mesh, 0.12), 100u);
+  EXPECT_LE(turnedOver(mesh), before);
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
 }
 
 TEST(MeshRepair, a_wreck_becomes_a_closed_manifold)

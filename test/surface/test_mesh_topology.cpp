@@ -73,6 +73,17 @@ TEST(MeshTopology, cubes_that_share_a_vertex_are_two_components_with_one_bad_ver
   EXPECT_EQ(topology.problem(), "1 non-manifold vertex");
 }
 
+TEST(MeshTopology, a_fin_on_an_edge_makes_it_non_manifold)
+{
+  TriangleMesh mesh = unitCube();
+  mesh.vertices.emplace_back(0.5, -1, -1);
+  mesh.triangles.push_back({0, 1, 8});
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.non_manifold_edges, 1u);
+  EXPECT_EQ(topology.boundary_edges, 2u);
+  EXPECT_FALSE(topology.isEdgeManifold());
+}
+
 TEST(MeshTopology, a_turned_triangle_makes_its_three_edges_inconsistent)
 {
   TriangleMesh mesh = unitCube();
@@ -121,7 +132,7 @@ TEST(MeshTopology, an_empty_mesh_is_not_closed)
 
 TEST(TriangleMesh, volume_keeps_its_digits_far_from_the_origin)
 {
-  const Eigen::Vector3d far(500000, 5000000, 100);
+  const Eigen::Vector3d far(500000.1, 5000000.7, 100.3);
   const TriangleMesh mesh = box(far, far + Eigen::Vector3d(6, 5, 3));
   EXPECT_NEAR(mesh.signedVolume(), 90, 1e-6);
   EXPECT_NEAR(mesh.area(), 2 * (30 + 18 + 15), 1e-6);

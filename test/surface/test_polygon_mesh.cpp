@@ -45,6 +45,24 @@ TEST(PolygonMesh, polygons_become_triangles_and_other_fields_are_skipped)
   EXPECT_NEAR(mesh.area(), 3, 1e-12);
 }
 
+TEST(PolygonMesh, concave_polygons_are_cut_right_wherever_they_begin)
+{
+  const std::vector<Eigen::Vector3d> vertices = {
+      {0, 0, 1}, {3, 0, 1}, {3, 3, 1}, {1.5, 0.5, 1}, {0, 3, 1}};
+  for (std::uint32_t first = 0; first < 5; ++first) {
+    std::vector<std::uint32_t> polygon;
+    for (std::uint32_t i = 0; i < 5; ++i)
+      polygon.push_back((first + i) % 5);
+    TriangleMesh mesh;
+    mesh.vertices = vertices;
+    triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_NEAR(mesh.area(), 9 - 3.75, 1e-12) << first;
+    for (std::size_t t = 0; t < 3; ++t)
+      EXPECT_GT(mesh.scaledNormal(t).z(), 0) << first;
+  }
+}
+
 TEST(PolygonMesh, what_is_no_mesh_is_refused_with_a_reason)
 {
   pcl::PolygonMesh polygons;

@@ -139,6 +139,14 @@ appendRows(pcl::PCLPointCloud2& to,
 }
 
 void
+appendZeroRows(pcl::PCLPointCloud2& blob, std::size_t count)
+{
+  const std::size_t rows = rowsOf(blob) + count;
+  blob.data.resize(rows * blob.point_step, 0);
+  setRows(blob, rows);
+}
+
+void
 setCoordinates(pcl::PCLPointCloud2& blob,
                std::size_t first_row,
                const std::vector<Eigen::Vector3f>& points)

@@ -37,6 +37,9 @@ void appendRows(pcl::PCLPointCloud2& to,
                 const pcl::PCLPointCloud2& from,
                 const pcl::Indices& indices);
 
+/** @brief Adds `count` rows of zeros to the end. */
+void appendZeroRows(pcl::PCLPointCloud2& blob, std::size_t count);
+
 /** @brief Writes `points`, metres, as x, y and z to the rows from `first_row` on. */
 void setCoordinates(pcl::PCLPointCloud2& blob,
                     std::size_t first_row,

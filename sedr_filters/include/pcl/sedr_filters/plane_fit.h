@@ -26,6 +26,14 @@ fitSlabRobustly(const PointView& points,
                 const PlanSlab& start,
                 double band);
 
+/** @brief As fitSlabRobustly(), but the plane keeps the direction of `direction`. */
+PlanSlab
+fitParallel(const PointView& points,
+            const std::vector<int>& indices,
+            const PlanSlab& direction,
+            const PlanSlab& start,
+            double band);
+
 /** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the horizontal, with
  * inliers within `tolerance` metres, refined by fitSlabRobustly(). Deterministic for a `seed`. */
 PlanSlab

@@ -16,7 +16,9 @@ namespace sedr {
 /** @brief How a loop is fitted to a contour; metres. */
 struct LoopParameters {
   double tolerance = 0.05;      ///< distance of an inlier from its curve (paper, Table 1)
-  double reach = 0.15;          ///< how far from the contour the wall may be
+  double expected_offset = -0.025; ///< where the wall is looked for, from the contour, inside > 0
+  double reach = 0.06;          ///< how far from there it may be: a farther one is another wall
+  double corner_reach = 0.15;   ///< how far from the contour two curves meet in a corner
   double minimum_length = 0.2;  ///< of an element that has a curve of its own
   double minimum_radius = 0.15; ///< of an arc
   double maximum_radius = 25.0; ///< of an arc; flatter ones are segments

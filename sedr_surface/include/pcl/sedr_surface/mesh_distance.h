@@ -38,6 +38,7 @@ private:
 /** @brief Points spread over a mesh, each for the same share of its area. */
 struct MeshSamples {
   std::vector<Eigen::Vector3d> points;
+  std::vector<std::uint32_t> triangles; ///< the one that each point lies on
   double spacing = 0; ///< root of the area for which a point stands, metres
 };
 

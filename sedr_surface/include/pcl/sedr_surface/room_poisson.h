@@ -43,7 +43,8 @@ struct RoomPoissonReport {
   double area = 0;                  ///< square metres
   double volume = 0;                ///< cubic metres, above zero
   double unsupported_share = 0;     ///< share of the area far from all points
-  std::string problem;              ///< what is wrong with the result, empty if nothing is
+  std::string problem; ///< why there is no surface or what keeps it from being closed, or empty
+  std::string warning; ///< what to know of a surface that is closed, or empty
 };
 
 /** @brief The surface of one room by screened Poisson: solved near the origin, its largest

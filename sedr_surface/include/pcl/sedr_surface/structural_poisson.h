@@ -26,8 +26,8 @@ namespace pcl {
  * surface the largest component stays; sheets that touch are cut apart, small holes filled,
  * slivers collapsed. If it still is no closed manifold the room is solved again with slightly
  * other cells, up to seven times. What became of each room stands in getReports(); a room that
- * failed is missing from the output, one that is not closed is in it, and both are named by
- * getErrorMessage().
+ * failed is missing from the output, one that is not closed, or of which over 5 % of the surface
+ * are far from all points, is in it, and all of them are named by getErrorMessage().
  *
  * Normals of the output point to the side of those of the input: into the room.
  *

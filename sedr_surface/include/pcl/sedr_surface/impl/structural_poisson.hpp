@@ -150,7 +150,7 @@ void
 StructuralPoisson<PointNT>::summarize()
 {
   closed_ = true;
-  std::string failures;
+  std::vector<std::string> sentences;
   for (const sedr::RoomPoissonReport& report : reports_) {
     const std::size_t all = report.points + report.skipped_points;
     if (report.skipped_points > 0)
@@ -164,20 +164,20 @@ StructuralPoisson<PointNT>::summarize()
                report.room,
                report.scaled_normals,
                all);
-    if (report.unsupported_share > 0.05)
-      PCL_WARN("[pcl::StructuralPoisson] room %u: %.1f %% of the surface lie further than %.2f m "
-               "from all points\n",
-               report.room,
-               100 * report.unsupported_share,
-               parameters_.support_distance);
     closed_ = closed_ && report.closed;
+    const std::string room = "room " + std::to_string(report.room);
     if (!report.problem.empty())
-      failures += (failures.empty() ? "room " : "; room ") + std::to_string(report.room) +
-                  (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
-                  report.problem;
+      sentences.push_back(
+          room + (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
+          report.problem);
+    if (!report.warning.empty())
+      sentences.push_back(room + ": " + report.warning);
   }
-  if (!failures.empty())
-    fail("StructuralPoisson", failures);
+  std::string all;
+  for (const std::string& sentence : sentences)
+    all += (all.empty() ? "" : "; ") + sentence;
+  if (!all.empty())
+    fail("StructuralPoisson", all);
 }
 
 template <typename PointNT>

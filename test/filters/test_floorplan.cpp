@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+
+double
+cross(const Vector2d& a, const Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/** A segment and arcs of both senses, short, more than half, and whole. */
+std::vector<PlanElement>
+elements()
+{
+  return {segment({1, 2}, {4, 6}),        arc({1, 2}, 3, 20, 95),
+          arc({1, 2}, 3, 95, 20),         arc({-2, 0}, 0.5, 170, 410),
+          arc({-2, 0}, 0.5, 410, 170),    arc({5, 5}, 2, 30, 390),
+          arc({5, 5}, 2, 390, 30),        arc({0, 0}, 40, 179, 181),
+          arc({1e4, -1e4}, 2, -100, 100), segment({1e4, 1e4}, {1e4 - 3, 1e4})};
+}
+
+TEST(PlanElement, SweepsTheAngleOfItsSense)
+{
+  EXPECT_NEAR(arc({0, 0}, 1, 0, 90).sweep(), M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({0, 0}, 1, 90, 0).sweep(), -M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({3, 4}, 2, 90, 360).sweep(), 3 * M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({3, 4}, 2, 360, 90).sweep(), -3 * M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({0, 0}, 1, 170, 190).sweep(), M_PI / 9, 1e-12) << "across -x";
+  EXPECT_NEAR(arc({0, 0}, 1, 190, 170).sweep(), -M_PI / 9, 1e-12);
+}
+
+TEST(PlanElement, AnArcWhoseEndsCoincideIsAWholeCircle)
+{
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 40, 400).sweep(), 2 * M_PI);
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 400, 40).sweep(), -2 * M_PI);
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 40, 400).length(), 4 * M_PI);
+}
+
+TEST(PlanElement, LengthIsThatOfTheSegmentOrArc)
+{
+  EXPECT_DOUBLE_EQ(segment({1, 2}, {4, 6}).length(), 5);
+  EXPECT_DOUBLE_EQ(segment({1, 2}, {1, 2}).length(), 0);
+  EXPECT_NEAR(arc({7, 7}, 2, 10, 100).length(), M_PI, 1e-12);
+  EXPECT_NEAR(arc({7, 7}, 2, 100, 10).length(), M_PI, 1e-12);
+}
+
+TEST(PlanElement, PointAtGoesFromStartToEndAtUnitSpeed)
+{
+  for (const auto& e : elements()) {
+    const double length = e.length();
+    EXPECT_NEAR((e.pointAt(0) - e.start).norm(), 0, 1e-9);
+    EXPECT_NEAR((e.pointAt(length) - e.end).norm(), 0, 1e-9);
+    constexpr double step = 1e-4;
+    for (double s = 0; s + step <= length; s += length / 17)
+      ASSERT_NEAR((e.pointAt(s + step) - e.pointAt(s)).norm() / step, 1, 1e-6);
+  }
+  EXPECT_NEAR((arc({0, 0}, 1, 0, 90).pointAt(M_PI / 4) - Vector2d(1, 1).normalized())
+                  .norm(),
+              0,
+              1e-12);
+  EXPECT_NEAR((arc({0, 0}, 1, 0, -90).pointAt(M_PI / 4) - Vector2d(1, -1).normalized())
+                  .norm(),
+              0,
+              1e-12);
+  EXPECT_EQ(segment({1, 2}, {1, 2}).pointAt(0), Vector2d(1, 2));
+}
+
+TEST(PlanElement, TheNormalIsOfUnitLengthAndToTheLeft)
+{
+  EXPECT_TRUE(segment({0, 0}, {2, 0}).normalAt(1).isApprox(Vector2d(0, 1)));
+  EXPECT_TRUE(arc({3, 4}, 2, 0, 90).normalAt(0).isApprox(Vector2d(-1, 0)));
+  EXPECT_TRUE(arc({3, 4}, 2, 90, 0).normalAt(0).isApprox(Vector2d(0, 1)));
+  for (const auto& e : elements()) {
+    constexpr double step = 1e-4;
+    for (double s = step; s + step <= e.length(); s += e.length() / 13) {
+      const Vector2d way = (e.pointAt(s + step) - e.pointAt(s - step)) / (2 * step);
+      ASSERT_NEAR(cross(way, e.normalAt(s)), 1, 1e-6);
+      ASSERT_NEAR(e.normalAt(s).norm(), 1, 1e-9);
+    }
+  }
+}
+
+TEST(PlanElement, ProjectFindsTheNearestPoint)
+{
+  for (const auto& e : elements()) {
+    const Vector2d middle = e.pointAt(e.length() / 2);
+    for (int k = 0; k < 60; ++k) {
+      const Vector2d p =
+          middle + 0.13 * k * Vector2d(std::cos(2.4 * k), std::sin(2.4 * k));
+      double least = std::numeric_limits<double>::infinity();
+      constexpr int parts = 2000;
+      for (int i = 0; i <= parts; ++i)
+        least = std::min(least, (e.pointAt(e.length() * i / parts) - p).norm());
+      const double s = e.project(p);
+      ASSERT_GE(s, 0);
+      ASSERT_LE(s, e.length());
+      ASSERT_DOUBLE_EQ(e.distance(p), (e.pointAt(s) - p).norm());
+      ASSERT_LE(e.distance(p), least + 1e-9);
+      ASSERT_GE(e.distance(p), least - e.length() / parts);
+    }
+  }
+}
+
+TEST(PlanElement, ProjectStopsAtTheEnds)
+{
+  const PlanElement s = segment({0, 0}, {3, 0});
+  EXPECT_EQ(s.project({-5, 1}), 0);
+  EXPECT_EQ(s.project({9, 1}), 3);
+  EXPECT_EQ(s.project({1.25, -4}), 1.25);
+  const PlanElement quarter = arc({0, 0}, 2, 0, 90);
+  EXPECT_EQ(quarter.project({1, -3}), 0);
+  EXPECT_EQ(quarter.project({-3, 1}), quarter.length());
+  EXPECT_NEAR(quarter.project({0.1, 0.1}), M_PI / 2, 1e-12);
+  const PlanElement back = arc({0, 0}, 2, 90, 0);
+  EXPECT_EQ(back.project({1, -3}), back.length());
+  EXPECT_EQ(back.project({-3, 1}), 0);
+}
+
+TEST(PlanLoop, AreaIsExact)
+{
+  const double r = 0.75;
+  EXPECT_NEAR(rectangle(1, 2, 5, 5).area(), 12, 1e-12);
+  EXPECT_NEAR(circle({3, -2}, r).area(), M_PI * r * r, 1e-12);
+  EXPECT_NEAR(roundedRectangle(6, 4, r).area(), 24 - (4 - M_PI) * r * r, 1e-12);
+  EXPECT_NEAR(stadium(5, r).area(), 10 * r + M_PI * r * r, 1e-12);
+  EXPECT_NEAR(bittenRectangle(6, 4, r).area(), 24 - M_PI * r * r / 2, 1e-12);
+  EXPECT_EQ(PlanLoop().area(), 0);
+}
+
+TEST(PlanLoop, LengthIsExact)
+{
+  const double r = 0.75;
+  EXPECT_NEAR(rectangle(1, 2, 5, 5).length(), 14, 1e-12);
+  EXPECT_NEAR(circle({3, -2}, r).length(), 2 * M_PI * r, 1e-12);
+  EXPECT_NEAR(roundedRectangle(6, 4, r).length(), 20 - (8 - 2 * M_PI) * r, 1e-12);
+  EXPECT_NEAR(stadium(5, r).length(), 10 + 2 * M_PI * r, 1e-12);
+  EXPECT_NEAR(bittenRectangle(6, 4, r).length(), 20 - (2 - M_PI) * r, 1e-12);
+}
+
+TEST(PlanLoop, AreaDoesNotDependOnThePlace)
+{
+  for (const double degrees : {0.0, 33.0, 200.0}) {
+    EXPECT_NEAR(placed(roundedRectangle(6, 4, 1), degrees, {5000, -7000}).area(),
+                24 - (4 - M_PI),
+                1e-6);
+    EXPECT_NEAR(placed(bittenRectangle(6, 4, 1), degrees, {5000, -7000}).area(),
+                24 - M_PI / 2,
+                1e-6);
+  }
+}
+
+/** Compares contains() with a truth on a lattice, both ways around and turned. */
+template <typename Inside>
+void
+expectContains(const PlanLoop& loop, Inside inside)
+{
+  for (const double degrees : {0.0, 41.0}) {
+    const Vector2d shift = degrees == 0 ? Vector2d(0, 0) : Vector2d(-3, 8);
+    const PlanLoop there = placed(loop, degrees, shift);
+    const PlanLoop back = reversed(there);
+    const Eigen::Rotation2Dd turn(degrees * M_PI / 180);
+    for (double y = -3.013; y < 6; y += 0.21)
+      for (double x = -3.017; x < 9; x += 0.21) {
+        const Vector2d p = turn * Vector2d(x, y) + shift;
+        ASSERT_EQ(there.contains(p), inside(x, y)) << x << ' ' << y << ", " << degrees;
+        ASSERT_EQ(back.contains(p), inside(x, y)) << x << ' ' << y << ", reversed";
+      }
+  }
+}
+
+TEST(PlanLoop, ContainsWhatIsWithinARectangle)
+{
+  expectContains(rectangle(0, 0, 6, 4), [](double x, double y) {
+    return x > 0 && x < 6 && y > 0 && y < 4;
+  });
+}
+
+TEST(PlanLoop, ContainsWhatIsWithinANonConvexPolygon)
+{
+  expectContains(polygon({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}),
+                 [](double x, double y) {
+                   return x > 0 && x < 6 && y > 0 && y < 4 &&
+                          !(y > 2 && x > 2 && x < 4);
+                 });
+}
+
+TEST(PlanLoop, ContainsWhatIsWithinACircle)
+{
+  expectContains(circle({2, 1}, 1.7), [](double x, double y) {
+    return std::hypot(x - 2, y - 1) < 1.7;
+  });
+}
+
+TEST(PlanLoop, ContainsWhatArcsBulgingOutEnclose)
+{
+  expectContains(stadium(5, 1.5), [](double x, double y) {
+    return (x > 0 && x < 5 && std::abs(y) < 1.5) || std::hypot(x, y) < 1.5 ||
+           std::hypot(x - 5, y) < 1.5;
+  });
+  expectContains(roundedRectangle(6, 4, 1), [](double x, double y) {
+    const double dx = std::max(0.0, std::abs(x - 3) - 2);
+    const double dy = std::max(0.0, std::abs(y - 2) - 1);
+    return std::hypot(dx, dy) < 1;
+  });
+}
+
+TEST(PlanLoop, ContainsNothingOfWhatAnArcBulgingInTakesAway)
+{
+  expectContains(bittenRectangle(6, 4, 1.5), [](double x, double y) {
+    return x > 0 && x < 6 && y > 0 && y < 4 && std::hypot(x - 3, y) > 1.5;
+  });
+}
+
+TEST(PlanLoop, ContainsWhatAnArcOfMoreThanHalfACircleEncloses)
+{
+  // A keyhole: the chord of the arc lies inside of the loop.
+  const double a = M_PI / 6;
+  const Vector2d left(-2 * std::sin(a), -2 * std::cos(a));
+  const Vector2d right(2 * std::sin(a), -2 * std::cos(a));
+  const PlanLoop keyhole{{arc({0, 0}, 2, -60, 240),
+                          segment(left, {left.x(), -2.8}),
+                          segment({left.x(), -2.8}, {right.x(), -2.8}),
+                          segment({right.x(), -2.8}, right)}};
+  expectContains(keyhole, [](double x, double y) {
+    return std::hypot(x, y) < 2 || (std::abs(x) < 1 && y < 0 && y > -2.8);
+  });
+}
+
+TEST(PlanLoop, ReversedIsTheSamePlaceTheOtherWay)
+{
+  for (const auto& loop :
+       {rectangle(1, 2, 5, 5), circle({3, -2}, 0.7), bittenRectangle(6, 4, 1)}) {
+    const PlanLoop back = reversed(loop);
+    ASSERT_EQ(back.elements.size(), loop.elements.size());
+    EXPECT_NEAR(back.area(), -loop.area(), 1e-12);
+    EXPECT_NEAR(back.length(), loop.length(), 1e-12);
+    for (std::size_t i = 0; i < back.elements.size(); ++i) {
+      const PlanElement& e = back.elements[i];
+      const PlanElement& same = loop.elements[loop.elements.size() - 1 - i];
+      const PlanElement& next = back.elements[(i + 1) % back.elements.size()];
+      EXPECT_NEAR((e.end - next.start).norm(), 0, 1e-12);
+      EXPECT_NEAR(
+          (e.pointAt(e.length() / 3) - same.pointAt(same.length() * 2 / 3)).norm(),
+          0,
+          1e-12);
+      EXPECT_NEAR((e.normalAt(0) + same.normalAt(same.length())).norm(), 0, 1e-12);
+    }
+  }
+}
+
+TEST(PlanLoop, DistanceAndNearestAreThoseOfTheNearestElement)
+{
+  const PlanLoop loop = bittenRectangle(6, 4, 1);
+  EXPECT_EQ(loop.nearest({3, 1.2}), 1u);
+  EXPECT_NEAR(loop.distance({3, 1.2}), 0.2, 1e-12);
+  EXPECT_EQ(loop.nearest({7, 2}), 3u);
+  EXPECT_NEAR(loop.distance({7, 2}), 1, 1e-12);
+  EXPECT_NEAR(loop.distance({3, 0.25}), 0.75, 1e-12) << "outside, below the arc";
+  EXPECT_EQ(PlanLoop().distance({0, 0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(PlanLoop, PolygonStaysWithinTheToleranceOfTheLoop)
+{
+  for (const auto& loop : {rectangle(1, 2, 5, 5),
+                           circle({3, -2}, 0.7),
+                           reversed(circle({3, -2}, 5)),
+                           bittenRectangle(6, 4, 1),
+                           stadium(5, 20)})
+    for (const double tolerance : {0.1, 0.005, 0.0001}) {
+      const std::vector<Vector2d> corners = loop.polygon(tolerance);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        ASSERT_NEAR(loop.distance(corners[i]), 0, 1e-9);
+        const Vector2d next = corners[(i + 1) % corners.size()];
+        ASSERT_LE(loop.distance((corners[i] + next) / 2), tolerance * (1 + 1e-9));
+      }
+      for (const auto& e : loop.elements) // every end is a corner
+        EXPECT_TRUE(std::any_of(corners.begin(), corners.end(), [&](const auto& c) {
+          return (c - e.start).norm() < 1e-9;
+        }));
+    }
+  EXPECT_EQ(rectangle(1, 2, 5, 5).polygon(0.01).size(), 4u);
+}
+
+TEST(PlanLoop, PolygonOfACircleHasNoMoreChordsThanItNeeds)
+{
+  // The sagitta of a chord over the angle a is r (1 - cos(a / 2)).
+  const double radius = 2;
+  const double tolerance = 0.01;
+  const double fewest = 2 * M_PI / (2 * std::acos(1 - tolerance / radius));
+  EXPECT_EQ(circle({0, 0}, radius).polygon(tolerance).size(),
+            static_cast<std::size_t>(std::ceil(fewest)));
+  EXPECT_GE(circle({0, 0}, 0.1).polygon(1).size(), 3u);
+}
+
+TEST(PlanSlab, HeightFollowsTheLean)
+{
+  EXPECT_DOUBLE_EQ(slabAt(2.5).heightAt({100, -40}), 2.5);
+  const PlanSlab slab = slabAt(2.5, 0.01, -0.02);
+  EXPECT_NEAR(slab.heightAt({0, 0}), 2.5, 1e-12);
+  EXPECT_NEAR(slab.heightAt({10, 0}), 2.6, 1e-12);
+  EXPECT_NEAR(slab.heightAt({0, 10}), 2.3, 1e-12);
+}
+
+/** 6 m x 4 m, 2.5 m high, with a square and a round column, and three details: a soffit
+ * all around, a beam across that lies on it, and a recess. */
+PlanRoom
+richRoom()
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
+  room.columns = {reversed(rectangle(1, 1, 1.4, 1.4)), reversed(circle({4.5, 3}, 0.2))};
+  room.details = {detailOf(rectangle(0, 0, 6, 4), 2.2),
+                  detailOf(rectangle(2.8, 0, 3.2, 4), 2.0),
+                  detailOf(rectangle(4, 1, 5, 2), 2.7)};
+  room.details[0].holes = {reversed(rectangle(0.5, 0.5, 5.5, 3.5))};
+  return room;
+}
+
+TEST(PlanRoom, ContainsNeitherWhatIsBesideItNorItsColumns)
+{
+  const PlanRoom room = richRoom();
+  EXPECT_TRUE(room.contains({3, 2}));
+  EXPECT_FALSE(room.contains({-0.1, 2}));
+  EXPECT_FALSE(room.contains({3, 4.1}));
+  EXPECT_FALSE(room.contains({1.2, 1.2}));
+  EXPECT_TRUE(room.contains({1.5, 1.2}));
+  EXPECT_FALSE(room.contains({4.5, 3.19}));
+  EXPECT_TRUE(room.contains({4.5, 3.21}));
+}
+
+TEST(PlanRoom, TheLaterDetailIsWhatIsThere)
+{
+  const PlanRoom room = richRoom();
+  EXPECT_EQ(room.detailAt({0.2, 2}), 0);
+  EXPECT_EQ(room.detailAt({3, 0.2}), 1) << "the beam lies on the soffit";
+  EXPECT_EQ(room.detailAt({3, 2}), 1);
+  EXPECT_EQ(room.detailAt({4.5, 1.5}), 2);
+  EXPECT_EQ(room.detailAt({2, 2}), -1) << "in the hole of the soffit";
+  EXPECT_FALSE(room.details[0].contains({2, 2}));
+  EXPECT_TRUE(room.details[0].contains({2, 0.4}));
+}
+
+TEST(PlanRoom, TheCeilingIsThatOfTheDetailAbove)
+{
+  PlanRoom room = richRoom();
+  EXPECT_DOUBLE_EQ(room.ceilingAt({2, 2}), 2.5);
+  EXPECT_DOUBLE_EQ(room.ceilingAt({0.2, 2}), 2.2);
+  EXPECT_DOUBLE_EQ(room.ceilingAt({3, 0.2}), 2.0);
+  EXPECT_DOUBLE_EQ(room.ceilingAt({4.5, 1.5}), 2.7);
+  room.ceiling = slabAt(2.5, 0.1);
+  EXPECT_NEAR(room.ceilingAt({2, 2}), 2.7, 1e-12);
+}
+
+TEST(PlanRoom, AreaIsWithoutColumnsAndPerimeterIsOfTheWalls)
+{
+  const PlanRoom room = richRoom();
+  EXPECT_NEAR(room.area(), 24 - 0.16 - M_PI * 0.04, 1e-12);
+  EXPECT_NEAR(room.perimeter(), 20, 1e-12);
+  PlanRoom backwards = room;
+  backwards.boundary = reversed(room.boundary);
+  backwards.columns[0] = reversed(room.columns[0]);
+  EXPECT_NEAR(backwards.area(), room.area(), 1e-12);
+}
+
+} // namespace

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A plan of all there is, of numbers that no short decimal is equal to. */
+Floorplan
+samplePlan()
+{
+  Floorplan plan;
+  PlanRoom room = roomOf(placed(bittenRectangle(6, 4, 1), 10, {1e4 / 3, -0.1}), 2.5, 3);
+  room.boundary.elements[0].inliers = 123456789;
+  room.boundary.elements[0].residual = 1.0 / 3;
+  room.floor.plane = Eigen::Vector4d(1e-300, -1.0 / 7, 0.9, -0.1);
+  room.floor.inliers = 17;
+  room.floor.residual = 0.1 + 0.2;
+  room.columns = {reversed(circle({M_PI, M_E}, 0.2)), reversed(rectangle(1, 1, 2, 2))};
+  room.details = {detailOf(stadium(2, 0.3), 2.2), detailOf(rectangle(0, 0, 1, 1), 2.7)};
+  room.details[0].holes = {reversed(circle({1, 0}, 0.1)),
+                           reversed(rectangle(0, 0, 0.1, 0.1))};
+  plan.rooms.push_back(room);
+  plan.rooms.push_back(roomOf(rectangle(-1.0 / 3, 0, 0.1, 5e-324), 3, 4294967295u));
+  return plan;
+}
+
+void
+expectSame(const PlanLoop& a, const PlanLoop& b)
+{
+  ASSERT_EQ(a.elements.size(), b.elements.size());
+  for (std::size_t i = 0; i < a.elements.size(); ++i) {
+    const PlanElement& e = a.elements[i];
+    const PlanElement& f = b.elements[i];
+    EXPECT_EQ(e.start, f.start);
+    EXPECT_EQ(e.end, f.end);
+    EXPECT_EQ(e.radius, f.radius);
+    EXPECT_EQ(e.inliers, f.inliers);
+    EXPECT_EQ(e.residual, f.residual);
+    if (e.isArc()) {
+      EXPECT_EQ(e.centre, f.centre);
+      EXPECT_EQ(e.counter_clockwise, f.counter_clockwise);
+    }
+  }
+}
+
+void
+expectSame(const std::vector<PlanLoop>& a, const std::vector<PlanLoop>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    expectSame(a[i], b[i]);
+}
+
+void
+expectSame(const PlanSlab& a, const PlanSlab& b)
+{
+  EXPECT_EQ(a.plane, b.plane);
+  EXPECT_EQ(a.inliers, b.inliers);
+  EXPECT_EQ(a.residual, b.residual);
+}
+
+std::string
+problemOf(const std::string& text)
+{
+  std::string problem = "none yet";
+  EXPECT_TRUE(floorplanFromJson(text, problem).rooms.empty()) << text;
+  return problem;
+}
+
+/** The sample plan as text with one place of it replaced. */
+std::string
+spoiled(const std::string& what, const std::string& by)
+{
+  std::string text = floorplanToJson(samplePlan());
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+TEST(FloorplanJson, ReadsBackExactly)
+{
+  const Floorplan plan = samplePlan();
+  std::string problem = "none yet";
+  const Floorplan read = floorplanFromJson(floorplanToJson(plan), problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(read.rooms.size(), plan.rooms.size());
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& a = plan.rooms[r];
+    const PlanRoom& b = read.rooms[r];
+    EXPECT_EQ(a.id, b.id);
+    expectSame(a.boundary, b.boundary);
+    expectSame(a.columns, b.columns);
+    expectSame(a.floor, b.floor);
+    expectSame(a.ceiling, b.ceiling);
+    ASSERT_EQ(a.details.size(), b.details.size());
+    for (std::size_t d = 0; d < a.details.size(); ++d) {
+      expectSame(a.details[d].boundary, b.details[d].boundary);
+      expectSame(a.details[d].holes, b.details[d].holes);
+      expectSame(a.details[d].slab, b.details[d].slab);
+    }
+  }
+  EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
+}
+
+TEST(FloorplanJson, OfAnEmptyPlanReadsBackAsOne)
+{
+  std::string problem;
+  EXPECT_TRUE(floorplanFromJson(floorplanToJson({}), problem).rooms.empty());
+  EXPECT_EQ(problem, "");
+}
+
+TEST(FloorplanJson, SaysAreaAndPerimeterForThoseWhoReadOn)
+{
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 2), 2.5));
+  const std::string text = floorplanToJson(plan);
+  EXPECT_NE(text.find("\"area\": 8.0"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"perimeter\": 12.0"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"unit\": \"m\""), std::string::npos) << text;
+}
+
+TEST(FloorplanJson, ForeignTextIsRefused)
+{
+  for (const char* text : {"", "x", "[]", "{}", "null", "{\"format\": 3}"})
+    EXPECT_NE(problemOf(text), "") << text;
+  EXPECT_NE(problemOf(spoiled("sedr-floorplan", "geojson")).find("not a floor plan"),
+            std::string::npos);
+}
+
+TEST(FloorplanJson, AnotherVersionIsNamed)
+{
+  const std::string problem = problemOf(spoiled("\"version\": 1", "\"version\": 27"));
+  EXPECT_NE(problem.find("27"), std::string::npos) << problem;
+}
+
+TEST(FloorplanJson, TruncatedTextIsRefusedWhereverItEnds)
+{
+  const std::string text = floorplanToJson(samplePlan());
+  for (std::size_t n = 0; n + 2 < text.size(); n += 7)
+    ASSERT_NE(problemOf(text.substr(0, n)), "") << n << " of " << text.size();
+}
+
+TEST(FloorplanJson, AnOpenLoopIsRefusedWithItsGap)
+{
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 2), 2.5));
+  plan.rooms[0].boundary.elements[2].end = {0.25, 2};
+  const std::string problem = problemOf(floorplanToJson(plan));
+  EXPECT_NE(problem.find("0.25"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("element 2"), std::string::npos) << problem;
+  plan.rooms[0].boundary.elements.clear();
+  EXPECT_NE(problemOf(floorplanToJson(plan)), "");
+}
+
+TEST(FloorplanJson, AnOpenLoopOfAColumnOrDetailIsRefusedToo)
+{
+  const Floorplan good = samplePlan();
+  Floorplan plan = good;
+  plan.rooms[0].columns[1].elements[0].start.x() += 0.01;
+  EXPECT_NE(problemOf(floorplanToJson(plan)), "");
+  plan = good;
+  plan.rooms[0].details[1].boundary.elements.pop_back();
+  EXPECT_NE(problemOf(floorplanToJson(plan)), "");
+  plan = good;
+  plan.rooms[0].details[0].holes[1].elements.pop_back();
+  EXPECT_NE(problemOf(floorplanToJson(plan)), "");
+}
+
+TEST(FloorplanJson, BadNumbersAreRefusedWithThem)
+{
+  Floorplan plan = samplePlan();
+  std::string text = floorplanToJson(plan);
+  EXPECT_NE(problemOf(spoiled("\"radius\": 1.0", "\"radius\": -1.5")).find("-1.5"),
+            std::string::npos);
+  EXPECT_NE(problemOf(spoiled("\"radius\": 1.0", "\"radius\": 1e999")), "");
+  EXPECT_NE(problemOf(spoiled("\"radius\": 1.0", "\"radius\": \"1\"")), "");
+  plan.rooms[0].ceiling.plane = {0, 0, -1, 2.5};
+  EXPECT_NE(problemOf(floorplanToJson(plan)).find("-1.0"), std::string::npos);
+}
+
+TEST(FloorplanJson, MissingAndForeignMembersAreRefused)
+{
+  for (const char* member :
+       {"\"id\"", "\"floor\"", "\"boundary\"", "\"columns\"", "\"details\"", "\"start\"",
+        "\"centre\"", "\"counter_clockwise\"", "\"plane\"", "\"holes\"", "\"inliers\"",
+        "\"residual\"", "\"rooms\"", "\"type\""})
+    EXPECT_NE(problemOf(spoiled(member, "\"elsewhere\"")), "") << member;
+  EXPECT_NE(problemOf(spoiled("\"arc\"", "\"spline\"")), "");
+}
+
+} // namespace

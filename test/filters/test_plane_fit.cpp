@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+using sedr_test::slabAt;
+
+struct Points {
+  std::vector<Eigen::Vector3f> points;
+
+  /** A lattice of 5 cm over [x0, x0 + width] x [0, 3], `offset` above a plane. */
+  void
+  add(const PlanSlab& plane, double x0, double width, double offset = 0)
+  {
+    for (double x = x0 + 0.025; x < x0 + width; x += 0.05)
+      for (double y = 0.025; y < 3; y += 0.05)
+        points.emplace_back(static_cast<float>(x),
+                            static_cast<float>(y),
+                            static_cast<float>(plane.heightAt({x, y}) + offset));
+  }
+
+  PointView
+  view() const
+  {
+    return points.empty() ? PointView()
+                          : PointView(points[0].data(), sizeof points[0], points.size());
+  }
+
+  std::vector<int>
+  all() const
+  {
+    std::vector<int> indices(points.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+  }
+};
+
+double
+degreesBetween(const PlanSlab& a, const PlanSlab& b)
+{
+  const Eigen::Vector3d n = a.plane.head<3>();
+  const Eigen::Vector3d m = b.plane.head<3>();
+  return std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / M_PI;
+}
+
+TEST(FitSlab, FindsAnExactPlane)
+{
+  for (const double slope : {0.0, 0.01, -0.3}) {
+    const PlanSlab truth = slabAt(2.4, slope, -slope / 2);
+    Points cloud;
+    cloud.add(truth, -2, 5);
+    const PlanSlab slab = fitSlab(cloud.view(), cloud.all());
+    EXPECT_LT(degreesBetween(slab, truth), 1e-4);
+    EXPECT_NEAR(slab.plane.head<3>().norm(), 1, 1e-12);
+    EXPECT_NEAR(slab.heightAt({1, 1}), truth.heightAt({1, 1}), 1e-6);
+    EXPECT_EQ(slab.inliers, cloud.points.size());
+    EXPECT_NEAR(slab.residual, 0, 1e-6);
+  }
+}
+
+TEST(FitSlab, IsTheLeastSquaresMiddleOfTwoSheetsWithTheirResidual)
+{
+  const PlanSlab truth = slabAt(2.4, 0.05);
+  const double c = truth.plane[2]; // a sheet shifted in z by h is h * c away
+  Points cloud;
+  cloud.add(truth, 0, 4, 0.02 / c);
+  cloud.add(truth, 0, 4, -0.02 / c);
+  const PlanSlab slab = fitSlab(cloud.view(), cloud.all());
+  EXPECT_LT(degreesBetween(slab, truth), 1e-3);
+  EXPECT_NEAR(slab.heightAt({2, 1}), truth.heightAt({2, 1}), 1e-5);
+  EXPECT_NEAR(slab.residual, 0.02, 1e-6);
+}
+
+TEST(FitSlab, LooksAtTheIndexedPointsOnly)
+{
+  Points cloud;
+  cloud.add(slabAt(0), 0, 2);
+  const auto ground = static_cast<int>(cloud.points.size());
+  cloud.add(slabAt(2.5), 0, 2);
+  std::vector<int> upper = cloud.all();
+  upper.erase(upper.begin(), upper.begin() + ground);
+  EXPECT_NEAR(fitSlab(cloud.view(), upper).heightAt({1, 1}), 2.5, 1e-6);
+}
+
+TEST(FitSlab, TooFewPointsGiveTheHorizontalPlaneThroughTheirMean)
+{
+  Points cloud;
+  EXPECT_TRUE(fitSlab(cloud.view(), {}).plane.isApprox(Eigen::Vector4d(0, 0, 1, 0)));
+  EXPECT_EQ(fitSlab(cloud.view(), {}).inliers, 0u);
+  cloud.points = {{0, 0, 1}, {4, 0, 2}};
+  EXPECT_TRUE(
+      fitSlab(cloud.view(), {0, 1}).plane.isApprox(Eigen::Vector4d(0, 0, 1, -1.5)));
+  EXPECT_NEAR(fitSlab(cloud.view(), {0, 1}).residual, 0.5, 1e-6);
+}
+
+TEST(FitSlab, PointsOnALineOrAWallGiveTheHorizontalPlaneThroughTheirMean)
+{
+  Points line;
+  for (int i = 0; i <= 10; ++i)
+    line.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
+                             0.05f * static_cast<float>(i));
+  EXPECT_TRUE(
+      fitSlab(line.view(), line.all()).plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.25),
+                                                      1e-6));
+  Points wall;
+  for (int i = 0; i <= 10; ++i)
+    for (int k = 0; k <= 10; ++k)
+      wall.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
+                               0.1f * static_cast<float>(k));
+  EXPECT_TRUE(
+      fitSlab(wall.view(), wall.all()).plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.5),
+                                                      1e-6));
+}
+
+TEST(FitSlabRobustly, IsNotPulledByWhatHangsBelow)
+{
+  const PlanSlab truth = slabAt(2.4, 0.01, 0.005);
+  Points cloud;
+  cloud.add(truth, 0, 4);
+  cloud.add(truth, 0, 0.5, -0.045); // cladding 4.5 cm lower along one wall
+  const PlanSlab pulled = fitSlab(cloud.view(), cloud.all());
+  EXPECT_GT(degreesBetween(pulled, truth), 0.1) << "else this test shows nothing";
+  const PlanSlab slab = fitSlabRobustly(cloud.view(), cloud.all(), slabAt(2.42), 0.07);
+  EXPECT_LT(degreesBetween(slab, truth), 1e-3);
+  EXPECT_NEAR(slab.heightAt({2, 1}), truth.heightAt({2, 1}), 1e-5);
+  EXPECT_EQ(slab.inliers, 80u * 60u);
+}
+
+TEST(FitSlabRobustly, LeavesTheStartWhereItHoldsNothing)
+{
+  Points cloud;
+  cloud.add(slabAt(2.4), 0, 4);
+  const PlanSlab start = slabAt(1);
+  EXPECT_EQ(fitSlabRobustly(cloud.view(), cloud.all(), start, 0.07).plane, start.plane);
+}
+
+TEST(FindSlab, FindsTheLargerOfTwoPlanesAmongClutter)
+{
+  const PlanSlab truth = slabAt(2.4, 0.015, -0.01);
+  Points cloud;
+  cloud.add(truth, 0, 4);
+  cloud.add(slabAt(2.1), 0, 2);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> in_room(0, 3);
+  for (int i = 0; i < 4000; ++i)
+    cloud.points.emplace_back(in_room(random), in_room(random), in_room(random));
+  const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1);
+  EXPECT_LT(degreesBetween(slab, truth), 0.02);
+  EXPECT_NEAR(slab.heightAt({2, 1.5}), truth.heightAt({2, 1.5}), 0.0005);
+}
+
+TEST(FindSlab, LeansNoMoreThanAllowed)
+{
+  for (const double lean : {2.0, 4.0, 10.0}) {
+    Points cloud;
+    cloud.add(slabAt(2.4, std::tan(lean * M_PI / 180)), 0, 4);
+    const double limit = 3 * M_PI / 180;
+    const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.05, limit, 1);
+    const double leans = degreesBetween(slab, slabAt(0));
+    EXPECT_LE(leans, 3 + 1e-6) << lean;
+    if (lean < 3) {
+      EXPECT_NEAR(leans, lean, 1e-3);
+    }
+  }
+}
+
+TEST(FindSlab, IsTheSameForASeedAndNearlyTheSameForAll)
+{
+  const PlanSlab truth = slabAt(2.4, 0.01);
+  Points cloud;
+  cloud.add(truth, 0, 4);
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, 0.01f);
+  for (auto& p : cloud.points)
+    p.z() += noise(random);
+  const PlanSlab first = findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 7);
+  EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 7).plane, first.plane);
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.05, 0.05, seed);
+    EXPECT_LT(degreesBetween(slab, truth), 0.05) << seed;
+    EXPECT_NEAR(slab.residual, 0.01, 0.001) << seed;
+  }
+}
+
+TEST(FindSlab, OfHardlyAnythingIsHorizontal)
+{
+  Points cloud;
+  EXPECT_EQ(findSlab(cloud.view(), {}, 0.05, 0.05, 1).plane, slabAt(0).plane);
+  cloud.points = {{1, 1, 2.5f}};
+  EXPECT_EQ(findSlab(cloud.view(), {0}, 0.05, 0.05, 1).plane, slabAt(2.5).plane);
+  cloud.points.assign(50, {1, 1, 2.5f});
+  EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1).plane, slabAt(2.5).plane);
+}
+
+} // namespace

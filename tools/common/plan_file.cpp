@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+
+#include "mapped_file.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief Number of the room that holds `p`, else of the nearest. */
+std::uint32_t
+roomAt(const Floorplan& plan, const Eigen::Vector2d& p)
+{
+  std::uint32_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& room : plan.rooms) {
+    const double distance = room.boundary.contains(p) ? 0 : room.boundary.distance(p);
+    if (distance >= least)
+      continue;
+    least = distance;
+    nearest = room.id;
+  }
+  return nearest;
+}
+
+} // namespace
+
+std::shared_ptr<const Floorplan>
+loadFloorplan(const std::string& path)
+{
+  const MappedFile file(path);
+  const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
+  std::string problem;
+  auto plan = std::make_shared<Floorplan>(floorplanFromJson(text, problem));
+  if (!problem.empty())
+    throw ToolError("'" + path + "': " + problem);
+  if (plan->rooms.empty())
+    throw ToolError("the floor plan '" + path + "' has no rooms", NothingFound);
+  return plan;
+}
+
+void
+checkJsonOutput(const std::string& path)
+{
+  constexpr const char* extension = ".json";
+  if (path.size() < 5 || path.compare(path.size() - 5, 5, extension) != 0)
+    throw ToolError("cannot write '" + path + "': the name of a JSON file ends in .json");
+  checkWritable(path);
+}
+
+void
+giveRooms(const Floorplan& plan, ToolCloud& cloud)
+{
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (cloud.label[i] != 0 && cloud.room[i] != 0)
+      return;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector2d p = (*cloud.points)[i].getVector3fMap().head<2>().cast<double>();
+    if (cloud.label[i] != 0 && p.allFinite())
+      cloud.room[i] = roomAt(plan, p);
+  }
+}
+
+void
+setSurfacePoints(pcl::PCLPointCloud2& blob, const std::vector<SurfacePoint>& points)
+{
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> rooms;
+  for (const auto& point : points) {
+    positions.push_back(point.position.cast<float>());
+    labels.push_back(static_cast<std::uint32_t>(point.label));
+    rooms.push_back(point.room);
+  }
+  setCoordinates(blob, 0, positions);
+  int axis = 0;
+  for (const char* name : {"normal_x", "normal_y", "normal_z"}) {
+    std::vector<float> values;
+    for (const auto& point : points)
+      values.push_back(static_cast<float>(point.normal[axis]));
+    setField(blob, name, values);
+    ++axis;
+  }
+  setField(blob, "label", labels);
+  setField(blob, "room", rooms);
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "labelled_points.h"
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+
+#include <cstdio>
+#include <iostream>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::StructureLabel;
+
+namespace {
+
+using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
+
+struct Settings {
+  std::string input;
+  std::string output;
+};
+
+/** @brief Gives the fitting the points by label, and the rooms unless the file has none. */
+void
+setEvidence(const ToolCloud& cloud, Fitting& fitting)
+{
+  const auto shared = [](const pcl::Indices& indices) {
+    return pcl::make_shared<const pcl::Indices>(indices);
+  };
+  fitting.setInputCloud(cloud.points);
+  fitting.setCeilingIndices(shared(requireLabel(cloud, StructureLabel::Ceiling)));
+  fitting.setFloorIndices(shared(requireLabel(cloud, StructureLabel::Floor)));
+  fitting.setDetailIndices(shared(cloud.withLabel(StructureLabel::Detail)));
+  fitting.setWallIndices(shared(requireLabel(cloud, StructureLabel::Wall)));
+  if (ceilingRooms(cloud) != std::set<std::uint32_t>{0})
+    fitting.setRooms(cloud.room);
+}
+
+void
+tell(const pcl::sedr::PlanRoom& room)
+{
+  std::size_t arcs = 0;
+  for (const auto& element : room.boundary.elements)
+    arcs += element.isArc() ? 1 : 0;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "room %u: %zu segments and %zu arcs, %.2f m around, %.2f m2, %zu columns, "
+                "%zu details",
+                room.id, room.boundary.elements.size() - arcs, arcs, room.perimeter(),
+                room.area(), room.columns.size(), room.details.size());
+  say(text);
+}
+
+int
+run(const Settings& settings, Fitting& fitting)
+{
+  checkJsonOutput(settings.output);
+  const ToolCloud cloud = loadCloud(settings.input);
+  setEvidence(cloud, fitting);
+  pcl::sedr::Floorplan plan;
+  {
+    const Progress progress("fitting walls");
+    if (!fitting.segment(plan))
+      throw ToolError(fitting.getErrorMessage(), NothingFound);
+  }
+  writeWhole(settings.output, [&](std::ostream& stream) {
+    stream << pcl::sedr::floorplanToJson(plan);
+  });
+  for (const auto& warning : fitting.getWarnings())
+    std::cerr << "pcl_floorplan_fitting: warning: " << warning << std::endl;
+  for (const auto& room : plan.rooms)
+    tell(room);
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Fitting fitting;
+  Settings settings;
+  double distance = fitting.getDistanceThreshold();
+  double grid = fitting.getGridSize();
+  double length = fitting.getMinimumLength();
+  double least_radius = fitting.getMinimumRadius();
+  double greatest_radius = fitting.getMaximumRadius();
+  std::uint64_t seed = fitting.getSeed();
+
+  Options options(
+      "pcl_floorplan_fitting",
+      "Fits the floor plan: the walls of every room as a closed loop of segments and arcs, its\n"
+      "columns, its ceiling's details, and the planes of floors and ceilings.");
+  options.file("INPUT", settings.input,
+               "PCD or PLY file with labels 1 ceiling, 2 floor, 3 wall, perhaps 4 detail, and "
+               "rooms if several");
+  options.file("OUTPUT.json", settings.output, "floor plan to write");
+  options.number("distance", distance, "m", "farthest a point is from its line or circle",
+                 Range::above(0));
+  options.number("grid", grid, "m", "edge of a cell of the outline", Range::above(0));
+  options.number("min-length", length, "m", "shortest wall with a line or circle of its own",
+                 Range::above(0));
+  options.number("min-radius", least_radius, "m", "of an arc", Range::above(0));
+  options.number("max-radius", greatest_radius, "m", "of an arc; flatter walls are straight",
+                 Range::above(0));
+  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  return runTool(options, argc, argv, [&] {
+    if (greatest_radius <= least_radius)
+      throw ToolError("--max-radius must be above --min-radius");
+    fitting.setDistanceThreshold(distance);
+    fitting.setGridSize(grid);
+    fitting.setMinimumLength(length);
+    fitting.setRadiusLimits(least_radius, greatest_radius);
+    fitting.setSeed(seed);
+    return run(settings, fitting);
+  });
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include <pcl/common/angles.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::LevelKind;
+using pcl::sedr::StructureLabel;
+
+namespace {
+
+using Detection = pcl::HorizontalPlaneDetection<pcl::PointXYZ>;
+using Planes = std::vector<pcl::HorizontalPlane>;
+
+struct Settings {
+  std::string input;
+  std::string output;
+  std::string planes;
+  bool trust_up = false;
+  bool keep_rooms = false;
+  bool compress = false;
+};
+
+const char*
+nameOf(LevelKind kind)
+{
+  return kind == LevelKind::Ceiling ? "ceiling"
+         : kind == LevelKind::Floor ? "floor"
+                                    : "other";
+}
+
+/** @brief Mean height of the points of a plane, or of the plane itself over the origin if
+ * it was left none. */
+double
+heightOf(const pcl::HorizontalPlane& plane, const ToolCloud& cloud)
+{
+  const auto& indices = plane.inliers.indices;
+  if (indices.empty())
+    return plane.slab.heightAt(Eigen::Vector2d::Zero());
+  double sum = 0;
+  for (const auto i : indices)
+    sum += (*cloud.points)[static_cast<std::size_t>(i)].z;
+  return sum / static_cast<double>(indices.size());
+}
+
+double
+tiltOf(const pcl::HorizontalPlane& plane)
+{
+  return std::acos(std::min(1.0, plane.slab.plane[2]));
+}
+
+/** @brief Refuses what is no scan of rooms in metres with z up. */
+void
+checkScan(const Settings& settings, const ToolCloud& cloud)
+{
+  pcl::Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  const pcl::sedr::PointView points(*cloud.points);
+  std::string problem = pcl::sedr::scanProblem(points, all);
+  if (problem.empty() && !settings.trust_up) {
+    problem = pcl::sedr::upProblem(points, all);
+    problem += problem.empty() ? "" : ", or say --z-up if it is right as it is";
+  }
+  if (!problem.empty())
+    throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
+}
+
+/** @brief Refuses planes without a ceiling or without a floor; tells the largest six. */
+void
+checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
+{
+  const auto count = [&](LevelKind kind) {
+    return std::count_if(planes.begin(), planes.end(),
+                         [&](const auto& plane) { return plane.kind == kind; });
+  };
+  const auto ceilings = count(LevelKind::Ceiling);
+  const auto floors = count(LevelKind::Floor);
+  if (ceilings > 0 && floors > 0)
+    return;
+  std::vector<const pcl::HorizontalPlane*> largest;
+  for (const auto& plane : planes)
+    largest.push_back(&plane);
+  std::stable_sort(largest.begin(), largest.end(), [](const auto* a, const auto* b) {
+    return a->area > b->area;
+  });
+  largest.resize(std::min<std::size_t>(largest.size(), 6));
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "of %zu horizontal planes %td are ceilings and %td floors; a ceiling needs a "
+                "floor at least %.2f m below it; found:",
+                planes.size(), ceilings, floors, room_height);
+  std::string sentence = text;
+  for (const auto* plane : largest) {
+    std::snprintf(text, sizeof text, "%s %.2f m %s %.1f m2",
+                  plane == largest.front() ? "" : ",", heightOf(*plane, cloud),
+                  nameOf(plane->kind), plane->area);
+    sentence += text;
+  }
+  throw ToolError(sentence, NothingFound);
+}
+
+/** @brief Labels the inliers. Rooms belong to labels that are gone, so they go too. */
+void
+apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
+{
+  std::fill(cloud.label.begin(), cloud.label.end(), 0);
+  for (const auto& plane : planes) {
+    if (plane.kind == LevelKind::Other)
+      continue;
+    const auto label =
+        plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling : StructureLabel::Floor;
+    for (const auto i : plane.inliers.indices)
+      cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
+  }
+  setField(cloud.blob, "label", cloud.label);
+  if (cloud.has_room && !settings.keep_rooms)
+    setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
+}
+
+void
+savePlanes(const std::string& path, const Planes& planes, const ToolCloud& cloud)
+{
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const auto& plane : planes) {
+    const Eigen::Vector4d& p = plane.slab.plane;
+    list.push_back({{"kind", nameOf(plane.kind)},
+                    {"coefficients", {p[0], p[1], p[2], p[3]}},
+                    {"height", heightOf(plane, cloud)},
+                    {"area", plane.area},
+                    {"residual", plane.residual},
+                    {"inliers", plane.inliers.indices.size()}});
+  }
+  const Json json{{"format", "sedr-planes"}, {"version", 1}, {"unit", "m"}, {"planes", list}};
+  writeWhole(path, [&](std::ostream& stream) { stream << json.dump(1) << '\n'; });
+}
+
+void
+print(const Planes& planes, const ToolCloud& cloud)
+{
+  std::printf("kind     height m   area m2  tilt deg  residual cm   inliers\n");
+  for (const auto& plane : planes)
+    std::printf("%-7s %9.3f %9.2f %9.2f %12.2f %9zu\n", nameOf(plane.kind),
+                heightOf(plane, cloud), plane.area, pcl::rad2deg(tiltOf(plane)),
+                100 * plane.residual, plane.inliers.indices.size());
+}
+
+int
+run(const Settings& settings, Detection& detection)
+{
+  checkCloudOutput(settings.output);
+  if (!settings.planes.empty())
+    checkJsonOutput(settings.planes);
+  ToolCloud cloud = loadCloud(settings.input);
+  Planes planes;
+  {
+    const Progress progress("finding planes");
+    checkScan(settings, cloud);
+    detection.setInputCloud(cloud.points);
+    if (!detection.segment(planes))
+      throw ToolError(detection.getErrorMessage(), NothingFound);
+  }
+  checkKinds(planes, cloud, detection.getMinimumRoomHeight());
+  apply(settings, planes, cloud);
+  saveCloud(settings.output, cloud,
+            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.planes.empty())
+    savePlanes(settings.planes, planes, cloud);
+  print(planes, cloud);
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Detection detection;
+  Settings settings;
+  double distance = detection.getDistanceThreshold();
+  double grid = detection.getGridSize();
+  double tilt = pcl::rad2deg(detection.getMaximumTilt());
+  double area = detection.getMinimumArea();
+  double height = detection.getMinimumRoomHeight();
+  std::uint64_t seed = detection.getSeed();
+
+  Options options(
+      "pcl_horizontal_plane_detection",
+      "Finds the horizontal planes of a thinned scan, lists them, and labels the points of "
+      "ceilings 1,\nof floors 2, all others 0; rooms that the file had are set to 0.");
+  options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("distance", distance, "m", "farthest a point is from its plane",
+                 Range::above(0));
+  options.number("grid", grid, "m", "edge of the cells that areas are counted in",
+                 Range::above(0));
+  options.number("max-tilt", tilt, "degrees", "largest angle of a plane with the horizontal",
+                 Range::between(0, 45));
+  options.number("min-area", area, "m2", "smallest plane", Range::above(0));
+  options.number("min-height", height, "m", "smallest height of a ceiling above its floor",
+                 Range::above(0));
+  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  options.text("planes", settings.planes, "JSON file for the list of planes");
+  options.flag("z-up", settings.trust_up, "take z as up even if another axis seems to be");
+  options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] {
+    detection.setDistanceThreshold(distance);
+    detection.setGridSize(grid);
+    detection.setMaximumTilt(pcl::deg2rad(tilt));
+    detection.setMinimumArea(area);
+    detection.setMinimumRoomHeight(height);
+    detection.setSeed(seed);
+    return run(settings, detection);
+  });
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/structure_refinement.h>
+
+#include <algorithm>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+using Refinement = pcl::StructureRefinement<pcl::PointXYZ>;
+
+struct Settings {
+  std::string input;
+  std::string plan;
+  std::string output;
+  bool compress = false;
+};
+
+int
+run(const Settings& settings, Refinement& refinement)
+{
+  checkCloudOutput(settings.output);
+  const auto plan = loadFloorplan(settings.plan);
+  ToolCloud cloud = loadCloud(settings.input);
+  giveRooms(*plan, cloud);
+  pcl::PointCloud<pcl::PointXYZ> refined;
+  {
+    const Progress progress("moving points onto the plan");
+    refinement.setInputCloud(cloud.points);
+    refinement.setFloorplan(plan);
+    refinement.setLabels(cloud.label);
+    refinement.setRooms(cloud.room);
+    refinement.filter(refined);
+    if (!refinement.getErrorMessage().empty())
+      throw ToolError(refinement.getErrorMessage());
+  }
+  const auto labelled = cloud.size() - static_cast<std::size_t>(std::count(
+                                           cloud.label.begin(), cloud.label.end(), 0));
+  if (refined.empty())
+    throw ToolError("none of the " + std::to_string(labelled) + " labelled points of '" +
+                        cloud.path + "' is within " +
+                        std::to_string(refinement.getMaximumDistance()) +
+                        " m of its surface in '" + settings.plan + "'",
+                    NothingFound);
+  cloud.blob = selectRows(cloud.blob, refinement.getSourceIndices());
+  setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
+  saveCloud(settings.output, cloud,
+            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  say(std::to_string(refined.size()) + " of " + std::to_string(labelled) +
+      " labelled points are on the plan's surfaces");
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Refinement refinement;
+  Settings settings;
+  double distance = refinement.getMaximumDistance();
+  unsigned threads = refinement.getNumberOfThreads();
+
+  Options options(
+      "pcl_structure_refinement",
+      "Moves labelled points onto the planes, lines and arcs of a floor plan, and sets their "
+      "normals\ninto the room, labels and rooms. Points that belong to no surface are left out.");
+  options.file("INPUT", settings.input,
+               "PCD or PLY file with labels, and rooms if the plan has several");
+  options.file("PLAN.json", settings.plan, "floor plan, as pcl_floorplan_fitting writes it");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("max-distance", distance, "m",
+                 "the farthest a point may move; others are left out", Range::above(0));
+  options.number("threads", threads, "", "threads to use, 0 = all processors");
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] {
+    refinement.setMaximumDistance(distance);
+    refinement.setNumberOfThreads(threads);
+    return run(settings, refinement);
+  });
+}

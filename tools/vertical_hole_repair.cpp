@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+using Repair = pcl::VerticalHoleRepair<pcl::PointXYZ>;
+
+struct Settings {
+  std::string input;
+  std::string plan;
+  std::string output;
+  bool compress = false;
+};
+
+/** @brief Turns the cloud into the repaired one: the rows that stay, then those that fill holes.
+ * @return number of the latter */
+std::size_t
+apply(const Repair& repair, ToolCloud& cloud)
+{
+  const pcl::Indices& sources = repair.getSourceIndices();
+  const auto& points = repair.getSurfacePoints();
+  pcl::Indices seen;
+  std::vector<pcl::sedr::SurfacePoint> surface;
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    if (sources[k] >= 0) {
+      seen.push_back(sources[k]);
+      surface.push_back(points[k]);
+    }
+  for (const auto k : repair.getRepairedIndices())
+    surface.push_back(points[static_cast<std::size_t>(k)]);
+  cloud.blob = selectRows(cloud.blob, seen);
+  appendZeroRows(cloud.blob, surface.size() - seen.size());
+  setSurfacePoints(cloud.blob, surface);
+  return surface.size() - seen.size();
+}
+
+int
+run(const Settings& settings, Repair& repair)
+{
+  checkCloudOutput(settings.output);
+  const auto plan = loadFloorplan(settings.plan);
+  ToolCloud cloud = loadCloud(settings.input);
+  giveRooms(*plan, cloud);
+  {
+    const Progress progress("filling holes");
+    repair.setInputCloud(cloud.points);
+    repair.setFloorplan(plan);
+    repair.setLabels(cloud.label);
+    repair.setRooms(cloud.room);
+    pcl::PointCloud<pcl::PointXYZ> whole;
+    repair.filter(whole);
+    if (!repair.getErrorMessage().empty())
+      throw ToolError(repair.getErrorMessage());
+  }
+  if (repair.getSourceIndices().size() == repair.getRepairedIndices().size())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
+                        cloud.path + "' is on a surface of '" + settings.plan +
+                        "': refine the structure first",
+                    NothingFound);
+  const std::size_t filled = apply(repair, cloud);
+  saveCloud(settings.output, cloud,
+            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +
+      " of them fill holes");
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Repair repair;
+  Settings settings;
+  double grid = repair.getGridSize();
+
+  Options options(
+      "pcl_vertical_hole_repair",
+      "Fills the holes of a refined structure: one point for every cell of every surface of the "
+      "plan,\nthe scanned one nearest to its middle or a new one there, at the end of the file.");
+  options.file("INPUT", settings.input,
+               "PCD or PLY file, as pcl_structure_refinement writes it");
+  options.file("PLAN.json", settings.plan, "the floor plan it was refined to");
+  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  options.number("grid", grid, "m", "edge of a cell", Range::above(0));
+  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  return runTool(options, argc, argv, [&] {
+    repair.setGridSize(grid);
+    return run(settings, repair);
+  });
+}
