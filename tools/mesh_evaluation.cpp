@@ -48,8 +48,9 @@ parseLabels(const std::string& list)
   for (std::string word; std::getline(words, word, ',');) {
     if (word.empty() || word.size() > 9 ||
         word.find_first_not_of("0123456789") != std::string::npos)
-      throw ToolError("--labels takes numbers with commas between them, such as 1,2,3, not '" +
-                      list + "'");
+      throw ToolError(
+          "--labels takes numbers with commas between them, such as 1,2,3, not '" +
+          list + "'");
     labels.push_back(static_cast<std::uint32_t>(std::stoul(word)));
   }
   return labels;
@@ -66,8 +67,8 @@ select(const ToolCloud& cloud, const std::string& list)
     if (std::find(labels.begin(), labels.end(), cloud.label[i]) != labels.end())
       indices->push_back(static_cast<pcl::index_t>(i));
   if (indices->empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " + cloud.path +
-                        " has one of the labels " + list,
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " +
+                        cloud.path + " has one of the labels " + list,
                     NothingFound);
   return indices;
 }
@@ -83,18 +84,16 @@ print(const char* name, const MeshFigures& figures)
 {
   const auto& topology = figures.topology;
   std::printf("%s\n", name);
-  std::printf("  closed manifold     %s%s%s\n",
-              yesOrNo(figures.closed),
-              figures.closed ? "" : ": ",
-              topology.problem().c_str());
+  std::printf("  closed manifold     %s%s%s\n", yesOrNo(figures.closed),
+              figures.closed ? "" : ": ", topology.problem().c_str());
   if (figures.closed != figures.closed_when_welded)
-    std::printf("  with equal vertices made one: %s\n", yesOrNo(figures.closed_when_welded));
+    std::printf("  with equal vertices made one: %s\n",
+                yesOrNo(figures.closed_when_welded));
   std::printf("  closed %s, edge-manifold %s, vertex-manifold %s, oriented %s\n",
-              yesOrNo(topology.isClosed()),
-              yesOrNo(topology.isEdgeManifold()),
-              yesOrNo(topology.isVertexManifold()),
-              yesOrNo(topology.isOriented()));
-  std::printf("  vertices, triangles %zu, %zu\n", topology.vertices, topology.triangles);
+              yesOrNo(topology.isClosed()), yesOrNo(topology.isEdgeManifold()),
+              yesOrNo(topology.isVertexManifold()), yesOrNo(topology.isOriented()));
+  std::printf("  vertices, triangles %zu, %zu\n", topology.vertices,
+              topology.triangles);
   std::printf("  Euler characteristic %lld\n",
               static_cast<long long>(topology.euler_characteristic));
   std::printf("  area                %.3f m2\n", figures.area);
@@ -102,11 +101,8 @@ print(const char* name, const MeshFigures& figures)
   std::printf("  components          %zu\n", topology.components.size());
   for (std::size_t i = 0; i < topology.components.size() && i < 10; ++i) {
     const auto& component = topology.components[i];
-    std::printf("    %-3zu %8zu triangles %10.3f m2 %10.3f m3 %s\n",
-                i + 1,
-                component.triangles,
-                component.area,
-                component.signed_volume,
+    std::printf("    %-3zu %8zu triangles %10.3f m2 %10.3f m3 %s\n", i + 1,
+                component.triangles, component.area, component.signed_volume,
                 component.closed ? "closed" : "open");
   }
 }
@@ -115,17 +111,9 @@ void
 print(const char* name, const std::optional<DistanceStatistics>& s)
 {
   if (s)
-    std::printf("%-14s %9zu %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f %7.2f %7.2f\n",
-                name,
-                s->count,
-                100 * s->mean,
-                100 * s->rms,
-                100 * s->median,
-                100 * s->p95,
-                100 * s->p99,
-                100 * s->max,
-                100 * s->within_1cm,
-                100 * s->within_5cm);
+    std::printf("%-14s %9zu %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f %7.2f %7.2f\n", name,
+                s->count, 100 * s->mean, 100 * s->rms, 100 * s->median, 100 * s->p95,
+                100 * s->p99, 100 * s->max, 100 * s->within_1cm, 100 * s->within_5cm);
 }
 
 void
@@ -136,16 +124,8 @@ print(const MeshEvaluationResult& result)
     print("truth", *result.truth);
   if (!result.truth && !result.cloud_to_mesh)
     return;
-  std::printf("\n%-14s %9s %8s %8s %8s %8s %8s %8s %7s %7s\n",
-              "distances, cm",
-              "samples",
-              "mean",
-              "rms",
-              "median",
-              "p95",
-              "p99",
-              "max",
-              "% <=1",
+  std::printf("\n%-14s %9s %8s %8s %8s %8s %8s %8s %7s %7s\n", "distances, cm",
+              "samples", "mean", "rms", "median", "p95", "p99", "max", "% <=1",
               "% <=5");
   print("cloud to model", result.cloud_to_mesh);
   print("model to truth", result.mesh_to_truth);
@@ -195,17 +175,20 @@ main(int argc, char** argv)
   std::size_t bins = evaluation.getHistogramBins();
   double range = evaluation.getHistogramRange();
   unsigned threads = evaluation.getNumberOfThreads();
-  Options options("pcl_mesh_evaluation",
-                  "Tells whether a mesh is closed and how far it lies from a cloud and from the "
-                  "truth.");
+  Options options(
+      "pcl_mesh_evaluation",
+      "Tells whether a mesh is closed and how far it lies from a cloud and from the "
+      "truth.");
   options.file("MODEL", settings.model, "PLY or OBJ mesh to judge");
   options.text("truth", settings.truth, "PLY or OBJ mesh that the model should be");
   options.text("cloud", settings.cloud, "PCD or PLY cloud to measure from the model");
   options.text("labels", settings.labels, "only points of these labels, such as 1,2,3");
   options.text("json", settings.json, "file to write all figures to");
-  options.number("spacing", spacing, "m", "between the samples of a mesh", Range::above(0));
+  options.number("spacing", spacing, "m", "between the samples of a mesh",
+                 Range::above(0));
   options.number("seed", seed, "", "chooses the samples");
-  options.number("bins", bins, "", "of the histograms in the JSON", Range::between(0, 1e6));
+  options.number("bins", bins, "", "of the histograms in the JSON",
+                 Range::between(0, 1e6));
   options.number("range", range, "m", "where the histograms end", Range::above(0));
   options.number("threads", threads, "", "threads to use, 0 = all processors");
   return runTool(options, argc, argv, [&] {

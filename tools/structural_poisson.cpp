@@ -33,7 +33,8 @@ load(const Settings& settings)
                                          floatField(cloud.blob, "normal_z")};
   for (const auto& component : normals)
     if (component.size() != cloud.size())
-      throw ToolError(settings.input + " has no normals (normal_x, normal_y, normal_z): refine " +
+      throw ToolError(settings.input +
+                          " has no normals (normal_x, normal_y, normal_z): refine " +
                           "the structure first",
                       NothingFound);
   auto points = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
@@ -53,11 +54,12 @@ void
 tell(const RoomPoissonReport& report)
 {
   std::ostringstream line;
-  line << "room " << report.room << ": " << report.points << " points " << report.spacing
-       << " m apart, depth " << report.depth << ", cells " << report.cell << " m, "
-       << report.attempts << (report.attempts == 1 ? " run, " : " runs, ")
-       << report.topology.triangles << " triangles, " << report.area << " m2, " << report.volume
-       << " m3, " << (report.closed ? "closed" : report.problem);
+  line << "room " << report.room << ": " << report.points << " points "
+       << report.spacing << " m apart, depth " << report.depth << ", cells "
+       << report.cell << " m, " << report.attempts
+       << (report.attempts == 1 ? " run, " : " runs, ") << report.topology.triangles
+       << " triangles, " << report.area << " m2, " << report.volume << " m3, "
+       << (report.closed ? "closed" : report.problem);
   if (report.unsupported_share > 0.001)
     line << ", " << 100 * report.unsupported_share << " % of the area is a guess";
   say(line.str());
@@ -107,31 +109,38 @@ main(int argc, char** argv)
   double support = poisson.getSupportDistance();
   unsigned threads = poisson.getNumberOfThreads();
   int solver_threads = poisson.getSolverThreads();
-  Options options("pcl_structural_poisson",
-                  "Makes one closed mesh a room from oriented points, by screened Poisson.");
-  options.file("INPUT", settings.input, "PCD or PLY cloud with normals into the room; its fields "
-                                        "room and label are used if there");
-  options.file("OUTPUT.ply", settings.output, "mesh to write, faces with room and label");
-  options.number("depth", depth, "", "largest depth of the octree", Range::between(3, 14));
-  options.number("min-depth", min_depth, "", "depth of the octree everywhere", Range::atLeast(0));
+  Options options(
+      "pcl_structural_poisson",
+      "Makes one closed mesh a room from oriented points, by screened Poisson.");
+  options.file("INPUT", settings.input,
+               "PCD or PLY cloud with normals into the room; its fields "
+               "room and label are used if there");
+  options.file("OUTPUT.ply", settings.output,
+               "mesh to write, faces with room and label");
+  options.number("depth", depth, "", "largest depth of the octree",
+                 Range::between(3, 14));
+  options.number("min-depth", min_depth, "", "depth of the octree everywhere",
+                 Range::atLeast(0));
   options.number("cell-ratio", cell, "", "finest octree cell / spacing of the points",
                  Range::between(0.1, 10));
   options.number("point-weight", weight, "", "of the points against smoothness",
                  Range::atLeast(0));
   options.number("scale", scale, "", "least cube of the octree / extent of the points",
                  Range::above(1));
-  options.number("samples-per-node", samples, "", "points that an octree node should hold",
-                 Range::above(0));
+  options.number("samples-per-node", samples, "",
+                 "points that an octree node should hold", Range::above(0));
   options.number("min-points", min_points, "", "rooms of fewer are left out",
                  Range::atLeast(10));
   options.number("max-hole-edges", holes, "", "longer holes in the surface stay open");
-  options.number("support", support, "m", "surface further from all points is told as a guess",
-                 Range::above(0));
+  options.number("support", support, "m",
+                 "surface further from all points is told as a guess", Range::above(0));
   options.flag("one-room", settings.one_room, "take all points for one room");
-  options.number("threads", threads, "", "threads to use where the result stays the same, "
-                                         "0 = all processors");
-  options.number("solver-threads", solver_threads, "", "threads of the solver: more than 1 is "
-                                                       "faster, but not repeatable",
+  options.number("threads", threads, "",
+                 "threads to use where the result stays the same, "
+                 "0 = all processors");
+  options.number("solver-threads", solver_threads, "",
+                 "threads of the solver: more than 1 is "
+                 "faster, but not repeatable",
                  Range::atLeast(1));
   return runTool(options, argc, argv, [&] {
     poisson.setDepth(depth);

@@ -53,7 +53,10 @@ elementFrom(const Json& json)
   PlanElement e;
   e.start = pointFrom(json.at("start"));
   e.end = pointFrom(json.at("end"));
-  if (json.at("type") == "arc") {
+  const auto type = json.at("type").get<std::string>();
+  if (type != "segment" && type != "arc")
+    throw std::invalid_argument("an element is a segment or an arc, not a " + type);
+  if (type == "arc") {
     e.centre = pointFrom(json.at("centre"));
     e.radius = json.at("radius").get<double>();
     e.counter_clockwise = json.at("counter_clockwise").get<bool>();

@@ -49,13 +49,18 @@ unitNormal(const PlanSlab& slab, bool up)
   return up ? Eigen::Vector3d(slab.plane.head<3>()) : Eigen::Vector3d(-slab.plane.head<3>());
 }
 
-/** @brief The nearest place of an upright surface, by the distance in plan plus what z lies beside
- * the surface's heights. */
+/** @brief The nearest place of an upright surface, by the distance in plan and what z lies beside
+ * the surface's heights; infinity where that is not below `least`. */
 double
-nearestOn(const UprightSurface& surface, const Eigen::Vector3d& p, SurfacePoint& nearest)
+nearestOn(const UprightSurface& surface,
+          const Eigen::Vector3d& p,
+          double least,
+          SurfacePoint& nearest)
 {
   const Eigen::Vector2d place = p.head<2>();
   const double s = surface.element->project(place);
+  if ((surface.element->pointAt(s) - place).norm() >= least)
+    return std::numeric_limits<double>::infinity();
   const UprightSpan span = surface.spanAt(s);
   if (!(span.high > span.low))
     return std::numeric_limits<double>::infinity();
@@ -151,7 +156,8 @@ snapToRoom(const PlanRoom& room,
       SurfacePoint candidate;
       if (!mayBelong(label, surface.label))
         continue;
-      const double d = nearestOn(surface, position, candidate);
+      const double d =
+          nearestOn(surface, position, std::min(least, 2 * farthest), candidate);
       if (d >= least)
         continue;
       least = d;

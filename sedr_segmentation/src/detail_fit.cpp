@@ -157,7 +157,38 @@ appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
       points.push_back(e.pointAt(s));
 }
 
-/** @brief Points in plan that show edges of details: those of risers, which lie on no underside. */
+/** @brief Slab of a label. */
+const PlanSlab&
+slabOf(const HeightMap& map, const PlanRoom& room, std::int32_t label)
+{
+  return label == 0 ? room.ceiling : map.undersides[static_cast<std::size_t>(label - 1)];
+}
+
+/** @brief Lowest and highest ceiling within two cells of a cell; false where there is one only. */
+bool
+stepBeside(const HeightMap& map,
+           const PlanRoom& room,
+           const CellGrid& grid,
+           Cell cell,
+           double& low,
+           double& high)
+{
+  low = std::numeric_limits<double>::infinity();
+  high = -low;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t label = map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (label < 0)
+        continue;
+      const double height = slabOf(map, room, label).heightAt(grid.centre(cell));
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  return high - low >= least_step;
+}
+
+/** @brief Points in plan that show edges of details: those between two ceilings beside each other. */
 std::vector<Eigen::Vector2d>
 riserPoints(const PointView& points,
             const RoomEvidence& evidence,
@@ -165,24 +196,21 @@ riserPoints(const PointView& points,
             const HeightMap& map,
             const RoomFitParameters& parameters)
 {
+  const CellGrid grid(parameters.cell_size);
   std::vector<Eigen::Vector2d> risers;
-  for (const int i : evidence.details) {
+  for (const int i : evidence.around) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    const auto isOn = [&](const PlanSlab& slab) {
-      return std::abs(distanceAbove(slab, p)) < parameters.slab_tolerance;
-    };
-    if (!isOn(room.ceiling) &&
-        std::none_of(map.undersides.begin(), map.undersides.end(), isOn))
+    const Cell cell = grid.at(p.x(), p.y());
+    double low = 0;
+    double high = 0;
+    if (!map.room.isInside(cell) || p.z() < room.floor.heightAt(grid.centre(cell)) + 1.0 ||
+        !stepBeside(map, room, grid, cell, low, high))
+      continue;
+    const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
+    if (p.z() > low + margin && p.z() < high - margin)
       risers.push_back(p.head<2>().cast<double>());
   }
   return risers;
-}
-
-/** @brief Slab of a label. */
-const PlanSlab&
-slabOf(const HeightMap& map, const PlanRoom& room, std::int32_t label)
-{
-  return label == 0 ? room.ceiling : map.undersides[static_cast<std::size_t>(label - 1)];
 }
 
 /** @brief Whether something closes the step along most of the edge between an underside and what
@@ -238,6 +266,7 @@ dropUnsupported(HeightMap& map,
 
 PlanDetail
 fitDetail(const HeightMap& map,
+          const PlanRoom& room,
           std::int32_t label,
           const PlanPoints& risers,
           const std::vector<PlanCurve>& walls,
@@ -246,12 +275,14 @@ fitDetail(const HeightMap& map,
   CellMask cells(map.room.box());
   for (std::size_t i = 0; i < map.label.size(); ++i)
     cells.values()[i] = map.label[i] == label ? 1 : 0;
-  // The cells of the riser itself belong to the underside: it stands up to a cell inside.
-  LoopParameters loop = parameters.loop;
-  loop.expected_offset = parameters.cell_size / 2;
-  loop.reach = 2 * parameters.cell_size;
   PlanDetail detail;
   detail.slab = map.undersides[static_cast<std::size_t>(label - 1)];
+  // The cells of a riser belong to the lower of its two ceilings.
+  const bool is_low =
+      heightOverCeiling(room, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
+  LoopParameters loop = parameters.loop;
+  loop.expected_offset = (is_low ? 0.5 : -0.5) * parameters.cell_size;
+  loop.reach = 2 * parameters.cell_size;
   double largest = 0;
   const double least_hole = parameters.minimum_detail_area;
   for (const auto& contour : traceContours(cells, parameters.cell_size)) {
@@ -289,7 +320,7 @@ fitDetails(const PointView& points,
 
   std::vector<PlanDetail> details;
   for (std::size_t k = 1; k <= map.undersides.size(); ++k) {
-    PlanDetail detail = fitDetail(map, static_cast<std::int32_t>(k), risers, walls, parameters);
+    PlanDetail detail = fitDetail(map, room, static_cast<std::int32_t>(k), risers, walls, parameters);
     if (!detail.boundary.elements.empty())
       details.push_back(std::move(detail));
   }

@@ -164,8 +164,12 @@ proposeLines(CurveSearch& search,
   }
 }
 
-/** @brief The most that a sample may cost, in units of (half a tolerance) squared. */
-constexpr double most_cost = 9;
+/** @brief The cost from which on it grows slowly only, in units of (half a tolerance) squared: so far
+ * off, a sample is an outlier. */
+constexpr double outlier_cost = 9;
+
+/** @brief What a sample costs beyond that on a curve that is far away, for each metre. */
+constexpr double cost_per_metre = 10;
 
 /** @brief What a sample that no points support costs on a curve. The wall may be hidden behind
  * furniture, so that it runs outside of the contour, or an opening may have led the contour astray,
@@ -180,7 +184,7 @@ costUnsupported(const ContourSample& sample, const PlanCurve& curve)
   const double d = curve.distance(sample.position);
   const double excess = inside < 0 ? d / farthest_outside : d / farthest_inside;
   const double cheap = (inside < 0 ? 0.05 : 0.2) + 0.45 * excess;
-  return excess <= 1 ? cheap : sample.weight() * most_cost;
+  return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
 }
 
 /** @brief What a sample costs on a curve. */
@@ -191,8 +195,11 @@ costOf(const ContourSample& sample, const PlanCurve& curve, double tolerance)
   const double turned = cosine < least_cosine ? sample.weight() : 0;
   if (!sample.isSupported())
     return costUnsupported(sample, curve) + turned;
-  const double d = curve.distance(sample.position) / (tolerance / 2);
-  return sample.weight() * std::min(d * d, most_cost) + turned;
+  const double d = curve.distance(sample.position);
+  const double squared = std::pow(d / (tolerance / 2), 2);
+  if (squared <= outlier_cost)
+    return sample.weight() * squared + turned;
+  return sample.weight() * outlier_cost + cost_per_metre * (d - 1.5 * tolerance) + turned;
 }
 
 /** @brief What a change of curve costs. */

@@ -287,15 +287,19 @@ makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomReg
         return a->size < b->size;
       });
   CellMask scope = main.cells;
-  for (const Piece* piece : members)
+  CellMask ceiling = main.cells;
+  for (const Piece* piece : members) {
     scope = unite(scope, piece->cells);
+    if (piece->level == main.level) // parted by a beam
+      ceiling = unite(ceiling, piece->cells);
+  }
   const double area = static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
   if (area < storey.parameters.minimum_area ||
       wallShare(storey, scope, main) < storey.parameters.minimum_wall_share)
     return false;
   room.ceiling_level = main.level;
   room.floor_level = main.floor;
-  room.ceiling = main.cells.toSet();
+  room.ceiling = ceiling.toSet();
   room.scope = scope.toSet();
   return true;
 }

@@ -81,54 +81,6 @@ keepRegions(const CellMask& mask, std::size_t minimum_cells, double minimum_shar
   return kept;
 }
 
-/** @brief Length and width of a straight strip of cells, metres, from its spread: that of a uniform
- * strip of length l has the variance l^2 / 12. */
-Eigen::Vector2d
-extentOf(const CellMask& strip, const CellGrid& grid)
-{
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  double count = 0;
-  for (std::size_t i = 0; i < strip.values().size(); ++i) {
-    if (!strip.values()[i])
-      continue;
-    const Eigen::Vector2d p = grid.centre(strip.cellAt(i));
-    count += 1;
-    const Eigen::Vector2d d = p - mean;
-    mean += d / count;
-    scatter += d * (p - mean).transpose();
-  }
-  if (count == 0)
-    return {0, 0};
-  const Eigen::Matrix2d even = (scatter + scatter.transpose()) / 2 / count;
-  const Eigen::Vector2d spread =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(even).eigenvalues();
-  return {std::sqrt(12 * std::max(0.0, spread[1])), std::sqrt(12 * std::max(0.0, spread[0]))};
-}
-
-/** @brief Whether a region is the head of a door or a window rather than a soffit: it meets the
- * ceiling along one short straight line, whose wall goes on to both sides, or along a line below
- * which the wall of a sill stands. */
-bool
-isNiche(const Scene& scene, const CellMask& region)
-{
-  const CellMask front = intersect(dilated(region, 3), scene.ceiling);
-  const Eigen::Vector2d extent = extentOf(front, scene.grid);
-  if (extent[0] < scene.parameters.widest_niche && extent[1] < 5 * scene.parameters.cell_size)
-    return true;
-  const CellMask edge = intersect(region, dilated(front, 3));
-  std::size_t walls = 0;
-  for (std::size_t i = 0; i < edge.values().size(); ++i)
-    if (edge.values()[i] && scene.columns.share(edge.cellAt(i),
-                                                scene.floor_height + 0.15,
-                                                scene.floor_height + 0.65,
-                                                5,
-                                                0) >= 0.6)
-      ++walls;
-  // The edge is up to three cells wide, and the sill's wall in one of them.
-  return 4 * walls >= edge.count();
-}
-
 /** @brief The zero-valued regions that a slice and the ceiling enclose and the ceiling alone does
  * not, where something is seen between the two heights. */
 CellMask
@@ -142,20 +94,11 @@ enclosedBySlices(const Scene& scene,
     united = unite(united, dilated(sliceMask(scene, fraction), 1));
   const CellMask found =
       subtract(enclosedCells(united), enclosedCells(scene.ceiling));
-  const CellMask seen =
-      keepRegions(found, scene.parameters.minimum_cells, 0.5, [&](Cell cell) {
-        return scene.columns.hasWithin(cell,
-                                       scene.sliceAt(cell, lowest_fraction),
-                                       scene.ceilingAt(cell) + scene.parameters.tolerance);
-      });
-  const MaskRegions regions = labelRegions(seen, true);
-  CellMask kept(seen.box());
-  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-    const CellMask region = regionMask(seen, regions, static_cast<std::int32_t>(r));
-    if (!isNiche(scene, region))
-      kept = unite(kept, region);
-  }
-  return kept;
+  return keepRegions(found, scene.parameters.minimum_cells, 0.5, [&](Cell cell) {
+    return scene.columns.hasWithin(cell,
+                                   scene.sliceAt(cell, lowest_fraction),
+                                   scene.ceilingAt(cell) + scene.parameters.tolerance);
+  });
 }
 
 /** @brief The first trial whose slices enclose a detail. */
@@ -190,23 +133,154 @@ hasOwnTop(const Scene& scene, Cell cell, ColumnRun& top)
   return top.low > scene.sliceAt(cell, 0.5);
 }
 
-/** @brief Cells with an underside (a short run) and, where they join those, with a riser. Strips of
- * undersides narrower than three cells are left out: the wall above a window or a door ends in such
- * a strip. */
-CellMask
-undersideCells(const Scene& scene)
+/** @brief The tops of the columns that are not ceiling: undersides (short runs) in regions of one
+ * height, and risers (long runs). */
+struct Tops {
+  CellMask undersides;
+  CellMask risers;
+  std::vector<float> height; ///< lower end of the uppermost run of each cell
+};
+
+/** @brief Strips of undersides narrower than three cells are left out: the wall above a window or a
+ * door ends in such a strip. */
+Tops
+findTops(const Scene& scene)
 {
-  CellMask undersides(scene.ceiling.box());
-  CellMask risers(scene.ceiling.box());
+  Tops tops{CellMask(scene.ceiling.box()), CellMask(scene.ceiling.box()), {}};
+  tops.height.assign(tops.undersides.values().size(), 0.f);
   ColumnRun top;
-  for (std::size_t i = 0; i < undersides.values().size(); ++i) {
-    if (!hasOwnTop(scene, undersides.cellAt(i), top))
+  for (std::size_t i = 0; i < tops.height.size(); ++i) {
+    if (!hasOwnTop(scene, tops.undersides.cellAt(i), top))
       continue;
     const bool is_short = top.high - top.low < 2 * scene.parameters.tolerance;
-    (is_short ? undersides : risers).values()[i] = 1;
+    (is_short ? tops.undersides : tops.risers).values()[i] = 1;
+    tops.height[i] = top.low;
   }
-  undersides = intersect(undersides, dilated(eroded(undersides, 1), 2));
-  return unite(undersides, intersect(risers, dilated(undersides, 2)));
+  tops.undersides = intersect(tops.undersides, dilated(eroded(tops.undersides, 1), 2));
+  return tops;
+}
+
+/** @brief Regions of undersides in which neighbours differ by less than the tolerance in height. */
+std::vector<CellMask>
+regionsOfOneHeight(const Scene& scene, const Tops& tops)
+{
+  const CellMask& mask = tops.undersides;
+  std::vector<CellMask> regions;
+  std::vector<std::uint8_t> is_seen(mask.values().size(), 0);
+  for (std::size_t start = 0; start < is_seen.size(); ++start) {
+    if (!mask.values()[start] || is_seen[start])
+      continue;
+    std::vector<std::size_t> members{start};
+    is_seen[start] = 1;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const Cell cell = mask.cellAt(members[k]);
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell to{cell.x + dx, cell.y + dy};
+          if (!mask.at(to) || is_seen[mask.indexOf(to)] ||
+              std::abs(tops.height[mask.indexOf(to)] - tops.height[members[k]]) >
+                  scene.parameters.tolerance)
+            continue;
+          is_seen[mask.indexOf(to)] = 1;
+          members.push_back(mask.indexOf(to));
+        }
+    }
+    if (members.size() < scene.parameters.minimum_cells)
+      continue;
+    regions.emplace_back(mask.box());
+    for (const std::size_t i : members)
+      regions.back().values()[i] = 1;
+  }
+  return regions;
+}
+
+/** @brief Whether the floor goes on below a quarter of a region or more. Below the head of a window
+ * there is a sill. */
+bool
+hasFloorBelow(const Scene& scene, const CellMask& region)
+{
+  std::size_t above_floor = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i)
+    if (region.values()[i] && scene.columns.hasWithin(region.cellAt(i),
+                                                      scene.floor_height - 0.1,
+                                                      scene.floor_height + 0.1))
+      ++above_floor;
+  return 4 * above_floor >= region.count();
+}
+
+/** @brief A strip of cells along a line. */
+struct Strip {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
+  double length = 0; ///< metres
+  double width = 0;
+};
+
+/** @brief The straight strip that cells spread along: one of length l has the variance l^2 / 12. */
+Strip
+stripOf(const CellMask& cells, const CellGrid& grid)
+{
+  Strip strip;
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    if (cells.values()[i]) {
+      places.push_back(grid.centre(cells.cellAt(i)));
+      strip.middle += places.back();
+    }
+  if (places.empty())
+    return strip;
+  const auto count = static_cast<double>(places.size());
+  strip.middle /= count;
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const auto& p : places)
+    scatter += (p - strip.middle) * (p - strip.middle).transpose() / count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
+  strip.direction = solver.eigenvectors().col(1);
+  strip.length = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[1]));
+  strip.width = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[0]));
+  return strip;
+}
+
+/** @brief Whether a wall stands on the strip's line beyond one of its ends. */
+bool
+goesOnAsWall(const Scene& scene, const Strip& strip, double top)
+{
+  for (const double side : {-1.0, 1.0}) {
+    int walls = 0;
+    for (const double beyond : {0.15, 0.2, 0.25, 0.3}) {
+      const Eigen::Vector2d p =
+          strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
+      const Cell cell = scene.grid.at(p.x(), p.y());
+      walls += scene.columns.share(cell, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+    }
+    if (walls >= 3)
+      return true;
+  }
+  return false;
+}
+
+/** @brief Whether a region is the head of a door or a window rather than a soffit: shallow, it meets
+ * the rest of the ceiling along one straight line, on which the wall goes on beside it; or that
+ * line is as short as a door is wide. */
+bool
+isNiche(const Scene& scene, const Tops& tops, const CellMask& region)
+{
+  constexpr double deepest = 0.55;
+  const double cell = scene.parameters.cell_size;
+  const CellMask others = subtract(unite(scene.ceiling, tops.undersides), dilated(region, 1.5));
+  const CellMask front = intersect(dilated(region, 4), others);
+  const Strip strip = stripOf(front, scene.grid);
+  if (strip.length == 0)
+    return true;
+  if (strip.width > 6 * cell)
+    return false;
+  const double depth = static_cast<double>(region.count()) * cell * cell / strip.length;
+  double top = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i)
+    if (region.values()[i])
+      top += tops.height[i] / static_cast<double>(region.count());
+  return strip.length < scene.parameters.widest_niche ||
+         (depth < deepest && goesOnAsWall(scene, strip, top));
 }
 
 /** @brief Whether the rim of an island is closed up to the ceiling: then it is built, not hung. */
@@ -231,42 +305,102 @@ hasRisers(const Scene& scene, const CellMask& island)
   return 2 * closed >= rim.count();
 }
 
-/** @brief Whether a region is a part of the room: the floor goes on below a quarter of it or more.
- * Below the head of a window there is a sill, below that of a door hardly anything. */
+/** @brief Whether a region of one height is a part of the ceiling. What the ceiling encloses all
+ * around is an island: small or unattached ones are lamps. */
 bool
-hasFloorBelow(const Scene& scene, const CellMask& region)
-{
-  std::size_t above_floor = 0;
-  for (std::size_t i = 0; i < region.values().size(); ++i)
-    if (region.values()[i] && scene.columns.hasWithin(region.cellAt(i),
-                                                      scene.floor_height - 0.1,
-                                                      scene.floor_height + 0.1))
-      ++above_floor;
-  return 4 * above_floor >= region.count();
-}
-
-/** @brief Cells with an underside of their own that join the ceiling's cells. Those that the ceiling
- * encloses all around are islands: small or unattached ones are lamps, not structure. */
-CellMask
-cellsWithUndersides(const Scene& scene)
+isDetail(const Scene& scene, const Tops& tops, const CellMask& enclosed, const CellMask& region)
 {
   const SliceParameters& p = scene.parameters;
-  const CellMask found = undersideCells(scene);
-  const CellMask near_ceiling = dilated(scene.ceiling, 2);
+  if (intersect(region, enclosed).count() == region.count()) {
+    const double area = static_cast<double>(region.count()) * p.cell_size * p.cell_size;
+    return area >= p.minimum_island_area && hasRisers(scene, region);
+  }
+  return hasFloorBelow(scene, region) && !isNiche(scene, tops, region);
+}
+
+/** @brief The regions of `cells` that come within two cells of `ceiling`, or of one that does. */
+CellMask
+joinedWith(const CellMask& ceiling, const CellMask& cells)
+{
+  const CellMask both = unite(ceiling, cells);
+  const CellMask bridged = eroded(dilated(both, 2), 1);
+  const MaskRegions regions = labelRegions(bridged, true);
+  std::vector<std::uint8_t> has_ceiling(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < ceiling.values().size(); ++i)
+    if (ceiling.values()[i] && regions.label[i] >= 0)
+      has_ceiling[static_cast<std::size_t>(regions.label[i])] = 1;
+  CellMask joined(cells.box());
+  for (std::size_t i = 0; i < joined.values().size(); ++i)
+    joined.values()[i] = cells.values()[i] && regions.label[i] >= 0 &&
+                                 has_ceiling[static_cast<std::size_t>(regions.label[i])]
+                             ? 1
+                             : 0;
+  return joined;
+}
+
+/** @brief The risers that join a kept underside: they do not reach below it and the ceiling, as the
+ * wall above a window under a soffit does. */
+CellMask
+risersBeside(const Scene& scene, const Tops& tops, const CellMask& kept)
+{
+  const CellMask near = intersect(tops.risers, dilated(kept, 2));
+  CellMask risers(near.box());
+  for (std::size_t i = 0; i < near.values().size(); ++i) {
+    if (!near.values()[i])
+      continue;
+    const Cell cell = near.cellAt(i);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        const Cell to{cell.x + dx, cell.y + dy};
+        if (kept.at(to) && tops.undersides.at(to))
+          lowest = std::min<double>(lowest, tops.height[kept.indexOf(to)]);
+        if (scene.ceiling.at(to))
+          lowest = std::min(lowest, scene.ceilingAt(to));
+      }
+    risers.values()[i] = tops.height[i] >= lowest - scene.parameters.tolerance ? 1 : 0;
+  }
+  return risers;
+}
+
+/** @brief `seeds` and what can be reached from them through `domain`. */
+CellMask
+grownInto(const CellMask& seeds, const CellMask& domain)
+{
+  std::vector<std::int32_t> label(seeds.values().size(), -1);
+  for (std::size_t i = 0; i < label.size(); ++i)
+    label[i] = seeds.values()[i] ? 0 : -1;
+  growLabels(domain, std::numeric_limits<int>::max(), label);
+  CellMask grown_mask(seeds.box());
+  for (std::size_t i = 0; i < label.size(); ++i)
+    grown_mask.values()[i] = label[i] == 0 ? 1 : 0;
+  return grown_mask;
+}
+
+/** @brief The cells of all details: regions of one height that join the ceiling, directly or through
+ * each other, their risers, and what else the slices enclosed with them. */
+CellMask
+detailCells(const Scene& scene, const CellMask& enclosed_by_slices)
+{
+  const Tops tops = findTops(scene);
   const CellMask enclosed = enclosedCells(scene.ceiling);
-  const MaskRegions regions = labelRegions(found, true);
-  CellMask kept(found.box());
-  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-    if (regions.sizes[r] < p.minimum_cells)
-      continue;
-    const CellMask region = regionMask(found, regions, static_cast<std::int32_t>(r));
-    if (intersect(region, near_ceiling).count() == 0)
-      continue;
-    const bool is_island = intersect(region, enclosed).count() == region.count();
-    const double area = static_cast<double>(regions.sizes[r]) * p.cell_size * p.cell_size;
-    if (is_island ? area >= p.minimum_island_area && hasRisers(scene, region)
-                  : hasFloorBelow(scene, region) && !isNiche(scene, region))
-      kept = unite(kept, region);
+  CellMask kept(scene.ceiling.box());
+  CellMask refused(scene.ceiling.box());
+  for (const CellMask& region : regionsOfOneHeight(scene, tops)) {
+    CellMask& side = isDetail(scene, tops, enclosed, region) ? kept : refused;
+    side = unite(side, region);
+  }
+  kept = joinedWith(scene.ceiling, kept);
+  const CellMask risers = risersBeside(scene, tops, kept);
+  kept = unite(kept, risers);
+  // What was not seen of a detail, the slices' outline encloses with it; walls and heads of windows
+  // bound it.
+  const CellMask bounds = unite(refused, subtract(tops.risers, risers));
+  const MaskRegions outlined = labelRegions(enclosed_by_slices, true);
+  for (std::size_t r = 0; r < outlined.sizes.size(); ++r) {
+    const CellMask region = regionMask(enclosed_by_slices, outlined, static_cast<std::int32_t>(r));
+    if (2 * intersect(region, kept).count() >= region.count())
+      kept = grownInto(kept, subtract(region, bounds));
   }
   return kept;
 }
@@ -340,8 +474,7 @@ findSliceDetails(const PointView& points,
                     grid,
                     CellMask(ceiling_cells, box),
                     ColumnTable(grid, box, points, indices)};
-  const CellMask enclosed = runTrials(scene, details);
-  collectPoints(scene, unite(enclosed, cellsWithUndersides(scene)), details);
+  collectPoints(scene, detailCells(scene, runTrials(scene, details)), details);
   return details;
 }
 

@@ -14,17 +14,18 @@ namespace {
 class Collapser {
 public:
   explicit Collapser(TriangleMesh& mesh)
-  : mesh_(mesh), alive_(mesh.triangles.size(), true), around_(mesh.vertices.size())
+      : mesh_(mesh)
+      , alive_(mesh.triangles.size(), true)
+      , around_(mesh.vertices.size())
   {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       for (const auto v : mesh.triangles[t])
         around_[v].push_back(t);
   }
 
-  // Collapses the edge from a to b if it is there, shorter than `length`, inside a manifold
-  // surface, and no triangle about it would turn over.
-  bool
-  tryCollapse(std::uint32_t a, std::uint32_t b, double length)
+  // Collapses the edge from a to b if it is there, shorter than `length`, inside a
+  // manifold surface, and no triangle about it would turn over.
+  bool tryCollapse(std::uint32_t a, std::uint32_t b, double length)
   {
     if ((mesh_.vertices[a] - mesh_.vertices[b]).norm() >= length)
       return false;
@@ -41,22 +42,16 @@ public:
     return true;
   }
 
-  const std::vector<bool>&
-  alive() const
-  {
-    return alive_;
-  }
+  const std::vector<bool>& alive() const { return alive_; }
 
 private:
-  bool
-  uses(std::uint32_t t, std::uint32_t v) const
+  bool uses(std::uint32_t t, std::uint32_t v) const
   {
     const Triangle& triangle = mesh_.triangles[t];
     return triangle[0] == v || triangle[1] == v || triangle[2] == v;
   }
 
-  std::vector<std::uint32_t>
-  neighbours(std::uint32_t v) const
+  std::vector<std::uint32_t> neighbours(std::uint32_t v) const
   {
     std::vector<std::uint32_t> found;
     for (const auto t : around_[v])
@@ -68,22 +63,22 @@ private:
     return found;
   }
 
-  // The link condition of a closed surface: just two common neighbours, each with a neighbour
-  // left to spare.
-  bool
-  keepsTopology(std::uint32_t a, std::uint32_t b) const
+  // The link condition of a closed surface: just two common neighbours, each with a
+  // neighbour left to spare.
+  bool keepsTopology(std::uint32_t a, std::uint32_t b) const
   {
     const auto of_a = neighbours(a);
     const auto of_b = neighbours(b);
     std::vector<std::uint32_t> common;
-    std::set_intersection(
-        of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::back_inserter(common));
     return common.size() == 2 && around_[common[0]].size() > 3 &&
            around_[common[1]].size() > 3 && of_a.size() == around_[a].size() &&
            of_b.size() == around_[b].size();
   }
 
-  // A triangle at `v` that does not use `other` would face the other way with `v` at `target`.
+  // A triangle at `v` that does not use `other` would face the other way with `v` at
+  // `target`.
   bool
   turnsOver(std::uint32_t v, std::uint32_t other, const Eigen::Vector3d& target) const
   {
@@ -92,8 +87,9 @@ private:
         continue;
       Eigen::Vector3d p[3];
       for (int i = 0; i < 3; ++i)
-        p[i] = mesh_.triangles[t][static_cast<std::size_t>(i)] == v ? target
-                                                                    : mesh_.corner(t, i);
+        p[i] = mesh_.triangles[t][static_cast<std::size_t>(i)] == v
+                   ? target
+                   : mesh_.corner(t, i);
       const Eigen::Vector3d before = mesh_.scaledNormal(t);
       const Eigen::Vector3d after = (p[1] - p[0]).cross(p[2] - p[0]);
       if (before.dot(after) < 0.2 * before.norm() * after.norm() ||
@@ -103,11 +99,10 @@ private:
     return false;
   }
 
-  void
-  collapse(std::uint32_t a,
-           std::uint32_t b,
-           const Eigen::Vector3d& middle,
-           const std::vector<std::uint32_t>& shared)
+  void collapse(std::uint32_t a,
+                std::uint32_t b,
+                const Eigen::Vector3d& middle,
+                const std::vector<std::uint32_t>& shared)
   {
     for (const auto t : shared) {
       alive_[t] = false;

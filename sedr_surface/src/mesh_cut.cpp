@@ -40,9 +40,8 @@ sortByAngle(const TriangleMesh& mesh, const EdgeUse* first, const EdgeUse* last)
     const Eigen::Vector3d w = mesh.corner(use->triangle, (use->side + 2) % 3) - low;
     leaves.push_back({*use, std::atan2(w.dot(v), w.dot(u))});
   }
-  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
-    return a.angle < b.angle;
-  });
+  std::stable_sort(leaves.begin(), leaves.end(),
+                   [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
   return leaves;
 }
 
@@ -57,8 +56,9 @@ takePair(std::vector<Leaf>& ring, std::size_t i)
   return sheet;
 }
 
-// With the angle, the normal of a side that runs forward points on, that of one that runs
-// backward points back: forward, then backward encloses the space in front of both.
+// With the angle, the normal of a side that runs forward points on, that of one that
+// runs backward points back: forward, then backward encloses the space in front of
+// both.
 std::vector<Sheet>
 pairSides(const TriangleMesh& mesh,
           const EdgeUse* first,
@@ -147,12 +147,14 @@ addMiddle(TriangleMesh& mesh, const Sheet& sheet, Middles& middles)
   const Triangle& triangle = mesh.triangles[sheet.sides[0].triangle];
   const Eigen::Vector3d edge =
       (mesh.vertices[triangle[sheet.sides[0].side]] +
-       mesh.vertices[triangle[(sheet.sides[0].side + 1u) % 3u]]) / 2;
+       mesh.vertices[triangle[(sheet.sides[0].side + 1u) % 3u]]) /
+      2;
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
   for (int i = 0; i < sheet.count; ++i) {
     const EdgeUse& use = sheet.sides[static_cast<std::size_t>(i)];
     away += (mesh.corner(use.triangle, (use.side + 2) % 3) - edge) / sheet.count;
-    auto& sides = middles.try_emplace(use.triangle, Triangle{none, none, none}).first->second;
+    auto& sides =
+        middles.try_emplace(use.triangle, Triangle{none, none, none}).first->second;
     sides[use.side] = static_cast<std::uint32_t>(mesh.vertices.size());
   }
   mesh.vertices.push_back(edge + pull * away);
@@ -160,7 +162,9 @@ addMiddle(TriangleMesh& mesh, const Sheet& sheet, Middles& middles)
 
 // Replaces triangle `t` by triangles that run through the middles of its sides.
 void
-splitTriangle(TriangleMesh& mesh, std::uint32_t t, const std::array<std::uint32_t, 3>& middle)
+splitTriangle(TriangleMesh& mesh,
+              std::uint32_t t,
+              const std::array<std::uint32_t, 3>& middle)
 {
   const Triangle old = mesh.triangles[t];
   const auto add = [&mesh, t](const Triangle& triangle) {
@@ -177,7 +181,8 @@ splitTriangle(TriangleMesh& mesh, std::uint32_t t, const std::array<std::uint32_
     mesh.triangles[t] = {middle[0], middle[1], middle[2]};
     return;
   }
-  std::size_t s = 0; // the first side with a middle; of two, the one that the other follows
+  std::size_t s =
+      0; // the first side with a middle; of two, the one that the other follows
   while (middle[s] == none || (count == 2 && middle[(s + 1) % 3] == none))
     ++s;
   const std::uint32_t a = old[s];
@@ -227,7 +232,8 @@ cutNonManifold(TriangleMesh& mesh, KeepApart apart, MeshRepairReport& report)
     if (last - first <= 2)
       return;
     ++report.cut_edges;
-    for (const Sheet& sheet : pairSides(mesh, &*first, &*first + (last - first), apart)) {
+    for (const Sheet& sheet :
+         pairSides(mesh, &*first, &*first + (last - first), apart)) {
       if (sheet.count == 2)
         joinSides(sheet.sides[0], sheet.sides[1], corners);
       sheets.push_back(sheet);

@@ -22,7 +22,7 @@ struct MeshDistance::Locator {
 };
 
 MeshDistance::MeshDistance(const TriangleMesh& mesh)
-: locator_(std::make_unique<Locator>())
+    : locator_(std::make_unique<Locator>())
 {
   // Near the origin, so that the locator's tolerances mean what they should.
   locator_->origin = mesh.bounds().center();
@@ -37,7 +37,8 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh)
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     const vtkIdType ids[4] = {triangle[0], triangle[1], triangle[2], triangle[0]};
-    // VTK finds no nearest point on a triangle without area; its sides are all there is of it.
+    // VTK finds no nearest point on a triangle without area; its sides are all there is
+    // of it.
     if (mesh.scaledNormal(t).norm() > 0)
       triangles->InsertNextCell(3, ids);
     else
@@ -54,7 +55,8 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh)
 MeshDistance::~MeshDistance() = default;
 
 std::vector<double>
-MeshDistance::distances(const std::vector<Eigen::Vector3d>& points, unsigned threads) const
+MeshDistance::distances(const std::vector<Eigen::Vector3d>& points,
+                        unsigned threads) const
 {
   std::vector<double> result(points.size());
   parallelBlocks(points.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {

@@ -22,8 +22,8 @@ struct EdgeUse {
   bool forward = false;       ///< the triangle runs from low to high
 };
 
-/** @brief The sides of all triangles, sorted by edge and then by triangle. Sides between a vertex
- * and itself are left out. O(n log n). */
+/** @brief The sides of all triangles, sorted by edge and then by triangle. Sides
+ * between a vertex and itself are left out. O(n log n). */
 inline std::vector<EdgeUse>
 collectEdges(const std::vector<Triangle>& triangles)
 {
@@ -60,13 +60,13 @@ forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
 /** @brief Disjoint sets of 0 .. n - 1; the lowest member stands for its set. */
 class DisjointSets {
 public:
-  explicit DisjointSets(std::size_t size) : parent_(size)
+  explicit DisjointSets(std::size_t size)
+      : parent_(size)
   {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
-  std::uint32_t
-  find(std::uint32_t i)
+  std::uint32_t find(std::uint32_t i)
   {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];
@@ -75,8 +75,7 @@ public:
     return i;
   }
 
-  void
-  join(std::uint32_t a, std::uint32_t b)
+  void join(std::uint32_t a, std::uint32_t b)
   {
     a = find(a);
     b = find(b);
@@ -88,8 +87,8 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-/** @brief Number of the corner of `use.triangle` that sits on the lower vertex of the edge:
- * 3 * triangle + corner. */
+/** @brief Number of the corner of `use.triangle` that sits on the lower vertex of the
+ * edge: 3 * triangle + corner. */
 inline std::uint32_t
 lowCorner(const EdgeUse& use)
 {

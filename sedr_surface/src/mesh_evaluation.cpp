@@ -62,17 +62,14 @@ MeshEvaluation::checkParameters()
   if (!mesh_.isSet())
     return fail(class_name, "no mesh is set");
   if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
-    return fail(class_name,
-                "the sample spacing must be above 0 m, it is " +
-                    std::to_string(sample_spacing_) + " m");
+    return fail(class_name, "the sample spacing must be above 0 m, it is " +
+                                std::to_string(sample_spacing_) + " m");
   if (!(histogram_range_ > 0) || !std::isfinite(histogram_range_))
-    return fail(class_name,
-                "the histogram must end above 0 m, it ends at " +
-                    std::to_string(histogram_range_) + " m");
+    return fail(class_name, "the histogram must end above 0 m, it ends at " +
+                                std::to_string(histogram_range_) + " m");
   if (histogram_bins_ > 1'000'000)
-    return fail(class_name,
-                "the histogram takes at most 1000000 bins, " +
-                    std::to_string(histogram_bins_) + " are set");
+    return fail(class_name, "the histogram takes at most 1000000 bins, " +
+                                std::to_string(histogram_bins_) + " are set");
   return true;
 }
 
@@ -93,7 +90,8 @@ MeshEvaluation::prepare(const MeshInput& input,
   if (problem.empty() && mesh->empty())
     problem = "it has no triangles";
   if (problem.empty() && !(mesh->area() > 0))
-    problem = "its " + std::to_string(mesh->triangles.size()) + " triangles have no area";
+    problem =
+        "its " + std::to_string(mesh->triangles.size()) + " triangles have no area";
   if (!problem.empty())
     return fail(class_name, std::string("the ") + what + " is no mesh: " + problem);
   return true;
@@ -115,9 +113,9 @@ MeshEvaluation::selectPoints(std::vector<Eigen::Vector3d>& points, std::size_t& 
   }
   skipped = count - points.size();
   if (points.empty())
-    return fail(class_name,
-                "the cloud has no point to measure, " + std::to_string(skipped) + " of " +
-                    std::to_string(count) + " are not finite");
+    return fail(class_name, "the cloud has no point to measure, " +
+                                std::to_string(skipped) + " of " +
+                                std::to_string(count) + " are not finite");
   return true;
 }
 
@@ -125,8 +123,8 @@ sedr::DistanceStatistics
 MeshEvaluation::measure(const std::vector<Eigen::Vector3d>& points,
                         const sedr::MeshDistance& mesh) const
 {
-  return sedr::summarizeDistances(
-      mesh.distances(points, threads_), histogram_bins_, histogram_range_);
+  return sedr::summarizeDistances(mesh.distances(points, threads_), histogram_bins_,
+                                  histogram_range_);
 }
 
 bool

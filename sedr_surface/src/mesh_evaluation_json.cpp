@@ -16,47 +16,41 @@ namespace {
 // Members of an object as text, in the order in which they were added.
 class JsonObject {
 public:
-  explicit JsonObject(int indent) : indent_(indent) {}
+  explicit JsonObject(int indent)
+      : indent_(indent)
+  {}
 
-  void
-  add(const std::string& name, const std::string& json)
+  void add(const std::string& name, const std::string& json)
   {
     members_.emplace_back(name, json);
   }
 
-  void
-  add(const std::string& name, double value)
+  void add(const std::string& name, double value)
   {
     std::ostringstream text;
     text << std::setprecision(9) << value;
     add(name, std::isfinite(value) ? text.str() : std::string("null"));
   }
 
-  void
-  add(const std::string& name, std::size_t value)
+  void add(const std::string& name, std::size_t value)
   {
     add(name, std::to_string(value));
   }
 
-  void
-  add(const std::string& name, bool value)
+  void add(const std::string& name, bool value)
   {
     add(name, std::string(value ? "true" : "false"));
   }
 
-  int
-  inner() const
-  {
-    return indent_ + 2;
-  }
+  int inner() const { return indent_ + 2; }
 
-  std::string
-  text() const
+  std::string text() const
   {
     std::string text = "{";
     for (const auto& member : members_)
-      text += (text == "{" ? "\n" : ",\n") + std::string(static_cast<std::size_t>(inner()), ' ') +
-              "\"" + member.first + "\": " + member.second;
+      text += (text == "{" ? "\n" : ",\n") +
+              std::string(static_cast<std::size_t>(inner()), ' ') + "\"" +
+              member.first + "\": " + member.second;
     return text + "\n" + std::string(static_cast<std::size_t>(indent_), ' ') + "}";
   }
 

@@ -46,7 +46,8 @@ std::string
 plyContent(const TriangleMesh& mesh)
 {
   std::string content = plyHeader(mesh);
-  content.reserve(content.size() + 12 * mesh.vertices.size() + 21 * mesh.triangles.size());
+  content.reserve(content.size() + 12 * mesh.vertices.size() +
+                  21 * mesh.triangles.size());
   for (const Eigen::Vector3d& vertex : mesh.vertices)
     for (int k = 0; k < 3; ++k)
       appendBytes(content, static_cast<float>(vertex[k]));

@@ -31,10 +31,13 @@ fraction(double x)
   return x - std::floor(x);
 }
 
-// The j-th point of a sequence that fills the triangle evenly (Roberts' R2, folded), begun at a
-// place that the seed chooses.
+// The j-th point of a sequence that fills the triangle evenly (Roberts' R2, folded),
+// begun at a place that the seed chooses.
 Eigen::Vector3d
-pointInTriangle(const TriangleMesh& mesh, std::size_t t, std::uint64_t j, std::uint64_t seed)
+pointInTriangle(const TriangleMesh& mesh,
+                std::size_t t,
+                std::uint64_t j,
+                std::uint64_t seed)
 {
   const std::uint64_t key = mix(seed ^ mix(t));
   const auto step = static_cast<double>(j);

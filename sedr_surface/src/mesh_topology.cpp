@@ -23,7 +23,8 @@ countVertices(const TriangleMesh& mesh, MeshTopology& topology)
   for (const Triangle& triangle : mesh.triangles)
     for (const auto v : triangle)
       used[v] = true;
-  topology.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  topology.vertices =
+      static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
   topology.unused_vertices = mesh.vertices.size() - topology.vertices;
 }
 
@@ -126,8 +127,7 @@ measureComponents(const TriangleMesh& mesh,
     if (last - first == 1)
       topology.components[component[first->triangle]].closed = false;
   });
-  std::stable_sort(topology.components.begin(),
-                   topology.components.end(),
+  std::stable_sort(topology.components.begin(), topology.components.end(),
                    [](const auto& a, const auto& b) { return a.area > b.area; });
 }
 

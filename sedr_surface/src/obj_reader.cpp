@@ -8,7 +8,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// An index as OBJ writes it, "7", "7/1/2" or "-1" for the last vertex, counted from 0; or -1.
+// An index as OBJ writes it, "7", "7/1/2" or "-1" for the last vertex, counted from 0;
+// or -1.
 std::int64_t
 objIndex(const std::string& word, std::size_t vertices)
 {

@@ -1,81 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_parsers.h"
+#include "ply_header.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 
 namespace pcl {
 namespace sedr {
 namespace {
 
-enum class Type { None, Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
-
-Type
-typeOf(const std::string& name)
-{
-  static const std::pair<const char*, Type> names[] = {
-      {"char", Type::Int8},     {"int8", Type::Int8},       {"uchar", Type::UInt8},
-      {"uint8", Type::UInt8},   {"short", Type::Int16},     {"int16", Type::Int16},
-      {"ushort", Type::UInt16}, {"uint16", Type::UInt16},   {"int", Type::Int32},
-      {"int32", Type::Int32},   {"uint", Type::UInt32},     {"uint32", Type::UInt32},
-      {"float", Type::Float},   {"float32", Type::Float},   {"double", Type::Double},
-      {"float64", Type::Double}};
-  for (const auto& entry : names)
-    if (name == entry.first)
-      return entry.second;
-  return Type::None;
-}
-
-std::size_t
-sizeOf(Type type)
-{
-  switch (type) {
-  case Type::Int8:
-  case Type::UInt8:
-    return 1;
-  case Type::Int16:
-  case Type::UInt16:
-    return 2;
-  case Type::Double:
-    return 8;
-  default:
-    return 4;
-  }
-}
-
-struct Property {
-  std::string name;
-  Type type = Type::None;
-  Type count_type = Type::None; ///< of a list
-};
-
-struct Element {
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Property> properties;
-};
-
-enum class Encoding { Ascii, LittleEndian, BigEndian };
+using namespace ply;
 
 // Numbers one after the other, from text or from bytes.
 class ValueReader {
 public:
   ValueReader(const char* first, const char* last, Encoding encoding)
-  : at_(first), last_(last), encoding_(encoding)
+      : at_(first)
+      , last_(last)
+      , encoding_(encoding)
   {}
 
-  bool
-  read(Type type, double& value)
+  bool read(Type type, double& value)
   {
     return encoding_ == Encoding::Ascii ? readText(value) : readBytes(type, value);
   }
 
 private:
-  bool
-  readText(double& value)
+  bool readText(double& value)
   {
     while (at_ != last_ && std::strchr(" \t\r\n", *at_) != nullptr)
       ++at_;
@@ -87,16 +40,14 @@ private:
   }
 
   template <typename T>
-  static double
-  as(const char* bytes)
+  static double as(const char* bytes)
   {
     T value = 0;
     std::memcpy(&value, bytes, sizeof(value));
     return static_cast<double>(value);
   }
 
-  bool
-  readBytes(Type type, double& value)
+  bool readBytes(Type type, double& value)
   {
     const std::size_t size = sizeOf(type);
     if (static_cast<std::size_t>(last_ - at_) < size)
@@ -110,8 +61,7 @@ private:
     return true;
   }
 
-  static double
-  decode(Type type, const char* bytes)
+  static double decode(Type type, const char* bytes)
   {
     switch (type) {
     case Type::Int8:
@@ -138,77 +88,6 @@ private:
   Encoding encoding_;
 };
 
-struct Header {
-  Encoding encoding = Encoding::Ascii;
-  std::vector<Element> elements;
-  std::size_t size = 0; ///< bytes up to the first value
-};
-
-std::string
-parseHeaderLine(const std::string& line, Header& header)
-{
-  std::istringstream words(line);
-  std::string keyword;
-  words >> keyword;
-  if (keyword == "format") {
-    std::string encoding;
-    words >> encoding;
-    if (encoding == "binary_little_endian")
-      header.encoding = Encoding::LittleEndian;
-    else if (encoding == "binary_big_endian")
-      header.encoding = Encoding::BigEndian;
-    else if (encoding != "ascii")
-      return "has the unknown PLY format '" + encoding + "'";
-  }
-  else if (keyword == "element") {
-    Element element;
-    if (!(words >> element.name >> element.count))
-      return "has a PLY header with the bad line '" + line + "'";
-    header.elements.push_back(element);
-  }
-  else if (keyword == "property") {
-    std::string type;
-    Property property;
-    words >> type;
-    if (type == "list") {
-      words >> type;
-      property.count_type = typeOf(type);
-      if (property.count_type == Type::None)
-        return "has a PLY header with the bad line '" + line + "'";
-      words >> type;
-    }
-    property.type = typeOf(type);
-    if (!(words >> property.name) || property.type == Type::None ||
-        header.elements.empty())
-      return "has a PLY header with the bad line '" + line + "'";
-    header.elements.back().properties.push_back(property);
-  }
-  return {};
-}
-
-std::string
-parseHeader(const std::string& content, Header& header)
-{
-  std::size_t begin = 0;
-  while (begin < content.size()) {
-    const std::size_t end = content.find('\n', begin);
-    if (end == std::string::npos)
-      break;
-    std::string line = content.substr(begin, end - begin);
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
-      line.pop_back();
-    begin = end + 1;
-    if (line == "end_header") {
-      header.size = begin;
-      return {};
-    }
-    const std::string reason = parseHeaderLine(line, header);
-    if (!reason.empty())
-      return reason;
-  }
-  return "is truncated: its PLY header does not end";
-}
-
 // Where the values of a row go.
 struct Row {
   std::vector<double> scalars;            ///< one a property; of a list its length
@@ -227,7 +106,8 @@ readRow(ValueReader& reader, const Element& element, Row& row)
       return false;
     if (!is_list)
       continue;
-    if (!(row.scalars[p] >= 0 && row.scalars[p] < 1e6)) // no polygon has that many corners
+    if (!(row.scalars[p] >= 0 &&
+          row.scalars[p] < 1e6)) // no polygon has that many corners
       return false;
     row.lists[p].resize(static_cast<std::size_t>(row.scalars[p]));
     for (double& value : row.lists[p])
@@ -238,7 +118,9 @@ readRow(ValueReader& reader, const Element& element, Row& row)
 }
 
 int
-findProperty(const Element& element, std::initializer_list<const char*> names, bool list)
+findProperty(const Element& element,
+             std::initializer_list<const char*> names,
+             bool list)
 {
   for (std::size_t p = 0; p < element.properties.size(); ++p)
     for (const char* name : names)
@@ -291,7 +173,8 @@ readFaces(ValueReader& reader, const Element& element, TriangleMesh& mesh)
     polygon.clear();
     for (const double index : row.lists[static_cast<std::size_t>(corners)]) {
       if (!(index >= 0 && index < static_cast<double>(mesh.vertices.size())))
-        return "is no mesh: face " + std::to_string(i) + " uses a vertex out of range of the " +
+        return "is no mesh: face " + std::to_string(i) +
+               " uses a vertex out of range of the " +
                std::to_string(mesh.vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
@@ -323,11 +206,11 @@ skipRows(ValueReader& reader, const Element& element)
 std::string
 parsePly(const std::string& content, TriangleMesh& mesh)
 {
-  Header header;
-  std::string reason = parseHeader(content, header);
-  ValueReader reader(
-      content.data() + header.size, content.data() + content.size(), header.encoding);
-  for (const Element& element : header.elements) {
+  ply::Header header;
+  std::string reason = ply::parseHeader(content, header);
+  ValueReader reader(content.data() + header.size, content.data() + content.size(),
+                     header.encoding);
+  for (const ply::Element& element : header.elements) {
     if (!reason.empty())
       break;
     if (element.name == "tristrips")

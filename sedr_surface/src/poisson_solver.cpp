@@ -66,14 +66,17 @@ toMesh(const pcl::PointCloud<pcl::PointNormal>& cloud,
   return mesh.problem();
 }
 
-// The spacing that half of the surface has or exceeds: where points lie twice as dense, each stands
-// for a quarter of the area. Stray points would stand for too much of it, so that is capped.
+// The spacing that half of the surface has or exceeds: where points lie twice as dense,
+// each stands for a quarter of the area. Stray points would stand for too much of it,
+// so that is capped.
 double
 medianByArea(std::vector<double> spacings)
 {
   std::sort(spacings.begin(), spacings.end());
   const double cap = 2 * spacings[spacings.size() / 2];
-  const auto area = [cap](double spacing) { return std::pow(std::min(spacing, cap), 2); };
+  const auto area = [cap](double spacing) {
+    return std::pow(std::min(spacing, cap), 2);
+  };
   double total = 0;
   for (const double spacing : spacings)
     total += area(spacing);

@@ -38,8 +38,7 @@ isEar(const std::vector<Eigen::Vector3d>& vertices,
   const Eigen::Vector3d& a = vertices[ia];
   const Eigen::Vector3d& b = vertices[ib];
   const Eigen::Vector3d& c = vertices[ic];
-  const auto side = [&normal](const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& to,
+  const auto side = [&normal](const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                               const Eigen::Vector3d& p) {
     return normal.dot((to - from).cross(p - from));
   };
@@ -75,7 +74,8 @@ fieldProblem(const pcl::PCLPointCloud2& cloud, const char* name)
     return std::string("the cloud of the mesh has no field ") + name;
   const bool is_float = field->datatype == pcl::PCLPointField::FLOAT32;
   if (!is_float && field->datatype != pcl::PCLPointField::FLOAT64)
-    return std::string("the field ") + name + " of the mesh is neither float nor double";
+    return std::string("the field ") + name +
+           " of the mesh is neither float nor double";
   if (field->offset + (is_float ? 4u : 8u) > cloud.point_step)
     return std::string("the field ") + name + " of the mesh lies outside its points";
   return {};
@@ -107,8 +107,8 @@ readVertices(const pcl::PCLPointCloud2& cloud, std::vector<Eigen::Vector3d>& ver
   }
   const std::size_t size = static_cast<std::size_t>(cloud.width) * cloud.height;
   if (cloud.data.size() < size * cloud.point_step)
-    return "the cloud of the mesh says " + std::to_string(size) + " points, but holds " +
-           std::to_string(cloud.data.size()) + " bytes";
+    return "the cloud of the mesh says " + std::to_string(size) +
+           " points, but holds " + std::to_string(cloud.data.size()) + " bytes";
   vertices.resize(size);
   for (std::size_t i = 0; i < size; ++i)
     for (int k = 0; k < 3; ++k)
@@ -157,8 +157,9 @@ fromPolygonMesh(const pcl::PolygonMesh& polygon_mesh, TriangleMesh& mesh)
     polygon.clear();
     for (const auto index : polygon_mesh.polygons[p].vertices) {
       if (static_cast<std::size_t>(index) >= vertices.size())
-        return "polygon " + std::to_string(p) + " uses vertex " + std::to_string(index) +
-               ", the mesh has " + std::to_string(vertices.size()) + " vertices";
+        return "polygon " + std::to_string(p) + " uses vertex " +
+               std::to_string(index) + ", the mesh has " +
+               std::to_string(vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
     triangulatePolygon(vertices, polygon, triangles);

@@ -18,19 +18,20 @@ namespace {
 bool
 isPoissonComplaint(const std::string& line)
 {
-  static const char* const beginnings[] = {"Vertex pair not in list",
-                                           "Could not find vertex",
-                                           "Bad Edge",
-                                           "Bad Point Index",
-                                           "[WARNING] Couldn't find root index",
-                                           "[WARNING] Finest node does not have",
-                                           "[WARNING] Bad average root",
-                                           "[WARNING] Initial residual too low",
-                                           "[WARNING] How did we leave the subtree",
-                                           "Octree<Degree>::NonLinearSplatOrientedPoint",
-                                           "\t(",
-                                           "\t0",
-                                           "\t1"};
+  static const char* const beginnings[] = {
+      "Vertex pair not in list",
+      "Could not find vertex",
+      "Bad Edge",
+      "Bad Point Index",
+      "[WARNING] Couldn't find root index",
+      "[WARNING] Finest node does not have",
+      "[WARNING] Bad average root",
+      "[WARNING] Initial residual too low",
+      "[WARNING] How did we leave the subtree",
+      "Octree<Degree>::NonLinearSplatOrientedPoint",
+      "\t(",
+      "\t0",
+      "\t1"};
   for (const char* beginning : beginnings)
     if (line.rfind(beginning, 0) == 0)
       return true;
@@ -80,7 +81,10 @@ QuietOutput::QuietOutput()
   err_ = divert(STDERR_FILENO);
 }
 
-QuietOutput::~QuietOutput() { finish(); }
+QuietOutput::~QuietOutput()
+{
+  finish();
+}
 
 std::size_t
 QuietOutput::finish()

@@ -14,14 +14,14 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// The octree is turned a little finer or coarser until its surface closes: where leaves of two
-// depths meet, pcl::Poisson now and then loses a triangle.
+// The octree is turned a little finer or coarser until its surface closes: where leaves
+// of two depths meet, pcl::Poisson now and then loses a triangle.
 struct Attempt {
   double cell_factor;
   int depth_change;
 };
-constexpr Attempt attempts[] = {
-    {1, 0}, {1.06, 0}, {0.95, 0}, {1.13, 0}, {1.2, 0}, {1, -1}, {1.13, -1}};
+constexpr Attempt attempts[] = {{1, 0},   {1.06, 0}, {0.95, 0}, {1.13, 0},
+                                {1.2, 0}, {1, -1},   {1.13, -1}};
 
 // With as many digits as people want to read.
 std::string
@@ -60,8 +60,8 @@ extentOf(const std::vector<OrientedPoint>& points)
   return box.sizes().maxCoeff();
 }
 
-// Depth and scale that give the octree cells of the wanted size: the cube of a plain scale would
-// make them anything between that and half of it.
+// Depth and scale that give the octree cells of the wanted size: the cube of a plain
+// scale would make them anything between that and half of it.
 PoissonParameters
 fitOctree(const PoissonParameters& limits, double extent, double cell, int depth_change)
 {
@@ -71,8 +71,8 @@ fitOctree(const PoissonParameters& limits, double extent, double cell, int depth
   fitted.depth = std::clamp(depth + depth_change, 3, limits.depth);
   fitted.min_depth = std::min(limits.min_depth, fitted.depth);
   const double factor = depth_change < 0 ? std::ldexp(1., -depth_change) : 1.;
-  fitted.scale = static_cast<float>(
-      std::max<double>(limits.scale, factor * cell * std::ldexp(1., fitted.depth) / extent));
+  fitted.scale = static_cast<float>(std::max<double>(
+      limits.scale, factor * cell * std::ldexp(1., fitted.depth) / extent));
   return fitted;
 }
 
@@ -89,7 +89,8 @@ double
 resolutionAt(const TriangleMesh& mesh)
 {
   const Eigen::AlignedBox3d box = mesh.bounds();
-  const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double far =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   return 2 * far * std::numeric_limits<float>::epsilon();
 }
 
@@ -125,8 +126,9 @@ moveAndRepair(TriangleMesh& mesh,
     report.problem = "vertices at equal positions";
   if (report.repair.open_holes > 0)
     report.problem += ", " + std::to_string(report.repair.open_holes) +
-                      (report.repair.open_holes == 1 ? " hole" : " holes") + " of more than " +
-                      std::to_string(parameters.max_hole_edges) + " edges";
+                      (report.repair.open_holes == 1 ? " hole" : " holes") +
+                      " of more than " + std::to_string(parameters.max_hole_edges) +
+                      " edges";
   report.closed = report.problem.empty();
 }
 
@@ -161,8 +163,7 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
   for (const Attempt& attempt : attempts) {
     RoomPoissonReport current = report;
     const PoissonParameters octree =
-        fitOctree(parameters.solver,
-                  extent,
+        fitOctree(parameters.solver, extent,
                   report.spacing * parameters.cell_ratio * attempt.cell_factor,
                   attempt.depth_change);
     current.depth = octree.depth;
@@ -176,12 +177,14 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
     moveAndRepair(surface, centre, parameters, current);
     if (surface.empty())
       continue;
-    if (!found || current.closed || defects(current.topology) < defects(best.topology)) {
+    if (!found || current.closed ||
+        defects(current.topology) < defects(best.topology)) {
       mesh = std::move(surface);
       best = current;
       found = true;
     }
-    // Where the surface runs out of the octree, a little more or less of it changes nothing.
+    // Where the surface runs out of the octree, a little more or less of it changes
+    // nothing.
     if (best.closed || (best.repair.open_holes > 0 && report.attempts == 3))
       break;
   }
@@ -195,7 +198,9 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
 using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
 
 void
-buildTree(const std::vector<OrientedPoint>& points, const Eigen::Vector3d& origin, Tree& tree)
+buildTree(const std::vector<OrientedPoint>& points,
+          const Eigen::Vector3d& origin,
+          Tree& tree)
 {
   auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const OrientedPoint& p : points) {
@@ -218,27 +223,30 @@ findNearest(const std::vector<OrientedPoint>& points,
   buildTree(points, origin, tree);
   nearest.resize(mesh.triangles.size());
   distance.resize(mesh.triangles.size());
-  parallelBlocks(mesh.triangles.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-    pcl::Indices indices(1);
-    std::vector<float> squared(1);
-    for (std::size_t t = begin; t < end; ++t) {
-      const Eigen::Vector3d middle =
-          (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - origin;
-      const Eigen::Vector3f q = middle.cast<float>();
-      tree.nearestKSearch(pcl::PointXYZ(q.x(), q.y(), q.z()), 1, indices, squared);
-      nearest[t] = static_cast<std::uint32_t>(indices[0]);
-      distance[t] = std::sqrt(squared[0]);
-    }
-  });
+  parallelBlocks(
+      mesh.triangles.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+        pcl::Indices indices(1);
+        std::vector<float> squared(1);
+        for (std::size_t t = begin; t < end; ++t) {
+          const Eigen::Vector3d middle =
+              (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - origin;
+          const Eigen::Vector3f q = middle.cast<float>();
+          tree.nearestKSearch(pcl::PointXYZ(q.x(), q.y(), q.z()), 1, indices, squared);
+          nearest[t] = static_cast<std::uint32_t>(indices[0]);
+          distance[t] = std::sqrt(squared[0]);
+        }
+      });
 }
 
 double
-supportDistance(const RoomPoissonParameters& parameters, const RoomPoissonReport& report)
+supportDistance(const RoomPoissonParameters& parameters,
+                const RoomPoissonReport& report)
 {
   return std::max(parameters.support_distance, 4 * report.spacing);
 }
 
-// Turns the surface to the side of the points' normals and sees how much of it they bear out.
+// Turns the surface to the side of the points' normals and sees how much of it they
+// bear out.
 void
 compareWithPoints(const std::vector<OrientedPoint>& points,
                   const RoomPoissonParameters& parameters,
@@ -264,7 +272,8 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   if (report.unsupported_share > 0.05)
     report.warning = std::to_string(std::lround(100 * report.unsupported_share)) +
                      " % of its surface is a guess, further than " +
-                     shortNumber(supportDistance(parameters, report)) + " m from all points";
+                     shortNumber(supportDistance(parameters, report)) +
+                     " m from all points";
 }
 
 } // namespace

@@ -78,7 +78,8 @@ TriangleMesh::append(const TriangleMesh& other)
   triangles.reserve(before + added);
   for (std::size_t t = 0; t < added; ++t) {
     const Triangle& triangle = other.triangles[t];
-    triangles.push_back({triangle[0] + shift, triangle[1] + shift, triangle[2] + shift});
+    triangles.push_back(
+        {triangle[0] + shift, triangle[1] + shift, triangle[2] + shift});
   }
 }
 
@@ -141,8 +142,8 @@ TriangleMesh::problem() const
   if ((!labels.empty() && labels.size() != triangles.size()) ||
       (!rooms.empty() && rooms.size() != triangles.size()))
     return "the mesh has " + std::to_string(triangles.size()) + " triangles, but " +
-           std::to_string(labels.size()) + " labels and " + std::to_string(rooms.size()) +
-           " rooms";
+           std::to_string(labels.size()) + " labels and " +
+           std::to_string(rooms.size()) + " rooms";
   return {};
 }
 

@@ -14,21 +14,26 @@
 
 namespace sedr_test {
 
-/** A room in closed form: blocks of half a metre that are air, and at most one round column. Gives
- * its exact surface, normals into the room, and evenly spaced points on it. */
+/** A room in closed form: blocks of half a metre that are air, and at most one round
+ * column. Gives its exact surface, normals into the room, and evenly spaced points on
+ * it. */
 class LatticeRoom {
 public:
   static constexpr double step = 0.5;
 
   using IsAir = std::function<bool(int, int, int)>;
 
-  LatticeRoom(int nx, int ny, int nz, IsAir is_air = [](int, int, int) { return true; })
-  : n_{nx, ny, nz}, is_air_(std::move(is_air))
+  LatticeRoom(
+      int nx,
+      int ny,
+      int nz,
+      IsAir is_air = [](int, int, int) { return true; })
+      : n_{nx, ny, nz}
+      , is_air_(std::move(is_air))
   {}
 
   /** A floor-to-ceiling column about lattice point (x, y), its radius below `step`. */
-  LatticeRoom&
-  withColumn(int x, int y, double radius)
+  LatticeRoom& withColumn(int x, int y, double radius)
   {
     column_ = {x * step, y * step};
     radius_ = radius;
@@ -36,16 +41,14 @@ public:
   }
 
   /** The pose of the room: turned about z, then shifted. */
-  LatticeRoom&
-  placed(double yaw_degrees, const Eigen::Vector3d& shift)
+  LatticeRoom& placed(double yaw_degrees, const Eigen::Vector3d& shift)
   {
     pose_ = Eigen::Translation3d(shift) *
             Eigen::AngleAxisd(yaw_degrees * M_PI / 180, Eigen::Vector3d::UnitZ());
     return *this;
   }
 
-  pcl::sedr::TriangleMesh
-  truth() const
+  pcl::sedr::TriangleMesh truth() const
   {
     pcl::sedr::TriangleMesh mesh;
     std::map<std::array<long, 3>, std::uint32_t> known;
@@ -58,18 +61,14 @@ public:
         mesh.vertices.push_back(pose_ * p);
       return found.first->second;
     };
-    const auto triangle = [&](const Eigen::Vector3d& a,
-                              const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c,
-                              const Eigen::Vector3d& normal) {
+    const auto triangle = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& c, const Eigen::Vector3d& normal) {
       const bool right = (b - a).cross(c - a).dot(normal) > 0;
       mesh.triangles.push_back(
           {vertex(a), vertex(right ? b : c), vertex(right ? c : b)});
     };
-    forEachFace([&](const Eigen::Vector3d& o,
-                    const Eigen::Vector3d& u,
-                    const Eigen::Vector3d& v,
-                    const Eigen::Vector3d& n) {
+    forEachFace([&](const Eigen::Vector3d& o, const Eigen::Vector3d& u,
+                    const Eigen::Vector3d& v, const Eigen::Vector3d& n) {
       if (atColumn(o, u, v, n))
         return;
       triangle(o, o + u, o + u + v, n);
@@ -81,18 +80,15 @@ public:
   }
 
   /** Points at the middle of squares of the given side, with exact normals. */
-  std::vector<pcl::sedr::OrientedPoint>
-  points(double spacing) const
+  std::vector<pcl::sedr::OrientedPoint> points(double spacing) const
   {
     std::vector<pcl::sedr::OrientedPoint> points;
     const auto add = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
       points.push_back({(pose_ * p).cast<float>(), (pose_.linear() * n).cast<float>()});
     };
     const int k = static_cast<int>(std::lround(step / spacing));
-    forEachFace([&](const Eigen::Vector3d& o,
-                    const Eigen::Vector3d& u,
-                    const Eigen::Vector3d& v,
-                    const Eigen::Vector3d& n) {
+    forEachFace([&](const Eigen::Vector3d& o, const Eigen::Vector3d& u,
+                    const Eigen::Vector3d& v, const Eigen::Vector3d& n) {
       for (int i = 0; i < k; ++i)
         for (int j = 0; j < k; ++j) {
           const Eigen::Vector3d p = o + u * (i + 0.5) / k + v * (j + 0.5) / k;
@@ -111,16 +107,14 @@ public:
   }
 
 private:
-  bool
-  air(int x, int y, int z) const
+  bool air(int x, int y, int z) const
   {
     return x >= 0 && y >= 0 && z >= 0 && x < n_[0] && y < n_[1] && z < n_[2] &&
            is_air_(x, y, z);
   }
 
   template <typename Visit>
-  void
-  forEachFace(Visit visit) const
+  void forEachFace(Visit visit) const
   {
     for (int x = 0; x < n_[0]; ++x)
       for (int y = 0; y < n_[1]; ++y)
@@ -142,34 +136,31 @@ private:
             }
   }
 
-  bool
-  atColumn(const Eigen::Vector3d& o,
-           const Eigen::Vector3d& u,
-           const Eigen::Vector3d& v,
-           const Eigen::Vector3d& n) const
+  bool atColumn(const Eigen::Vector3d& o,
+                const Eigen::Vector3d& u,
+                const Eigen::Vector3d& v,
+                const Eigen::Vector3d& n) const
   {
     const Eigen::Vector3d centre = o + u / 2 + v / 2;
     return radius_ > 0 && n.z() != 0 &&
            (centre.head<2>() - column_).cwiseAbs().maxCoeff() < step;
   }
 
-  Eigen::Vector3d
-  radial(double turn) const
+  Eigen::Vector3d radial(double turn) const
   {
     return {std::cos(2 * M_PI * turn), std::sin(2 * M_PI * turn), 0};
   }
 
-  Eigen::Vector3d
-  onColumn(double turn, double height_share) const
+  Eigen::Vector3d onColumn(double turn, double height_share) const
   {
     const Eigen::Vector3d r = radius_ * radial(turn);
     return {column_.x() + r.x(), column_.y() + r.y(), height_share * n_[2] * step};
   }
 
-  // The wall of the column and, on floor and ceiling, what is left of the square about it.
+  // The wall of the column and, on floor and ceiling, what is left of the square about
+  // it.
   template <typename AddTriangle>
-  void
-  addColumn(AddTriangle add) const
+  void addColumn(AddTriangle add) const
   {
     constexpr int around = 96; // a multiple of the eight lattice points of the square
     for (int i = 0; i < around; ++i) {
@@ -182,7 +173,8 @@ private:
         const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ() * (top ? -1 : 1);
         const Eigen::Vector3d corner = onSquare((i + around / 16) / (around / 8), top);
         add(onColumn(t0, top), onColumn(t1, top), corner, normal);
-        const Eigen::Vector3d next = onSquare((i + 1 + around / 16) / (around / 8), top);
+        const Eigen::Vector3d next =
+            onSquare((i + 1 + around / 16) / (around / 8), top);
         if (corner != next)
           add(onColumn(t1, top), corner, next, normal);
       }
@@ -190,13 +182,11 @@ private:
   }
 
   // The eight lattice points of the square about the column, an eighth of a turn apart.
-  Eigen::Vector3d
-  onSquare(int i, double height_share) const
+  Eigen::Vector3d onSquare(int i, double height_share) const
   {
     const Eigen::Vector3d r = radial((i % 8) / 8.);
     return {column_.x() + std::lround(r.x()) * step,
-            column_.y() + std::lround(r.y()) * step,
-            height_share * n_[2] * step};
+            column_.y() + std::lround(r.y()) * step, height_share * n_[2] * step};
   }
 
   std::array<int, 3> n_;
@@ -224,9 +214,8 @@ lRoom()
 inline LatticeRoom
 soffitRoom()
 {
-  return LatticeRoom(12, 10, 6, [](int x, int y, int z) {
-    return z < 5 || (x >= 2 && y >= 2);
-  });
+  return LatticeRoom(12, 10, 6,
+                     [](int x, int y, int z) { return z < 5 || (x >= 2 && y >= 2); });
 }
 
 /** The box with a round column of 0.3 m radius. */

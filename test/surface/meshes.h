@@ -15,8 +15,7 @@ box(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
 {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
-    mesh.vertices.emplace_back(i & 1 ? high.x() : low.x(),
-                               i & 2 ? high.y() : low.y(),
+    mesh.vertices.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
                                i & 4 ? high.z() : low.z());
   mesh.triangles = {{0, 2, 3}, {0, 3, 1},  // bottom
                     {4, 5, 7}, {4, 7, 6},  // top
@@ -33,7 +32,8 @@ unitCube()
   return box({0, 0, 0}, {1, 1, 1});
 }
 
-/** A grid of n by m quads whose vertices `position(i, j)` gives, closed in both directions. */
+/** A grid of n by m quads whose vertices `position(i, j)` gives, closed in both
+ * directions. */
 template <typename Position>
 TriangleMesh
 closedGrid(std::uint32_t n, std::uint32_t m, Position position)
@@ -42,7 +42,9 @@ closedGrid(std::uint32_t n, std::uint32_t m, Position position)
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j)
       mesh.vertices.push_back(position(2 * M_PI * i / n, 2 * M_PI * j / m));
-  const auto at = [n, m](std::uint32_t i, std::uint32_t j) { return i % n * m + j % m; };
+  const auto at = [n, m](std::uint32_t i, std::uint32_t j) {
+    return i % n * m + j % m;
+  };
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
       mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
@@ -61,7 +63,8 @@ torus()
   });
 }
 
-/** An octahedron of which each face is split into n * n, its vertices moved to the sphere. */
+/** An octahedron of which each face is split into n * n, its vertices moved to the
+ * sphere. */
 inline TriangleMesh
 sphere(const Eigen::Vector3d& centre, double radius, int n)
 {

@@ -17,8 +17,7 @@ namespace {
 
 class MeshIo : public ::testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     folder_ = std::filesystem::temp_directory_path() /
               (std::string("sedr_mesh_io_") +
@@ -27,27 +26,17 @@ protected:
     std::filesystem::create_directories(folder_);
   }
 
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
-  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::string
-  write(const std::string& name, const std::string& content) const
+  std::string write(const std::string& name, const std::string& content) const
   {
     std::ofstream(path(name), std::ios::binary) << content;
     return path(name);
   }
 
-  std::string
-  read(const std::string& name) const
+  std::string read(const std::string& name) const
   {
     std::ifstream file(path(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -57,18 +46,21 @@ protected:
 };
 
 void
-expectFailure(const std::string& reason, const std::string& part, const TriangleMesh& mesh)
+expectFailure(const std::string& reason,
+              const std::string& part,
+              const TriangleMesh& mesh)
 {
   EXPECT_NE(reason.find(part), std::string::npos) << "said: " << reason;
   EXPECT_TRUE(mesh.empty());
   EXPECT_TRUE(mesh.vertices.empty());
 }
 
-const std::string ascii_square = "ply\nformat ascii 1.0\ncomment made by hand\n"
-                                 "element vertex 4\nproperty double x\nproperty double y\n"
-                                 "property double z\nproperty uchar red\nelement face 1\n"
-                                 "property list uchar int vertex_index\nend_header\n"
-                                 "0 0 0 255\n2 0 0 255\n2 2 0 0\n0 2 1e0 0\n4 0 1 2 3\n";
+const std::string ascii_square =
+    "ply\nformat ascii 1.0\ncomment made by hand\n"
+    "element vertex 4\nproperty double x\nproperty double y\n"
+    "property double z\nproperty uchar red\nelement face 1\n"
+    "property list uchar int vertex_index\nend_header\n"
+    "0 0 0 255\n2 0 0 255\n2 2 0 0\n0 2 1e0 0\n4 0 1 2 3\n";
 
 } // namespace
 
@@ -119,11 +111,12 @@ TEST_F(MeshIo, big_endian_ply_is_read)
 TEST_F(MeshIo, obj_with_slashes_negative_indices_and_a_concave_polygon_is_read)
 {
   TriangleMesh mesh;
-  ASSERT_EQ(loadMesh(write("l.obj",
-                           "# an L\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
-                           "vn 0 0 1\no room\nf 1//1 2//1 3//1 4//1 -2 -1\n"),
-                     mesh),
-            "");
+  ASSERT_EQ(
+      loadMesh(write("l.obj",
+                     "# an L\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+                     "vn 0 0 1\no room\nf 1//1 2//1 3//1 4//1 -2 -1\n"),
+               mesh),
+      "");
   EXPECT_EQ(mesh.triangles.size(), 4u);
   EXPECT_NEAR(mesh.area(), 3, 1e-12); // a plain fan would give more
   for (std::size_t t = 0; t < 4; ++t)
@@ -136,14 +129,17 @@ TEST_F(MeshIo, bad_files_are_told_apart)
   expectFailure(loadMesh(path("none.ply"), mesh), "cannot be opened", mesh);
   expectFailure(loadMesh(folder_.string(), mesh), "is a folder", mesh);
   expectFailure(loadMesh(write("0", ""), mesh), "is empty", mesh);
-  expectFailure(loadMesh(write("text", "hello\n"), mesh), "neither a PLY nor an OBJ", mesh);
+  expectFailure(loadMesh(write("text", "hello\n"), mesh), "neither a PLY nor an OBJ",
+                mesh);
   expectFailure(loadMesh(write("h.ply", "ply\nformat ascii 1.0\n"), mesh),
                 "header does not end", mesh);
   expectFailure(loadMesh(write("f.ply", "ply\nformat utf8 1.0\nend_header\n"), mesh),
                 "unknown PLY format 'utf8'", mesh);
-  expectFailure(loadMesh(write("b.ply", "ply\nformat ascii 1.0\nelement vertex\n"), mesh),
-                "bad line 'element vertex'", mesh);
-  expectFailure(loadMesh(write("p.obj", "v 1 2 3\n"), mesh), "1 vertices and no triangles", mesh);
+  expectFailure(
+      loadMesh(write("b.ply", "ply\nformat ascii 1.0\nelement vertex\n"), mesh),
+      "bad line 'element vertex'", mesh);
+  expectFailure(loadMesh(write("p.obj", "v 1 2 3\n"), mesh),
+                "1 vertices and no triangles", mesh);
   expectFailure(loadMesh(write("r.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 4\n"), mesh),
                 "bad vertex '4' in line 4", mesh);
   expectFailure(loadMesh(write("v.obj", "v 1 2 3\nv 2 2\nf 1 1 1\n"), mesh),
@@ -153,11 +149,12 @@ TEST_F(MeshIo, bad_files_are_told_apart)
 TEST_F(MeshIo, a_cloud_is_no_mesh)
 {
   TriangleMesh mesh;
-  expectFailure(loadMesh(write("cloud.ply",
-                               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                               "property float y\nproperty float z\nend_header\n1 2 3\n"),
-                         mesh),
-                "is no mesh: it holds 1 vertices and no triangles", mesh);
+  expectFailure(
+      loadMesh(write("cloud.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                     "property float y\nproperty float z\nend_header\n1 2 3\n"),
+               mesh),
+      "is no mesh: it holds 1 vertices and no triangles", mesh);
 }
 
 TEST_F(MeshIo, indices_out_of_range_and_coordinates_that_are_not_finite_are_refused)
@@ -165,10 +162,12 @@ TEST_F(MeshIo, indices_out_of_range_and_coordinates_that_are_not_finite_are_refu
   TriangleMesh mesh;
   std::string content = ascii_square;
   content.replace(content.rfind("4 0 1 2 3"), 9, "4 0 1 2 7");
-  expectFailure(loadMesh(write("range.ply", content), mesh), "out of range of the 4", mesh);
+  expectFailure(loadMesh(write("range.ply", content), mesh), "out of range of the 4",
+                mesh);
   content = ascii_square;
   content.replace(content.find("2 0 0 255"), 9, "nan 0 0 0");
-  expectFailure(loadMesh(write("nan.ply", content), mesh), "vertex 1 is not finite", mesh);
+  expectFailure(loadMesh(write("nan.ply", content), mesh), "vertex 1 is not finite",
+                mesh);
 }
 
 TEST_F(MeshIo, every_truncation_of_a_file_is_noticed)
@@ -188,12 +187,13 @@ TEST_F(MeshIo, every_truncation_of_a_file_is_noticed)
 TEST_F(MeshIo, a_header_that_promises_too_much_is_no_reason_to_run_out_of_memory)
 {
   TriangleMesh mesh;
-  expectFailure(loadMesh(write("huge.ply",
-                               "ply\nformat binary_little_endian 1.0\n"
-                               "element vertex 99999999999999\nproperty float x\n"
-                               "property float y\nproperty float z\nend_header\n123456789012"),
-                         mesh),
-                "1 of 99999999999999 rows", mesh);
+  expectFailure(
+      loadMesh(write("huge.ply",
+                     "ply\nformat binary_little_endian 1.0\n"
+                     "element vertex 99999999999999\nproperty float x\n"
+                     "property float y\nproperty float z\nend_header\n123456789012"),
+               mesh),
+      "1 of 99999999999999 rows", mesh);
 }
 
 TEST_F(MeshIo, what_cannot_be_written_leaves_nothing_behind)
@@ -205,6 +205,7 @@ TEST_F(MeshIo, what_cannot_be_written_leaves_nothing_behind)
   EXPECT_FALSE(std::filesystem::exists(path("taken.ply.part")));
   TriangleMesh broken = unitCube();
   broken.triangles.push_back({0, 1, 99});
-  EXPECT_NE(savePly(path("broken.ply"), broken).find("uses vertex 99"), std::string::npos);
+  EXPECT_NE(savePly(path("broken.ply"), broken).find("uses vertex 99"),
+            std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(path("broken.ply")));
 }

@@ -29,8 +29,8 @@ cubesAtAnEdge()
   return mesh;
 }
 
-// Seven blocks about the place of an eighth: a ring that is not closed, but whose ends touch in the
-// vertical edge at (1, 2).
+// Seven blocks about the place of an eighth: a ring that is not closed, but whose ends
+// touch in the vertical edge at (1, 2).
 TriangleMesh
 ringThatTouchesItself()
 {
@@ -42,7 +42,8 @@ ringThatTouchesItself()
     return false;
   };
   TriangleMesh mesh;
-  const int sides[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const int sides[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                           {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
   for (const auto& b : blocks) {
     const Eigen::Vector3d low(b[0], b[1], 0);
     const TriangleMesh cube = box(low, low + Eigen::Vector3d::Ones());
@@ -88,9 +89,11 @@ TEST(MeshRepair, welding_within_a_tolerance_joins_what_lies_within_it_only)
 TEST(MeshRepair, welding_within_a_tolerance_finds_neighbours_in_every_direction)
 {
   for (int direction = 0; direction < 27; ++direction) {
-    const Eigen::Vector3d step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+    const Eigen::Vector3d step(direction % 3 - 1, direction / 3 % 3 - 1,
+                               direction / 9 - 1);
     TriangleMesh mesh;
-    // The first vertex is where cells are counted from: the second lies on a corner of them.
+    // The first vertex is where cells are counted from: the second lies on a corner of
+    // them.
     mesh.vertices = {{0, 0, 0}, {5, 5, 5}, Eigen::Vector3d(5, 5, 5) + 0.01 * step};
     EXPECT_EQ(weldVertices(mesh, 0.05), 1u) << step.transpose();
   }
@@ -156,7 +159,8 @@ TEST(MeshRepair, an_edge_at_which_a_ring_touches_itself_is_cut)
     TriangleMesh again = ringThatTouchesItself();
     cutNonManifold(again, apart, cut);
     // Behind: the ring stays open, a ball. In front: it closes to a torus.
-    EXPECT_EQ(checkTopology(again).euler_characteristic, apart == KeepApart::Behind ? 2 : 0);
+    EXPECT_EQ(checkTopology(again).euler_characteristic,
+              apart == KeepApart::Behind ? 2 : 0);
     EXPECT_TRUE(closedAlsoWhenWelded(again)) << checkTopology(again).problem();
   }
 }
@@ -182,8 +186,8 @@ TEST(MeshRepair, a_moebius_strip_cannot_be_oriented_and_says_so)
     for (int side = -1; side <= 1; side += 2) {
       const double u = 2 * M_PI * i / n;
       const double r = 2 + side * 0.5 * std::cos(u / 2);
-      mesh.vertices.emplace_back(
-          r * std::cos(u), r * std::sin(u), side * 0.5 * std::sin(u / 2));
+      mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u),
+                                 side * 0.5 * std::sin(u / 2));
     }
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t a = 2 * i;
@@ -239,8 +243,9 @@ TEST(MeshRepair, small_holes_are_filled_and_large_ones_reported)
 
 TEST(MeshRepair, the_largest_components_stay)
 {
-  TriangleMesh mesh = both(both(box({9, 9, 9}, {9.1, 9.1, 9.1}), box({0, 0, 0}, {2, 2, 2})),
-                           box({5, 5, 5}, {6, 6, 6}));
+  TriangleMesh mesh =
+      both(both(box({9, 9, 9}, {9.1, 9.1, 9.1}), box({0, 0, 0}, {2, 2, 2})),
+           box({5, 5, 5}, {6, 6, 6}));
   MeshRepairReport report;
   keepLargestComponents(mesh, 2, report);
   EXPECT_EQ(report.removed_components, 1u);
@@ -255,7 +260,8 @@ TEST(MeshRepair, short_edges_collapse_without_changing_topology_or_shape)
   const auto near = static_cast<std::uint32_t>(mesh.vertices.size());
   const Triangle t0 = mesh.triangles[0];
   const Triangle t1 = mesh.triangles[1];
-  mesh.vertices.push_back(0.9999 * mesh.vertices[t0[0]] + 0.0001 * mesh.vertices[t0[2]]);
+  mesh.vertices.push_back(0.9999 * mesh.vertices[t0[0]] +
+                          0.0001 * mesh.vertices[t0[2]]);
   mesh.triangles[0] = {t0[0], t0[1], near};
   mesh.triangles.push_back({t0[1], t0[2], near});
   mesh.triangles[1] = {t1[0], near, t1[2]};
@@ -287,11 +293,13 @@ TEST(MeshRepair, collapsing_turns_no_triangle_over)
   std::mt19937 random(3);
   std::uniform_real_distribution<double> jitter(-0.045, 0.045);
   for (auto& v : mesh.vertices)
-    v = (v + Eigen::Vector3d(jitter(random), jitter(random), jitter(random))).normalized();
+    v = (v + Eigen::Vector3d(jitter(random), jitter(random), jitter(random)))
+            .normalized();
   const auto turnedOver = [](const TriangleMesh& m) {
     std::size_t count = 0;
     for (std::size_t t = 0; t < m.triangles.size(); ++t)
-      count += m.scaledNormal(t).dot(m.corner(t, 0) + m.corner(t, 1) + m.corner(t, 2)) < 0;
+      count +=
+          m.scaledNormal(t).dot(m.corner(t, 0) + m.corner(t, 1) + m.corner(t, 2)) < 0;
     return count;
   };
   const std::size_t before = turnedOver(mesh);

@@ -50,7 +50,8 @@ TEST(MeshTopology, open_box_has_the_boundary_of_its_missing_lid)
 TEST(MeshTopology, cubes_that_share_an_edge_are_one_component_with_one_bad_edge)
 {
   TriangleMesh mesh = both(unitCube(), box({1, 1, 0}, {2, 2, 1}));
-  EXPECT_EQ(checkTopology(mesh).components.size(), 2u); // as long as the vertices are two each
+  EXPECT_EQ(checkTopology(mesh).components.size(),
+            2u); // as long as the vertices are two each
   EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
   EXPECT_EQ(weldVertices(mesh), 2u);
   const MeshTopology topology = checkTopology(mesh);

@@ -28,7 +28,8 @@ TEST(PolygonMesh, there_and_back_keeps_vertices_and_triangles)
 TEST(PolygonMesh, polygons_become_triangles_and_other_fields_are_skipped)
 {
   pcl::PointCloud<pcl::PointXYZRGBNormal> cloud;
-  for (const auto& p : {std::array<float, 2>{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}) {
+  for (const auto& p :
+       {std::array<float, 2>{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}) {
     pcl::PointXYZRGBNormal point;
     point.x = p[0];
     point.y = p[1];
@@ -47,8 +48,11 @@ TEST(PolygonMesh, polygons_become_triangles_and_other_fields_are_skipped)
 
 TEST(PolygonMesh, concave_polygons_are_cut_right_wherever_they_begin)
 {
-  const std::vector<Eigen::Vector3d> vertices = {
-      {0, 0, 1}, {3, 0, 1}, {3, 3, 1}, {1.5, 0.5, 1}, {0, 3, 1}};
+  const std::vector<Eigen::Vector3d> vertices = {{0, 0, 1},
+                                                 {3, 0, 1},
+                                                 {3, 3, 1},
+                                                 {1.5, 0.5, 1},
+                                                 {0, 3, 1}};
   for (std::uint32_t first = 0; first < 5; ++first) {
     std::vector<std::uint32_t> polygon;
     for (std::uint32_t i = 0; i < 5; ++i)

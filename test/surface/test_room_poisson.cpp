@@ -32,10 +32,10 @@ expectGood(const LatticeRoom& room,
   const TriangleMesh truth = room.truth();
   EXPECT_NEAR(mesh.signedVolume() / truth.signedVolume(), 1, 0.005);
   EXPECT_LT(mesh.signedVolume(), 0); // normals into the room
-  const DistanceStatistics completeness =
-      summarizeDistances(MeshDistance(mesh).distances(sampleMesh(truth, 0.05, 1).points));
-  const DistanceStatistics precision =
-      summarizeDistances(MeshDistance(truth).distances(sampleMesh(mesh, 0.05, 1).points));
+  const DistanceStatistics completeness = summarizeDistances(
+      MeshDistance(mesh).distances(sampleMesh(truth, 0.05, 1).points));
+  const DistanceStatistics precision = summarizeDistances(
+      MeshDistance(truth).distances(sampleMesh(mesh, 0.05, 1).points));
   EXPECT_LT(completeness.mean, 0.003);
   EXPECT_GT(completeness.within_5cm, 0.97);
   EXPECT_LT(precision.mean, 0.003);
@@ -54,12 +54,13 @@ TEST(LatticeRoom, truths_are_closed_and_of_the_volume_of_their_blocks)
     const TriangleMesh truth = entry.first.truth();
     EXPECT_TRUE(checkTopology(truth).isClosedManifold());
     EXPECT_NEAR(truth.signedVolume(), -entry.second, 0.005);
-    const DistanceStatistics off = summarizeDistances(MeshDistance(truth).distances([&] {
-      std::vector<Eigen::Vector3d> points;
-      for (const auto& p : entry.first.points(0.1))
-        points.push_back(p.position.cast<double>());
-      return points;
-    }()));
+    const DistanceStatistics off =
+        summarizeDistances(MeshDistance(truth).distances([&] {
+          std::vector<Eigen::Vector3d> points;
+          for (const auto& p : entry.first.points(0.1))
+            points.push_back(p.position.cast<double>());
+          return points;
+        }()));
     EXPECT_LT(off.max, 2e-4); // the facets of the column
   }
 }
@@ -81,7 +82,8 @@ TEST(RoomPoisson, rooms_of_perfect_points_come_back)
     TriangleMesh mesh;
     std::vector<std::uint32_t> nearest;
     RoomPoissonReport report;
-    const auto points = c.room.points(1. / 12); // wider than the default for the sake of time
+    const auto points =
+        c.room.points(1. / 12); // wider than the default for the sake of time
     ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
     expectGood(c.room, mesh, report, c.euler);
     EXPECT_EQ(report.points, points.size());
@@ -164,8 +166,7 @@ TEST(RoomPoisson, what_poisson_tears_is_repaired)
     EXPECT_TRUE(report.closed) << report.problem;
     EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
     EXPECT_EQ(checkTopology(mesh).euler_characteristic, 0);
-    repaired += report.repair.filled_holes + report.repair.cut_vertices +
-                static_cast<std::size_t>(report.attempts) - 1;
+    repaired += report.repair.filled_holes + report.repair.cut_vertices;
   }
   EXPECT_GT(repaired, 0u) << "the case proves nothing any more";
 }
@@ -174,8 +175,8 @@ TEST(RoomPoisson, crumbs_and_bubbles_are_dropped)
 {
   const LatticeRoom room = LatticeRoom(6, 5, 5);
   auto points = room.points(0.125);
-  // A ball of 0.5 m radius in the middle of the room, its normals outwards: a closed shell of its
-  // own.
+  // A ball of 0.5 m radius in the middle of the room, its normals outwards: a closed
+  // shell of its own.
   for (int i = 0; i < 400; ++i) {
     const double z = 1 - (2 * i + 1) / 400.;
     const double turn = 2.399963229728653 * i; // the golden angle

@@ -131,7 +131,8 @@ TEST(StructuralPoisson, triangles_take_the_label_of_the_surface_that_they_show)
   EXPECT_EQ(right, level);
 }
 
-TEST(StructuralPoisson, room_labels_that_are_set_go_before_the_field_and_room_zero_is_left_out)
+TEST(StructuralPoisson,
+     room_labels_that_are_set_go_before_the_field_and_room_zero_is_left_out)
 {
   auto cloud = twoRooms();
   std::vector<std::uint32_t> rooms(cloud->size(), 1);
@@ -264,9 +265,10 @@ TEST(StructuralPoisson, a_room_that_fails_is_named_and_the_others_are_made)
   poisson.reconstruct(output);
   EXPECT_FALSE(output.polygons.empty());
   EXPECT_FALSE(poisson.isClosed());
-  EXPECT_NE(poisson.getErrorMessage().find(
-                "room 12 has no surface: 100 points with normals are needed, there are 20"),
-            std::string::npos)
+  EXPECT_NE(
+      poisson.getErrorMessage().find(
+          "room 12 has no surface: 100 points with normals are needed, there are 20"),
+      std::string::npos)
       << poisson.getErrorMessage();
   EXPECT_EQ(poisson.getReports().size(), 3u);
 }
@@ -300,7 +302,8 @@ TEST(StructuralPoisson, parameters_out_of_range_are_refused)
 {
   using Poisson = pcl::StructuralPoisson<pcl::PointNormal>;
   const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
-  const auto refuses = [&cloud](const char* part, const std::function<void(Poisson&)>& set) {
+  const auto refuses = [&cloud](const char* part,
+                                const std::function<void(Poisson&)>& set) {
     Poisson poisson;
     poisson.setInputCloud(cloud);
     set(poisson);
@@ -313,7 +316,8 @@ TEST(StructuralPoisson, parameters_out_of_range_are_refused)
   refuses("point weight", [](Poisson& p) { p.setPointWeight(NAN); });
   refuses("scale must lie above 1", [](Poisson& p) { p.setScale(1); });
   refuses("samples per node", [](Poisson& p) { p.setSamplesPerNode(0); });
-  refuses("cell ratio must lie from 0.1 to 10, it is 0.01", [](Poisson& p) { p.setCellRatio(0.01); });
+  refuses("cell ratio must lie from 0.1 to 10, it is 0.01",
+          [](Poisson& p) { p.setCellRatio(0.01); });
   refuses("solver threads", [](Poisson& p) { p.setSolverThreads(0); });
   refuses("support distance", [](Poisson& p) { p.setSupportDistance(0); });
   refuses("least number of points", [](Poisson& p) { p.setMinimumPoints(3); });

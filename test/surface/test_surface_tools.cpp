@@ -25,10 +25,11 @@ std::string
 structureBytes(const std::vector<pcl::sedr::OrientedPoint>& points, std::uint32_t room)
 {
   const std::string n = std::to_string(points.size());
-  std::string bytes = "VERSION 0.7\nFIELDS x y z normal_x normal_y normal_z label room\n"
-                      "SIZE 4 4 4 4 4 4 4 4\nTYPE F F F F F F U U\nCOUNT 1 1 1 1 1 1 1 1\n"
-                      "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
-                      "\nDATA binary\n";
+  std::string bytes =
+      "VERSION 0.7\nFIELDS x y z normal_x normal_y normal_z label room\n"
+      "SIZE 4 4 4 4 4 4 4 4\nTYPE F F F F F F U U\nCOUNT 1 1 1 1 1 1 1 1\n"
+      "WIDTH " +
+      n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
   for (const auto& p : points) {
     const std::uint32_t label = p.normal.z() > 0.5f ? 2 : p.normal.z() < -0.5f ? 1 : 3;
     bytes.append(reinterpret_cast<const char*>(p.position.data()), 12);
@@ -41,14 +42,12 @@ structureBytes(const std::vector<pcl::sedr::OrientedPoint>& points, std::uint32_
 
 class SurfaceTools : public ::testing::Test {
 protected:
-  std::string
-  in(const std::string& name) const
+  std::string in(const std::string& name) const
   {
     return (folder_.path() / name).string();
   }
 
-  bool
-  exists(const std::string& name) const
+  bool exists(const std::string& name) const
   {
     return std::filesystem::exists(in(name));
   }
@@ -61,10 +60,10 @@ protected:
     EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
   }
 
-  void
-  writeCloud(const std::vector<std::uint32_t>& labels = {})
+  void writeCloud(const std::vector<std::uint32_t>& labels = {})
   {
-    writeFile(in("cloud.pcd"), pcdBytes({{0.5f, 0.5f, 1.25f}, {0.5f, 0.5f, 1.03f}}, labels));
+    writeFile(in("cloud.pcd"),
+              pcdBytes({{0.5f, 0.5f, 1.25f}, {0.5f, 0.5f, 1.03f}}, labels));
   }
 
   TemporaryFolder folder_;
@@ -89,20 +88,26 @@ TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
 
   const std::string first = bytesOf(in("mesh.ply"));
   run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--threads", "3"});
-  EXPECT_TRUE(bytesOf(in("mesh.ply")) == first) << "another number of threads, another file";
+  EXPECT_TRUE(bytesOf(in("mesh.ply")) == first)
+      << "another number of threads, another file";
 }
 
 TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
 {
-  expectFailure(run(STRUCTURAL_POISSON, {in("none.pcd"), in("mesh.ply")}), 1, "none.pcd");
+  expectFailure(run(STRUCTURAL_POISSON, {in("none.pcd"), in("mesh.ply")}), 1,
+                "none.pcd");
   writeCloud();
-  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply")}), 2, "has no normals");
+  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply")}), 2,
+                "has no normals");
   expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.obj")}), 1, ".ply");
   expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("no/mesh.ply")}), 1, "no");
-  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}),
-                1, "depth");
-  writeFile(in("few.pcd"), structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
-  expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2, "there are 2");
+  expectFailure(
+      run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}), 1,
+      "depth");
+  writeFile(in("few.pcd"),
+            structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
+  expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
+                "there are 2");
   EXPECT_FALSE(exists("mesh.ply"));
 }
 
@@ -121,11 +126,13 @@ TEST_F(SurfaceTools, help_tells_every_option_with_its_default)
 TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_allow)
 {
   ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
-  ASSERT_EQ(savePly(in("large.ply"), box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})), "");
+  ASSERT_EQ(savePly(in("large.ply"), box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})),
+            "");
   writeCloud({1, 3});
   ProgramRun result = run(MESH_EVALUATION, {in("cube.ply")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("closed manifold     yes"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("closed manifold     yes"), std::string::npos)
+      << result.out;
   EXPECT_EQ(result.out.find("distances"), std::string::npos);
 
   result = run(MESH_EVALUATION,
@@ -147,15 +154,19 @@ TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
   writeCloud({1, 3});
   expectFailure(run(MESH_EVALUATION, {in("none.ply")}), 1, "cannot be opened");
   expectFailure(run(MESH_EVALUATION, {in("cloud.pcd")}), 1, "neither a PLY nor an OBJ");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--truth", in("none.ply")}), 1, "none.ply");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("none.pcd")}), 1, "none.pcd");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--labels", "1"}), 1, "no --cloud");
-  expectFailure(
-      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "1,x"}), 1,
-      "1,x");
-  expectFailure(
-      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}), 2,
-      "none of the 2 points");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--truth", in("none.ply")}), 1,
+                "none.ply");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("none.pcd")}), 1,
+                "none.pcd");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--labels", "1"}), 1,
+                "no --cloud");
+  expectFailure(run(MESH_EVALUATION,
+                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "1,x"}),
+                1, "1,x");
+  expectFailure(run(MESH_EVALUATION,
+                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}),
+                2, "none of the 2 points");
   expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--spacing", "0"}), 1, "spacing");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1, "no");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
+                "no");
 }

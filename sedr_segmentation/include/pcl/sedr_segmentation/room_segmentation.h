@@ -15,7 +15,7 @@ struct RoomParameters {
   double cell_size = 0.05;
   double minimum_area = 1.0;        ///< of a room, square metres
   double minimum_floor_share = 0.1; ///< of a room's cells that have its floor below
-  double minimum_wall_share = 0.45; ///< of a room's outline that has a wall below
+  double minimum_wall_share = 0.5;  ///< of a room's outline that has a wall below
   double minimum_open_share = 0.15; ///< of the outline of a piece that is open to what it belongs to
   double widest_door = 1.6;         ///< an opening below a lintel that is wider joins two rooms
 };
@@ -24,7 +24,7 @@ struct RoomParameters {
 struct RoomRegion {
   std::size_t ceiling_level = 0; ///< of the main, largest ceiling
   std::size_t floor_level = 0;
-  CellSet ceiling; ///< cells of the main ceiling, small gaps closed
+  CellSet ceiling; ///< cells of the main ceiling on both sides of beams, small gaps closed
   CellSet scope;   ///< cells of all its ceilings
 };
 

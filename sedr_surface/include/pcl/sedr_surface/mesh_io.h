@@ -8,22 +8,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Reads a triangle mesh from a PLY (ascii or binary, any byte order) or OBJ file.
+/** @brief Reads a triangle mesh from a PLY (ascii or binary, any byte order) or OBJ
+ * file.
  *
- * Polygons are cut into triangles; the face properties `label` and `room` of a PLY are kept,
- * other properties and elements skipped. Told apart by their content, not by the file's name.
+ * Polygons are cut into triangles; the face properties `label` and `room` of a PLY are
+ * kept, other properties and elements skipped. Told apart by their content, not by the
+ * file's name.
  *
- * @return an empty string, or a sentence that says why there is no mesh: the file is missing,
- * truncated, of another format, has indices out of range, no triangles. `mesh` is empty then. */
-std::string
-loadMesh(const std::string& path, TriangleMesh& mesh);
+ * @return an empty string, or a sentence that says why there is no mesh: the file is
+ * missing, truncated, of another format, has indices out of range, no triangles. `mesh`
+ * is empty then. */
+std::string loadMesh(const std::string& path, TriangleMesh& mesh);
 
-/** @brief Writes a binary little-endian PLY: float x, y, z; faces with int `label` and `room` if
- * the mesh has them. Written beside and then renamed: the file is whole or not there.
+/** @brief Writes a binary little-endian PLY: float x, y, z; faces with int `label` and
+ * `room` if the mesh has them. Written beside and then renamed: the file is whole or
+ * not there.
  *
  * @return an empty string, or a sentence that says why nothing was written */
-std::string
-savePly(const std::string& path, const TriangleMesh& mesh);
+std::string savePly(const std::string& path, const TriangleMesh& mesh);
 
 } // namespace sedr
 } // namespace pcl

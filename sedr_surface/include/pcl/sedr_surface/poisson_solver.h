@@ -18,7 +18,8 @@ struct OrientedPoint {
   Eigen::Vector3f normal;   ///< unit length
 };
 
-/** @brief What pcl::Poisson is run with; see StructuralPoisson for the meaning of the values. */
+/** @brief What pcl::Poisson is run with; see StructuralPoisson for the meaning of the
+ * values. */
 struct PoissonParameters {
   int depth = 9;
   int min_depth = 5;
@@ -38,19 +39,17 @@ struct PoissonParameters {
  * @param complaints how many lines pcl::Poisson would have printed
  * @return an empty string, or why there is no surface
  *
- * Runs of several threads of a process wait for one another: the octree's allocator is shared.
- * pcl::Poisson repeats its result to the bit with one thread only. */
-std::string
-solvePoisson(const std::vector<OrientedPoint>& points,
-             const PoissonParameters& parameters,
-             TriangleMesh& mesh,
-             std::size_t& complaints);
+ * Runs of several threads of a process wait for one another: the octree's allocator is
+ * shared. pcl::Poisson repeats its result to the bit with one thread only. */
+std::string solvePoisson(const std::vector<OrientedPoint>& points,
+                         const PoissonParameters& parameters,
+                         TriangleMesh& mesh,
+                         std::size_t& complaints);
 
-/** @brief Typical distance between neighbouring points of a surface, metres: the side of the
- * square that each has for itself, median over the area, from at most 4000 of the points.
- * Zero for fewer than 10 points. O(n log n). */
-double
-measureSpacing(const std::vector<OrientedPoint>& points);
+/** @brief Typical distance between neighbouring points of a surface, metres: the side
+ * of the square that each has for itself, median over the area, from at most 4000 of
+ * the points. Zero for fewer than 10 points. O(n log n). */
+double measureSpacing(const std::vector<OrientedPoint>& points);
 
 } // namespace sedr
 } // namespace pcl

@@ -13,28 +13,31 @@
 
 namespace pcl {
 
-/** @brief Screened Poisson reconstruction of rooms: one closed, manifold surface a room, made by
- * pcl::Poisson and put right where that fails (section 2.4 of the paper).
+/** @brief Screened Poisson reconstruction of rooms: one closed, manifold surface a
+ * room, made by pcl::Poisson and put right where that fails (section 2.4 of the paper).
  *
- * Input are points of the structure with normals into the room, evenly spread and without large
- * holes, as StructureRefinement and VerticalHoleRepair leave them; metres. The rooms are told
- * apart by setRoomLabels(), else by the field `room` of the points, else all is one room. Points
- * of room 0 are left out if there is any other room.
+ * Input are points of the structure with normals into the room, evenly spread and
+ * without large holes, as StructureRefinement and VerticalHoleRepair leave them;
+ * metres. The rooms are told apart by setRoomLabels(), else by the field `room` of the
+ * points, else all is one room. Points of room 0 are left out if there is any other
+ * room.
  *
- * Each room is solved by itself, near the origin, so that large coordinates cost no digits. The
- * octree gets cells of a fixed share of the points' spacing, however the room is turned. Of the
- * surface the largest component stays; sheets that touch are cut apart, small holes filled,
- * slivers collapsed. If it still is no closed manifold the room is solved again with slightly
- * other cells, up to seven times. What became of each room stands in getReports(); a room that
- * failed is missing from the output, one that is not closed, or of which over 5 % of the surface
- * are far from all points, is in it, and all of them are named by getErrorMessage().
+ * Each room is solved by itself, near the origin, so that large coordinates cost no
+ * digits. The octree gets cells of a fixed share of the points' spacing, however the
+ * room is turned. Of the surface the largest component stays; sheets that touch are cut
+ * apart, small holes filled, slivers collapsed. If it still is no closed manifold the
+ * room is solved again with slightly other cells, up to seven times. What became of
+ * each room stands in getReports(); a room that failed is missing from the output, one
+ * that is not closed, or of which over 5 % of the surface are far from all points, is
+ * in it, and all of them are named by getErrorMessage().
  *
  * Normals of the output point to the side of those of the input: into the room.
  *
- * The same input gives the same output, byte for byte, for any setNumberOfThreads(). pcl::Poisson
- * itself repeats its result with one thread only and gets one, unless setSolverThreads() asks for
- * more. Runs in several threads of a process wait for one another. While pcl::Poisson runs, stdout
- * and stderr are held back to catch what it prints.
+ * The same input gives the same output, byte for byte, for any setNumberOfThreads().
+ * pcl::Poisson itself repeats its result with one thread only and gets one, unless
+ * setSolverThreads() asks for more. Runs in several threads of a process wait for one
+ * another. While pcl::Poisson runs, stdout and stderr are held back to catch what it
+ * prints.
  *
  * @code
  * pcl::StructuralPoisson<pcl::PointStructure> poisson;
@@ -45,10 +48,10 @@ namespace pcl {
  *   std::cerr << poisson.getErrorMessage() << '\n';
  * @endcode
  *
- * A null or empty cloud, indices out of range, too few points, points without normals or a
- * parameter out of its range leave an empty mesh and a reason. Points that are not finite or have
- * no normal are skipped and counted, normals of another length are scaled. About 2.5 s a room of
- * 6 m x 5 m x 3 m with points 5 cm apart. */
+ * A null or empty cloud, indices out of range, too few points, points without normals
+ * or a parameter out of its range leave an empty mesh and a reason. Points that are not
+ * finite or have no normal are skipped and counted, normals of another length are
+ * scaled. About 2.5 s a room of 6 m x 5 m x 3 m with points 5 cm apart. */
 template <typename PointNT>
 class StructuralPoisson : public pcl::SurfaceReconstruction<PointNT>,
                           public sedr::StageError {
@@ -60,208 +63,108 @@ public:
   StructuralPoisson();
   ~StructuralPoisson() override;
 
-  /** @brief Makes the surfaces; an empty mesh and getErrorMessage() if there is none. */
-  void
-  reconstruct(pcl::PolygonMesh& output) override;
+  /** @brief Makes the surfaces; an empty mesh and getErrorMessage() if there is none.
+   */
+  void reconstruct(pcl::PolygonMesh& output) override;
 
-  /** @brief The same; the points get the normal of the surface and, if they have such a field,
-   * their room. */
-  void
-  reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
+  /** @brief The same; the points get the normal of the surface and, if they have such a
+   * field, their room. */
+  void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
-  /** @brief The room of every point of the input cloud; empty (default): the points' own field
-   * `room`. */
-  void
-  setRoomLabels(const std::vector<std::uint32_t>& rooms)
-  {
-    room_labels_ = rooms;
-  }
+  /** @brief The room of every point of the input cloud; empty (default): the points'
+   * own field `room`. */
+  void setRoomLabels(const std::vector<std::uint32_t>& rooms) { room_labels_ = rooms; }
 
-  const std::vector<std::uint32_t>&
-  getRoomLabels() const
-  {
-    return room_labels_;
-  }
+  const std::vector<std::uint32_t>& getRoomLabels() const { return room_labels_; }
 
-  /** @brief Largest depth of the octree, 3 to 14 (default 9, as in the paper). Less is used where
-   * the points bear no more; a room too large for it gets coarser cells. */
-  void
-  setDepth(int depth)
-  {
-    parameters_.solver.depth = depth;
-  }
+  /** @brief Largest depth of the octree, 3 to 14 (default 9, as in the paper). Less is
+   * used where the points bear no more; a room too large for it gets coarser cells. */
+  void setDepth(int depth) { parameters_.solver.depth = depth; }
 
-  int
-  getDepth() const
-  {
-    return parameters_.solver.depth;
-  }
+  int getDepth() const { return parameters_.solver.depth; }
 
-  /** @brief Depth to which the octree is filled everywhere, 0 to the depth (default 5). */
-  void
-  setMinDepth(int min_depth)
-  {
-    parameters_.solver.min_depth = min_depth;
-  }
+  /** @brief Depth to which the octree is filled everywhere, 0 to the depth (default 5).
+   */
+  void setMinDepth(int min_depth) { parameters_.solver.min_depth = min_depth; }
 
-  int
-  getMinDepth() const
-  {
-    return parameters_.solver.min_depth;
-  }
+  int getMinDepth() const { return parameters_.solver.min_depth; }
 
-  /** @brief Weight of the points against the smoothness of the surface, alpha of equation 4, 0 or
-   * more (default 10; pcl::Poisson has 4). Exact points bear more weight: edges round off less. */
-  void
-  setPointWeight(float point_weight)
+  /** @brief Weight of the points against the smoothness of the surface, alpha of
+   * equation 4, 0 or more (default 10; pcl::Poisson has 4). Exact points bear more
+   * weight: edges round off less. */
+  void setPointWeight(float point_weight)
   {
     parameters_.solver.point_weight = point_weight;
   }
 
-  float
-  getPointWeight() const
-  {
-    return parameters_.solver.point_weight;
-  }
+  float getPointWeight() const { return parameters_.solver.point_weight; }
 
-  /** @brief Least edge of the octree's cube over the extent of the points, above 1 (default
-   * 1.1). */
-  void
-  setScale(float scale)
-  {
-    parameters_.solver.scale = scale;
-  }
+  /** @brief Least edge of the octree's cube over the extent of the points, above 1
+   * (default 1.1). */
+  void setScale(float scale) { parameters_.solver.scale = scale; }
 
-  float
-  getScale() const
-  {
-    return parameters_.solver.scale;
-  }
+  float getScale() const { return parameters_.solver.scale; }
 
-  /** @brief Points that an octree node should hold, above 0 (default 1; 15 to 20 for noisy
-   * points). */
-  void
-  setSamplesPerNode(float samples_per_node)
+  /** @brief Points that an octree node should hold, above 0 (default 1; 15 to 20 for
+   * noisy points). */
+  void setSamplesPerNode(float samples_per_node)
   {
     parameters_.solver.samples_per_node = samples_per_node;
   }
 
-  float
-  getSamplesPerNode() const
-  {
-    return parameters_.solver.samples_per_node;
-  }
+  float getSamplesPerNode() const { return parameters_.solver.samples_per_node; }
 
-  /** @brief Finest cell of the octree over the spacing of the points, 0.1 to 10 (default 0.8).
-   * Smaller: sharper edges, more triangles and time; below 0.6 the surface tends to tear. */
-  void
-  setCellRatio(double cell_ratio)
-  {
-    parameters_.cell_ratio = cell_ratio;
-  }
+  /** @brief Finest cell of the octree over the spacing of the points, 0.1 to 10
+   * (default 0.8). Smaller: sharper edges, more triangles and time; below 0.6 the
+   * surface tends to tear. */
+  void setCellRatio(double cell_ratio) { parameters_.cell_ratio = cell_ratio; }
 
-  double
-  getCellRatio() const
-  {
-    return parameters_.cell_ratio;
-  }
+  double getCellRatio() const { return parameters_.cell_ratio; }
 
   /** @brief Rooms of fewer points are not tried, at least 10 (default 100). */
-  void
-  setMinimumPoints(std::size_t min_points)
-  {
-    parameters_.min_points = min_points;
-  }
+  void setMinimumPoints(std::size_t min_points) { parameters_.min_points = min_points; }
 
-  std::size_t
-  getMinimumPoints() const
-  {
-    return parameters_.min_points;
-  }
+  std::size_t getMinimumPoints() const { return parameters_.min_points; }
 
   /** @brief Holes of more edges are left open and reported (default 64). */
-  void
-  setMaxHoleEdges(std::size_t max_hole_edges)
+  void setMaxHoleEdges(std::size_t max_hole_edges)
   {
     parameters_.max_hole_edges = max_hole_edges;
   }
 
-  std::size_t
-  getMaxHoleEdges() const
-  {
-    return parameters_.max_hole_edges;
-  }
+  std::size_t getMaxHoleEdges() const { return parameters_.max_hole_edges; }
 
-  /** @brief Surface further than this from all points, metres above 0 (default 0.3), counts as a
-   * guess: RoomPoissonReport::unsupported_share. At least four times the points' spacing. */
-  void
-  setSupportDistance(double distance)
-  {
-    parameters_.support_distance = distance;
-  }
+  /** @brief Surface further than this from all points, metres above 0 (default 0.3),
+   * counts as a guess: RoomPoissonReport::unsupported_share. At least four times the
+   * points' spacing. */
+  void setSupportDistance(double distance) { parameters_.support_distance = distance; }
 
-  double
-  getSupportDistance() const
-  {
-    return parameters_.support_distance;
-  }
+  double getSupportDistance() const { return parameters_.support_distance; }
 
   /** @brief Threads for what is repeatable (default 1; 0: all processors). */
-  void
-  setNumberOfThreads(unsigned threads)
-  {
-    parameters_.threads = threads;
-  }
+  void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
 
-  unsigned
-  getNumberOfThreads() const
-  {
-    return parameters_.threads;
-  }
+  unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Threads of pcl::Poisson, at least 1 (default 1). With more it takes less time, and its
-   * result differs in the last digits from run to run. */
-  void
-  setSolverThreads(int threads)
-  {
-    parameters_.solver.threads = threads;
-  }
+  /** @brief Threads of pcl::Poisson, at least 1 (default 1). With more it takes less
+   * time, and its result differs in the last digits from run to run. */
+  void setSolverThreads(int threads) { parameters_.solver.threads = threads; }
 
-  int
-  getSolverThreads() const
-  {
-    return parameters_.solver.threads;
-  }
+  int getSolverThreads() const { return parameters_.solver.threads; }
 
   /** @brief What became of each room, in the order of their numbers. */
-  const std::vector<sedr::RoomPoissonReport>&
-  getReports() const
-  {
-    return reports_;
-  }
+  const std::vector<sedr::RoomPoissonReport>& getReports() const { return reports_; }
 
-  /** @brief The surfaces of all rooms with the room of every triangle and, if the points have a
-   * `label`, that of the point nearest to it. */
-  const sedr::TriangleMesh&
-  getMesh() const
-  {
-    return mesh_;
-  }
+  /** @brief The surfaces of all rooms with the room of every triangle and, if the
+   * points have a `label`, that of the point nearest to it. */
+  const sedr::TriangleMesh& getMesh() const { return mesh_; }
 
   /** @brief The room of every triangle of the last output. */
-  const std::vector<std::uint32_t>&
-  getTriangleRooms() const
-  {
-    return mesh_.rooms;
-  }
+  const std::vector<std::uint32_t>& getTriangleRooms() const { return mesh_.rooms; }
 
-  /** @brief True if the last run made a surface of every room and each is closed, manifold and one
-   * component. */
-  bool
-  isClosed() const
-  {
-    return closed_;
-  }
+  /** @brief True if the last run made a surface of every room and each is closed,
+   * manifold and one component. */
+  bool isClosed() const { return closed_; }
 
 protected:
   using pcl::PCLBase<PointNT>::input_;
@@ -269,17 +172,12 @@ protected:
   using pcl::PCLBase<PointNT>::initCompute;
   using pcl::PCLBase<PointNT>::deinitCompute;
 
-  std::string
-  getClassName() const override
-  {
-    return "StructuralPoisson";
-  }
+  std::string getClassName() const override { return "StructuralPoisson"; }
 
-  void
-  performReconstruction(pcl::PolygonMesh& output) override;
+  void performReconstruction(pcl::PolygonMesh& output) override;
 
-  void
-  performReconstruction(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
+  void performReconstruction(PointCloud& points,
+                             std::vector<pcl::Vertices>& polygons) override;
 
 private:
   /** @brief The points of one room and where they stand in the input. */
@@ -290,24 +188,18 @@ private:
     std::size_t scaled = 0;
   };
 
-  bool
-  checkParameters();
+  bool checkParameters();
 
   /** @brief Reconstructs into mesh_. */
-  bool
-  run();
+  bool run();
 
-  std::uint32_t
-  roomOf(pcl::index_t index) const;
+  std::uint32_t roomOf(pcl::index_t index) const;
 
-  void
-  gather(std::map<std::uint32_t, Room>& rooms) const;
+  void gather(std::map<std::uint32_t, Room>& rooms) const;
 
-  void
-  addRoom(std::uint32_t number, const Room& room);
+  void addRoom(std::uint32_t number, const Room& room);
 
-  void
-  summarize();
+  void summarize();
 
   sedr::RoomPoissonParameters parameters_;
   std::vector<std::uint32_t> room_labels_;

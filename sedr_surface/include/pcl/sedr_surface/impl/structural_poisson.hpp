@@ -62,26 +62,19 @@ StructuralPoisson<PointNT>::checkParameters()
     return fail("StructuralPoisson", std::string(rule) + ", it is " + number);
   };
   return check(solver.depth >= 3 && solver.depth <= 14,
-               "the depth must lie from 3 to 14",
-               solver.depth) &&
+               "the depth must lie from 3 to 14", solver.depth) &&
          check(solver.min_depth >= 0 && solver.min_depth <= solver.depth,
-               "the least depth must lie from 0 to the depth",
-               solver.min_depth) &&
+               "the least depth must lie from 0 to the depth", solver.min_depth) &&
          check(solver.point_weight >= 0 && std::isfinite(solver.point_weight),
-               "the point weight must be 0 or more",
-               solver.point_weight) &&
+               "the point weight must be 0 or more", solver.point_weight) &&
          check(solver.scale > 1 && solver.scale <= 10,
-               "the scale must lie above 1 and up to 10",
-               solver.scale) &&
+               "the scale must lie above 1 and up to 10", solver.scale) &&
          check(solver.samples_per_node > 0 && std::isfinite(solver.samples_per_node),
-               "the samples per node must be above 0",
-               solver.samples_per_node) &&
-         check(solver.threads >= 1,
-               "the number of solver threads must be 1 or more",
+               "the samples per node must be above 0", solver.samples_per_node) &&
+         check(solver.threads >= 1, "the number of solver threads must be 1 or more",
                solver.threads) &&
          check(parameters_.cell_ratio >= 0.1 && parameters_.cell_ratio <= 10,
-               "the cell ratio must lie from 0.1 to 10",
-               parameters_.cell_ratio) &&
+               "the cell ratio must lie from 0.1 to 10", parameters_.cell_ratio) &&
          check(parameters_.support_distance > 0,
                "the support distance must be above 0 m",
                parameters_.support_distance) &&
@@ -154,21 +147,20 @@ StructuralPoisson<PointNT>::summarize()
   for (const sedr::RoomPoissonReport& report : reports_) {
     const std::size_t all = report.points + report.skipped_points;
     if (report.skipped_points > 0)
-      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu points are not finite or have no "
+      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu points are not finite or "
+               "have no "
                "normal\n",
-               report.room,
-               report.skipped_points,
-               all);
+               report.room, report.skipped_points, all);
     if (report.scaled_normals > 0)
-      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu normals were not of unit length\n",
-               report.room,
-               report.scaled_normals,
-               all);
+      PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu normals were not of unit "
+               "length\n",
+               report.room, report.scaled_normals, all);
     closed_ = closed_ && report.closed;
     const std::string room = "room " + std::to_string(report.room);
     if (!report.problem.empty())
       sentences.push_back(
-          room + (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
+          room +
+          (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
           report.problem);
     if (!report.warning.empty())
       sentences.push_back(room + ": " + report.warning);
@@ -195,14 +187,15 @@ StructuralPoisson<PointNT>::run()
   if (!checkParameters())
     return false;
   if (!room_labels_.empty() && room_labels_.size() != input_->size())
-    return fail("StructuralPoisson",
-                std::to_string(room_labels_.size()) + " room labels are set for " +
-                    std::to_string(input_->size()) + " points");
+    return fail("StructuralPoisson", std::to_string(room_labels_.size()) +
+                                         " room labels are set for " +
+                                         std::to_string(input_->size()) + " points");
   if (!initCompute())
     return fail("StructuralPoisson", "PCL refuses the input cloud and its indices");
   std::string problem = sedr::indicesProblem(*indices_, input_->size());
   if (problem.empty() && indices_->empty())
-    problem = "no indices are selected of " + std::to_string(input_->size()) + " points";
+    problem =
+        "no indices are selected of " + std::to_string(input_->size()) + " points";
   if (problem.empty()) {
     std::map<std::uint32_t, Room> rooms;
     gather(rooms);

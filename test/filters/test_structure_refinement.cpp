@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_filters/structure_refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Structure = pcl::PointCloud<pcl::PointStructure>;
+
+void
+label(Structure& cloud, const std::vector<int>& indices, StructureLabel what)
+{
+  for (const int i : indices) {
+    cloud[static_cast<std::size_t>(i)].label = static_cast<std::uint32_t>(what);
+    cloud[static_cast<std::size_t>(i)].room = 1;
+  }
+}
+
+/** A room of 4 m x 3 m x 2.5 m with a round column, a door in the wall at y = 0 from
+ * x = 1 to 2 up to 2 m, and a table; points off by up to a few centimetres. */
+struct FurnishedRoom {
+  RoomPoints points;
+  std::shared_ptr<Floorplan> plan = std::make_shared<Floorplan>();
+  std::vector<int> table;
+  Structure::Ptr cloud;
+
+  static bool
+  inDoor(double x, double z)
+  {
+    return x > 1 && x < 2 && z < 2;
+  }
+
+  explicit FurnishedRoom(double noise = 0.01) : points(0.05, noise)
+  {
+    PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+    room.columns = {reversed(circle({3, 1.5}, 0.3))};
+    const auto isFree = [&](double x, double y) { return room.contains({x, y}); };
+    const auto floor = points.slab(room.boundary, 0, isFree);
+    const auto ceiling = points.slab(room.boundary, 2.5, isFree);
+    std::vector<int> walls = points.wall(
+        room.boundary.elements[0], 0, 2.5, [](double s, double z) {
+          return !inDoor(s, z);
+        });
+    for (std::size_t e = 1; e < 4; ++e)
+      walls = joined(walls, points.wall(room.boundary.elements[e], 0, 2.5));
+    const auto column = points.wall(room.columns[0].elements[0], 0, 2.5);
+    table = points.slab(rectangle(1, 1, 2, 2), 0.75);
+    cloud = points.cloud<pcl::PointStructure>();
+    label(*cloud, floor, StructureLabel::Floor);
+    label(*cloud, ceiling, StructureLabel::Ceiling);
+    label(*cloud, walls, StructureLabel::Wall);
+    label(*cloud, column, StructureLabel::Column);
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      (*cloud)[i].curvature = static_cast<float>(i);
+    plan->rooms.push_back(room);
+  }
+};
+
+template <typename Filter>
+std::vector<int>
+allOf(const Filter& filter)
+{
+  std::vector<int> both = *filter.getRemovedIndices();
+  for (const int i : filter.getSourceIndices())
+    if (i >= 0)
+      both.push_back(i);
+  std::sort(both.begin(), both.end());
+  return both;
+}
+
+TEST(StructureRefinement, SetsPositionNormalLabelAndRoomAndKeepsTheOtherFields)
+{
+  const FurnishedRoom room;
+  pcl::StructureRefinement<pcl::PointStructure> refinement(true);
+  refinement.setInputCloud(room.cloud);
+  refinement.setFloorplan(room.plan);
+  Structure refined;
+  refinement.filter(refined);
+  ASSERT_EQ(refinement.getErrorMessage(), "");
+  const auto& sources = refinement.getSourceIndices();
+  const auto& exact = refinement.getSurfacePoints();
+  ASSERT_EQ(refined.size(), sources.size());
+  ASSERT_EQ(refined.size(), exact.size());
+  for (std::size_t k = 0; k < refined.size(); ++k) {
+    const auto& p = refined[k];
+    const auto& from = (*room.cloud)[static_cast<std::size_t>(sources[k])];
+    ASSERT_EQ(p.getVector3fMap(), exact[k].position.cast<float>());
+    ASSERT_EQ(p.getNormalVector3fMap(), exact[k].normal.cast<float>());
+    ASSERT_EQ(p.label, from.label);
+    ASSERT_EQ(p.room, 1u);
+    ASSERT_EQ(p.curvature, from.curvature);
+    const Eigen::Vector2d place(p.x, p.y);
+    if (p.label == 3) {
+      ASSERT_NEAR(room.plan->rooms[0].boundary.distance(place), 0, 1e-6);
+      ASSERT_EQ(p.z, from.z);
+    }
+    if (p.label == 5) {
+      ASSERT_NEAR((place - Eigen::Vector2d(3, 1.5)).norm(), 0.3, 1e-6);
+      const Eigen::Vector2f out =
+          (place - Eigen::Vector2d(3, 1.5)).normalized().cast<float>();
+      ASSERT_NEAR(p.normal_x, out.x(), 1e-5);
+      ASSERT_NEAR(p.normal_y, out.y(), 1e-5);
+    }
+    if (p.label == 1) {
+      ASSERT_EQ(p.z, 2.5f);
+    }
+    if (p.label == 2) {
+      ASSERT_EQ(p.z, 0.f);
+    }
+  }
+}
+
+TEST(StructureRefinement, RemovedPointsAreTheComplementTheTableAmongThem)
+{
+  const FurnishedRoom room;
+  pcl::StructureRefinement<pcl::PointStructure> refinement(true);
+  refinement.setInputCloud(room.cloud);
+  refinement.setFloorplan(room.plan);
+  Structure refined;
+  refinement.filter(refined);
+  EXPECT_EQ(allOf(refinement), room.points.all());
+  const auto removed = *refinement.getRemovedIndices();
+  EXPECT_TRUE(std::includes(
+      removed.begin(), removed.end(), room.table.begin(), room.table.end()));
+  EXPECT_LT(removed.size(), room.table.size() + room.points.size() / 100);
+}
+
+TEST(StructureRefinement, TakesLabelsAndRoomsForAPointTypeWithoutThem)
+{
+  const FurnishedRoom room;
+  const auto plain = room.points.cloud<pcl::PointXYZ>();
+  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> rooms;
+  for (const auto& p : *room.cloud) {
+    labels.push_back(p.label);
+    rooms.push_back(p.room);
+  }
+  pcl::StructureRefinement<pcl::PointXYZ> refinement;
+  refinement.setInputCloud(plain);
+  refinement.setFloorplan(room.plan);
+  pcl::PointCloud<pcl::PointXYZ> refined;
+  refinement.filter(refined);
+  EXPECT_NE(refinement.getErrorMessage().find("0 labels"), std::string::npos)
+      << refinement.getErrorMessage();
+  EXPECT_TRUE(refined.empty());
+
+  refinement.setLabels(labels);
+  refinement.setRooms(rooms);
+  refinement.filter(refined);
+  EXPECT_EQ(refinement.getErrorMessage(), "");
+
+  pcl::StructureRefinement<pcl::PointStructure> own;
+  own.setInputCloud(room.cloud);
+  own.setFloorplan(room.plan);
+  Structure same;
+  own.filter(same);
+  ASSERT_EQ(refined.size(), same.size());
+  for (std::size_t i = 0; i < same.size(); ++i)
+    ASSERT_EQ(refined[i].getVector3fMap(), same[i].getVector3fMap());
+}
+
+TEST(StructureRefinement, AShorterDistanceRemovesMore)
+{
+  const FurnishedRoom room(0.02);
+  pcl::StructureRefinement<pcl::PointStructure> refinement(true);
+  refinement.setInputCloud(room.cloud);
+  refinement.setFloorplan(room.plan);
+  refinement.setMaximumDistance(0.02); // one standard deviation
+  Structure refined;
+  refinement.filter(refined);
+  const double share =
+      static_cast<double>(refined.size()) /
+      static_cast<double>(room.points.size() - room.table.size());
+  EXPECT_NEAR(share, 0.683, 0.02);
+}
+
+TEST(StructureRefinement, WithoutAPlanItFailsWithAReason)
+{
+  const FurnishedRoom room;
+  pcl::StructureRefinement<pcl::PointStructure> refinement;
+  refinement.setInputCloud(room.cloud);
+  Structure refined(*room.cloud);
+  refinement.filter(refined);
+  EXPECT_NE(refinement.getErrorMessage(), "");
+  EXPECT_TRUE(refined.empty());
+  refinement.setFloorplan(std::make_shared<Floorplan>());
+  refinement.filter(refined);
+  EXPECT_NE(refinement.getErrorMessage(), "") << "no rooms";
+}
+
+/** The points of a furnished room, refined and then repaired. */
+struct Repaired {
+  Structure::Ptr refined = std::make_shared<Structure>();
+  Structure whole;
+  pcl::VerticalHoleRepair<pcl::PointStructure> repair{true};
+
+  explicit Repaired(const FurnishedRoom& room)
+  {
+    pcl::StructureRefinement<pcl::PointStructure> refinement;
+    refinement.setInputCloud(room.cloud);
+    refinement.setFloorplan(room.plan);
+    refinement.filter(*refined);
+    repair.setInputCloud(refined);
+    repair.setFloorplan(room.plan);
+    repair.filter(whole);
+    EXPECT_EQ(repair.getErrorMessage(), "");
+  }
+};
+
+TEST(VerticalHoleRepair, FillsADoorExactlyWhereItIs)
+{
+  const FurnishedRoom room(0); // the lattice hits the middle of every cell
+  const Repaired result(room);
+  const auto& repaired = result.repair.getRepairedIndices();
+  EXPECT_EQ(repaired.size(), 20u * 40u);
+  for (const auto k : repaired) {
+    const auto& p = result.whole[static_cast<std::size_t>(k)];
+    EXPECT_EQ(p.label, 3u);
+    EXPECT_EQ(p.room, 1u);
+    EXPECT_EQ(p.y, 0.f);
+    EXPECT_TRUE(FurnishedRoom::inDoor(p.x, p.z)) << p.x << ' ' << p.z;
+    EXPECT_EQ(p.getNormalVector3fMap(), Eigen::Vector3f(0, 1, 0));
+    EXPECT_EQ(p.curvature, 0.f) << "fields that nobody measured are zero";
+  }
+}
+
+TEST(VerticalHoleRepair, CoversTheRoomOnceAndKeepsTheScannedPoints)
+{
+  const FurnishedRoom room(0);
+  const Repaired result(room);
+  std::map<std::uint32_t, std::size_t> count;
+  for (const auto& p : result.whole)
+    ++count[p.label];
+  EXPECT_EQ(count[3], 14u * 20u * 50u);
+  // 2 pi 0.3 m are 37.7 cells of 5 cm around, 2.5 m are 50.
+  EXPECT_EQ(count[5], 38u * 50u);
+  EXPECT_NEAR(static_cast<double>(count[1]), 4800 - M_PI * 36, 5);
+  EXPECT_EQ(count[1], count[2]);
+  EXPECT_EQ(count.size(), 4u);
+  const auto& sources = result.repair.getSourceIndices();
+  ASSERT_EQ(sources.size(), result.whole.size());
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    if (sources[k] >= 0) {
+      const auto& from = (*result.refined)[static_cast<std::size_t>(sources[k])];
+      ASSERT_EQ(result.whole[k].getVector3fMap(), from.getVector3fMap());
+      ASSERT_EQ(result.whole[k].curvature, from.curvature);
+    }
+}
+
+TEST(VerticalHoleRepair, RepairedIndicesAreThoseWithoutASource)
+{
+  const FurnishedRoom room(0.02);
+  const Repaired result(room);
+  pcl::Indices without;
+  const auto& sources = result.repair.getSourceIndices();
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    if (sources[k] < 0)
+      without.push_back(static_cast<pcl::index_t>(k));
+  EXPECT_EQ(result.repair.getRepairedIndices(), without);
+  EXPECT_GE(without.size(), 20u * 40u) << "noise leaves some cells empty besides";
+  EXPECT_LT(without.size(), result.whole.size() / 4);
+}
+
+TEST(VerticalHoleRepair, RemovedPointsAreThoseThatStandForNoCell)
+{
+  const FurnishedRoom room(0.02);
+  const Repaired result(room);
+  EXPECT_EQ(allOf(result.repair).size(), result.refined->size());
+  EXPECT_FALSE(result.repair.getRemovedIndices()->empty())
+      << "some share a cell with a nearer one";
+}
+
+TEST(VerticalHoleRepair, PointsOffThePlanAreRemoved)
+{
+  const FurnishedRoom room(0);
+  auto cloud = std::make_shared<Structure>(*room.cloud);
+  const Eigen::Vector3f far(4.02f, 1.f, 1.f); // two centimetres behind a wall
+  (*cloud)[0].getVector3fMap() = far;
+  (*cloud)[0].label = 3;
+  pcl::VerticalHoleRepair<pcl::PointStructure> repair(true);
+  repair.setInputCloud(cloud);
+  repair.setFloorplan(room.plan);
+  Structure whole;
+  repair.filter(whole);
+  const auto removed = *repair.getRemovedIndices();
+  EXPECT_TRUE(std::binary_search(removed.begin(), removed.end(), 0));
+}
+
+TEST(VerticalHoleRepair, CellsOfTheSizeAskedForCoverTheRoom)
+{
+  const FurnishedRoom room(0);
+  pcl::VerticalHoleRepair<pcl::PointStructure> repair;
+  repair.setInputCloud(room.cloud);
+  repair.setFloorplan(room.plan);
+  repair.setGridSize(0.25);
+  Structure whole;
+  repair.filter(whole);
+  std::size_t walls = 0;
+  for (const auto& p : whole)
+    walls += p.label == 3 ? 1 : 0;
+  EXPECT_EQ(walls, 14u * 4u * 10u);
+  EXPECT_EQ(repair.getRepairedIndices().size(), 4u * 8u) << "the door, in larger cells";
+}
+
+} // namespace

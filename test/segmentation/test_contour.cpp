@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_segmentation/contour.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+using sedr_test::Corners;
+
+constexpr double size = 0.05;
+
+/** A mask of the cells for which `isSet(x, y)`. */
+template <typename IsSet>
+CellMask
+maskOf(const CellBox& box, IsSet isSet)
+{
+  CellMask mask(box);
+  for (std::size_t i = 0; i < mask.values().size(); ++i) {
+    const Cell c = mask.cellAt(i);
+    mask.values()[i] = isSet(c.x, c.y) ? 1 : 0;
+  }
+  return mask;
+}
+
+double
+sumOfAreas(const std::vector<Contour>& contours)
+{
+  double area = 0;
+  for (const auto& contour : contours)
+    area += signedArea(contour);
+  return area;
+}
+
+TEST(TraceContours, RunCounterClockwiseAroundARegion)
+{
+  const CellMask mask =
+      maskOf({{0, 0}, {9, 9}}, [](int x, int y) { return x >= 2 && x < 7 && y >= 3; });
+  const auto contours = traceContours(mask, size);
+  ASSERT_EQ(contours.size(), 1u);
+  EXPECT_EQ(contours[0].size(), 2u * (5u + 7u));
+  EXPECT_NEAR(signedArea(contours[0]), 35 * size * size, 1e-12);
+  double left = 1e9;
+  double top = -1e9;
+  for (const auto& p : contours[0]) {
+    left = std::min(left, p.x());
+    top = std::max(top, p.y());
+  }
+  EXPECT_NEAR(left, 0.1, 1e-12) << "along the edges of the cells, not their middles";
+  EXPECT_NEAR(top, 0.5, 1e-12) << "also where the region ends with the box";
+}
+
+TEST(TraceContours, RunClockwiseAroundAHole)
+{
+  const CellMask mask = maskOf({{-5, -5}, {4, 4}}, [](int x, int y) {
+    return !(x >= -2 && x < 1 && y >= 0 && y < 2);
+  });
+  const auto contours = traceContours(mask, size);
+  ASSERT_EQ(contours.size(), 2u);
+  EXPECT_NEAR(signedArea(contours[0]), 100 * size * size, 1e-12);
+  EXPECT_NEAR(signedArea(contours[1]), -6 * size * size, 1e-12);
+}
+
+TEST(TraceContours, StepOneCellEdgeAndUseEveryEdgeOnce)
+{
+  std::mt19937 random(4);
+  const CellMask mask =
+      maskOf({{-9, 4}, {22, 30}}, [&](int, int) { return random() % 3 != 0; });
+  std::size_t edges = 0;
+  for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}})
+    for (std::size_t i = 0; i < mask.values().size(); ++i) {
+      const Cell c = mask.cellAt(i);
+      edges += mask.at(c) && !mask.at({c.x + d.x, c.y + d.y}) ? 1 : 0;
+    }
+  const auto contours = traceContours(mask, size);
+  std::size_t steps = 0;
+  for (const auto& contour : contours) {
+    steps += contour.size();
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Eigen::Vector2d way = contour[(i + 1) % contour.size()] - contour[i];
+      ASSERT_NEAR(way.lpNorm<1>(), size, 1e-12);
+      // The cell on the left is set, the one on the right is not.
+      const Eigen::Vector2d left(-way.y(), way.x());
+      const Eigen::Vector2d middle = contour[i] + way / 2;
+      const auto isSet = [&](const Eigen::Vector2d& p) {
+        return mask.at(CellGrid(size).at(p.x(), p.y())) != 0;
+      };
+      ASSERT_TRUE(isSet(middle + left / 2));
+      ASSERT_FALSE(isSet(middle - left / 2));
+    }
+  }
+  EXPECT_EQ(steps, edges);
+  EXPECT_NEAR(
+      sumOfAreas(contours), static_cast<double>(mask.count()) * size * size, 1e-9);
+}
+
+TEST(TraceContours, PartCellsThatTouchByACornerOnly)
+{
+  for (const int down : {0, 1}) {
+    const CellMask mask = maskOf({{0, 0}, {3, 3}}, [&](int x, int y) {
+      return x < 2 ? (y < 2) == (down == 0) : (y < 2) == (down == 1);
+    });
+    const auto contours = traceContours(mask, size);
+    ASSERT_EQ(contours.size(), 2u);
+    for (const auto& contour : contours) {
+      EXPECT_EQ(contour.size(), 8u);
+      EXPECT_FALSE(crossesItself(contour));
+    }
+  }
+}
+
+TEST(TraceContours, OfNothingAreNone)
+{
+  EXPECT_TRUE(traceContours(CellMask({{0, 0}, {5, 5}}), size).empty());
+  EXPECT_TRUE(traceContours(CellMask(), size).empty());
+}
+
+TEST(SignedArea, IsPositiveCounterClockwiseWherever)
+{
+  const Corners triangle{{1e6, 1e6}, {1e6 + 3, 1e6}, {1e6, 1e6 + 4}};
+  EXPECT_NEAR(signedArea(triangle), 6, 1e-6);
+  EXPECT_NEAR(signedArea({triangle.rbegin(), triangle.rend()}), -6, 1e-6);
+  EXPECT_EQ(signedArea({}), 0);
+}
+
+TEST(CrossesItself, SaysWhetherEdgesThatAreNotNeighboursMeet)
+{
+  EXPECT_FALSE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {0, 3}}));
+  EXPECT_TRUE(crossesItself({{0, 0}, {4, 3}, {4, 0}, {0, 3}})) << "a bow";
+  EXPECT_FALSE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {2, 0.01}, {0, 3}}));
+  EXPECT_TRUE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}}))
+      << "a corner on an edge";
+  EXPECT_TRUE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {2, -0.01}, {0, 3}}));
+  EXPECT_TRUE(crossesItself({{0, 0}, {4, 0}, {4, 2}, {3, 0}, {1, 0}, {0, 2}}))
+      << "edges on one line that overlap";
+  EXPECT_FALSE(
+      crossesItself({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 0}, {3, 0}, {3, 2}, {0, 2}}))
+      << "edges on one line that do not";
+  EXPECT_TRUE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {3, -1}}))
+      << "the last edge crosses too";
+  EXPECT_FALSE(crossesItself({}));
+}
+
+TEST(Simplified, KeepsTheCornersOfAStaircaseFreeOutline)
+{
+  const CellMask mask = maskOf({{0, 0}, {39, 29}}, [](int x, int y) {
+    return x < 20 || y < 10;
+  });
+  Corners corners = simplified(traceContours(mask, size)[0], 1e-9);
+  const auto before = [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  std::sort(corners.begin(), corners.end(), before);
+  const Corners truth{{0, 0}, {0, 1.5}, {1, 0.5}, {1, 1.5}, {2, 0}, {2, 0.5}};
+  ASSERT_EQ(corners.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    EXPECT_NEAR((corners[i] - truth[i]).norm(), 0, 1e-12);
+}
+
+TEST(Simplified, LeavesNoCornerFartherThanTheTolerance)
+{
+  std::mt19937 random(9);
+  Corners star;
+  for (int i = 0; i < 400; ++i) {
+    const double a = 2 * M_PI * i / 400;
+    const double r = 3 + 0.2 * static_cast<double>(random()) / 4294967296.0;
+    star.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  std::size_t last = star.size() + 1;
+  for (const double tolerance : {0.0, 0.05, 0.2, 0.5}) {
+    const Corners result = simplified(star, tolerance);
+    EXPECT_LT(result.size(), last);
+    last = result.size();
+    for (const auto& p : star) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < result.size(); ++i)
+        least = std::min(
+            least,
+            sedr_test::segment(result[i], result[(i + 1) % result.size()]).distance(p));
+      ASSERT_LE(least, tolerance + 1e-9);
+    }
+  }
+  EXPECT_LT(last, 40u);
+}
+
+TEST(Simplified, LeavesATriangleAsItIs)
+{
+  const Corners triangle{{0, 0}, {1, 0}, {0, 1}};
+  EXPECT_EQ(simplified(triangle, 10), triangle);
+}
+
+} // namespace

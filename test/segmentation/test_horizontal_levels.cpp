@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <set>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr auto Ceiling = LevelKind::Ceiling;
+constexpr auto Floor = LevelKind::Floor;
+constexpr auto Other = LevelKind::Other;
+
+std::vector<Level>
+levelsOf(const RoomPoints& points, const LevelParameters& parameters = {})
+{
+  std::vector<Level> levels = findLevels(points.view(), points.all(), parameters);
+  classifyLevels(levels, parameters);
+  collectInliers(levels, points.view(), points.all(), parameters);
+  return levels;
+}
+
+double
+heightOf(const Level& level)
+{
+  return level.slab.heightAt({0, 0});
+}
+
+std::vector<LevelKind>
+kindsOf(const std::vector<Level>& levels)
+{
+  std::vector<LevelKind> kinds;
+  for (const auto& level : levels)
+    kinds.push_back(level.kind);
+  return kinds;
+}
+
+/** Heights of the levels at the origin, to be within `tolerance` of these. */
+void
+expectHeights(const std::vector<Level>& levels,
+              const std::vector<double>& heights,
+              double tolerance = 1e-5)
+{
+  ASSERT_EQ(levels.size(), heights.size());
+  for (std::size_t l = 0; l < levels.size(); ++l)
+    EXPECT_NEAR(heightOf(levels[l]), heights[l], tolerance) << "level " << l;
+}
+
+/** Those of a slab's points in whose cell no wall goes on. */
+std::vector<int>
+besideWalls(const RoomPoints& points,
+            const std::vector<int>& slab,
+            const std::vector<int>& walls)
+{
+  const CellGrid grid(0.05);
+  const CellSet wall_cells(grid, points.view(), walls);
+  std::vector<int> result;
+  for (const int i : slab)
+    if (!wall_cells.contains(grid.at(points[i].x(), points[i].y())))
+      result.push_back(i);
+  return result;
+}
+
+TEST(Levels, OfABoxRoomAreItsFloorAndItsCeiling)
+{
+  RoomPoints points;
+  const RoomParts parts = points.room(rectangle(0.01, 0.01, 4.01, 3.01), -0.3, 2.2);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {-0.3, 2.2});
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling}));
+  EXPECT_EQ(levels[0].inliers, besideWalls(points, parts.floor, parts.walls));
+  EXPECT_EQ(levels[1].inliers, besideWalls(points, parts.ceiling, parts.walls));
+}
+
+TEST(Levels, WallPointsNearASlabAreNotItsInliers)
+{
+  RoomPoints points(0.02, 0.005); // dense: many wall points within the tolerance
+  const RoomParts parts = points.room(rectangle(0.01, 0.01, 3.01, 3.01), 0, 2.5);
+  std::size_t near = 0;
+  for (const int i : parts.walls)
+    near += points[i].z() > 2.44f ? 1 : 0;
+  ASSERT_GT(near, 1000u);
+  const std::set<int> walls(parts.walls.begin(), parts.walls.end());
+  for (const auto& level : levelsOf(points)) {
+    std::size_t wrong = 0;
+    for (const int i : level.inliers)
+      wrong += walls.count(i);
+    EXPECT_LE(wrong, level.inliers.size() / 500);
+    EXPECT_GE(level.inliers.size(), parts.ceiling.size() * 9 / 10);
+  }
+}
+
+TEST(Levels, ATableTopIsNeither)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  const auto table = points.slab(rectangle(1, 1, 2.5, 2), 0.75);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 0.75, 2.5});
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Other, Ceiling}));
+  EXPECT_EQ(levels[1].inliers, table);
+}
+
+TEST(Levels, ATableThatFillsHalfOfTheRoomIsStillNeither)
+{
+  RoomPoints points;
+  const PlanLoop top = rectangle(0.5, 0.5, 3.5, 2.5);
+  points.room(roomOf(rectangle(0, 0, 4, 3), 2.5));
+  points.slab(top, 0.74);
+  points.slab(rectangle(0.5, 0.5, 3.5, 1), 2.05); // on top of cupboards
+  EXPECT_EQ(kindsOf(levelsOf(points)),
+            (std::vector<LevelKind>{Floor, Other, Other, Ceiling}));
+}
+
+TEST(Levels, RoomsHaveCeilingsAndFloorsOfTheirOwn)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  points.room(rectangle(4.1, 0, 7.1, 3), -0.4, 3.1);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {-0.4, 0, 2.5, 3.1});
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Floor, Ceiling, Ceiling}));
+}
+
+TEST(Levels, AStepInTheCeilingIsTwoCeilingsOverOneFloor)
+{
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.7);
+  room.details = {detailOf(rectangle(3, 0, 5, 4), 2.4)};
+  points.room(room);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 2.4, 2.7});
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
+}
+
+TEST(Levels, TheGroundOutsideIsNoFloorAndTheSkyNoCeiling)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  points.slab(rectangle(4.5, -3, 9, 6), -0.4); // seen through a window
+  points.slab(rectangle(-4, 0, -1, 3), 4); // an eave
+  EXPECT_EQ(kindsOf(levelsOf(points)),
+            (std::vector<LevelKind>{Other, Floor, Ceiling, Other}));
+}
+
+TEST(Levels, ACeilingHangsAtLeastARoomsHeightAboveAFloor)
+{
+  for (const double height : {1.7, 1.9}) {
+    RoomPoints points;
+    points.room(rectangle(0, 0, 4, 3), 0, height);
+    EXPECT_EQ(kindsOf(levelsOf(points)),
+              height < 1.8 ? (std::vector<LevelKind>{Other, Other})
+                           : (std::vector<LevelKind>{Floor, Ceiling}));
+  }
+  LevelParameters low;
+  low.minimum_room_height = 1.6;
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 1.7);
+  EXPECT_EQ(kindsOf(levelsOf(points, low)), (std::vector<LevelKind>{Floor, Ceiling}));
+}
+
+TEST(Levels, ASlabThatLeansIsOneLevel)
+{
+  const double slope = std::tan(0.5 * M_PI / 180); // 8.7 cm over ten metres
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0, 0, 10, 4), 2.5);
+  room.ceiling = slabAt(2.5, slope);
+  const RoomParts parts = points.room(room);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(levels.size(), 2u);
+  const Eigen::Vector3d normal = levels[1].slab.plane.head<3>();
+  EXPECT_NEAR(std::atan2(-normal.x(), normal.z()), 0.5 * M_PI / 180, 1e-5);
+  EXPECT_NEAR(normal.y(), 0, 1e-5);
+  EXPECT_NEAR(heightOf(levels[1]), 2.5, 1e-4);
+  EXPECT_EQ(levels[1].inliers, besideWalls(points, parts.ceiling, parts.walls));
+}
+
+TEST(Levels, NoThicknessOfTwoCentimetresMovesThem)
+{
+  RoomPoints points(0.05, 0.02);
+  const RoomParts parts = points.room(rectangle(0, 0, 5, 4), 0, 2.5);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 2.5}, 0.003);
+  for (const auto& level : levels) {
+    EXPECT_NEAR(level.slab.residual, 0.02, 0.003);
+    EXPECT_NEAR(level.slab.plane[2], 1, 1e-5);
+    EXPECT_GT(level.inliers.size(), besideWalls(points, parts.floor, parts.walls).size() *
+                                        97 / 100);
+  }
+}
+
+TEST(Levels, AreAsLargeAsTheMinimumAreaAsksFor)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  points.slab(rectangle(1, 1, 1.9, 2), 0.75); // 0.9 square metres
+  EXPECT_EQ(levelsOf(points).size(), 2u);
+  LevelParameters small;
+  small.minimum_area = 0.9;
+  EXPECT_EQ(levelsOf(points, small).size(), 3u);
+  LevelParameters large;
+  large.minimum_area = 12.5;
+  EXPECT_TRUE(levelsOf(points, large).empty());
+}
+
+TEST(Levels, CountCellsNotPoints)
+{
+  // A stack of paper of 0.5 m x 0.5 m, scanned from near, has as many points as the
+  // ceiling; half of the floor is a hundred times as dense as the other.
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  RoomPoints near(0.005);
+  near.slab(rectangle(1, 1, 1.5, 1.5), 0.75);
+  near.slab(rectangle(0.5, 0.5, 2, 2), 0);
+  for (const int i : near.all())
+    points.point(near[i].x(), near[i].y(), near[i].z());
+  ASSERT_GT(near.size(), 8 * points.room(rectangle(0, 0, 4, 3), 0, 2.5).floor.size());
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 2.5});
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling}));
+}
+
+TEST(Levels, ClutterIsNone)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> x(0.2, 3.8);
+  std::uniform_real_distribution<double> y(0.2, 2.8);
+  std::uniform_real_distribution<double> z(0.3, 2.2);
+  for (int i = 0; i < 60000; ++i)
+    points.point(x(random), y(random), z(random));
+  expectHeights(levelsOf(points), {0, 2.5}, 1e-3);
+}
+
+TEST(Levels, OfNothingAreNone)
+{
+  const RoomPoints points;
+  EXPECT_TRUE(levelsOf(points).empty());
+  std::vector<Level> none;
+  classifyLevels(none, {});
+  RoomPoints lost;
+  for (int i = 0; i < 2000; ++i)
+    lost.point(0.05 * i, 0, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(levelsOf(lost).empty());
+}
+
+TEST(Levels, ARoomTenKilometresAwayChangesNothingHere)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  RoomPoints both = points;
+  both.room(rectangle(8192, -8192, 8196, -8189), 1, 4);
+  EXPECT_EQ(kindsOf(levelsOf(both)),
+            (std::vector<LevelKind>{Floor, Floor, Ceiling, Ceiling}));
+  expectHeights(levelsOf(both), {0, 1, 2.5, 4}, 0.002); // a float is that fine there
+}
+
+using Detection = pcl::HorizontalPlaneDetection<pcl::PointXYZ>;
+
+TEST(HorizontalPlaneDetection, GivesThePlanesLowestFirstWithAllTheirFigures)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  const auto table = points.slab(rectangle(1, 1, 2.5, 2), 0.75);
+  const auto cloud = points.cloud();
+  cloud->header.frame_id = "scan";
+  Detection detection;
+  detection.setInputCloud(cloud);
+  std::vector<pcl::HorizontalPlane> planes(7);
+  ASSERT_TRUE(detection.segment(planes)) << detection.getErrorMessage();
+  ASSERT_EQ(planes.size(), 3u);
+  EXPECT_EQ(planes[0].kind, Floor);
+  EXPECT_EQ(planes[1].kind, Other);
+  EXPECT_EQ(planes[2].kind, Ceiling);
+  const double heights[] = {0, 0.75, 2.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& plane = planes[k];
+    ASSERT_EQ(plane.coefficients.values.size(), 4u);
+    for (const std::size_t c : {0u, 1u})
+      EXPECT_NEAR(plane.coefficients.values[c], 0, 1e-5);
+    EXPECT_NEAR(plane.coefficients.values[2], 1, 1e-6);
+    EXPECT_NEAR(plane.coefficients.values[3], -heights[k], 1e-5);
+    EXPECT_NEAR(plane.slab.heightAt({1, 1}), heights[k], 1e-5);
+    EXPECT_EQ(plane.inliers.header.frame_id, "scan");
+    EXPECT_NEAR(plane.area, static_cast<double>(plane.cells) * 0.0025, 1e-9);
+    EXPECT_NEAR(plane.residual, 0, 1e-5);
+    EXPECT_TRUE(
+        std::is_sorted(plane.inliers.indices.begin(), plane.inliers.indices.end()));
+  }
+  EXPECT_EQ(planes[1].inliers.indices, *shared(table));
+  EXPECT_NEAR(planes[1].area, 1.5, 0.1);
+}
+
+TEST(HorizontalPlaneDetection, SaysWhatItLookedForWhereThereIsNone)
+{
+  RoomPoints points;
+  points.wall(segment({0, 0}, {4, 0}), 0, 2.5);
+  Detection detection;
+  detection.setInputCloud(points.cloud());
+  detection.setMinimumArea(2.5);
+  std::vector<pcl::HorizontalPlane> planes(7);
+  EXPECT_FALSE(detection.segment(planes));
+  EXPECT_TRUE(planes.empty());
+  EXPECT_NE(detection.getErrorMessage().find("2.5"), std::string::npos);
+  EXPECT_NE(detection.getErrorMessage().find("4000"), std::string::npos)
+      << detection.getErrorMessage();
+}
+
+TEST(HorizontalPlaneDetection, TheTiltLimitTellsALeaningSlabFromARamp)
+{
+  RoomPoints points;
+  points.slab(rectangle(0, 0, 4, 3), 0);
+  points.slab(rectangle(0, 0, 4, 3), slabAt(2.5, std::tan(2 * M_PI / 180)));
+  Detection detection;
+  detection.setInputCloud(points.cloud());
+  std::vector<pcl::HorizontalPlane> planes;
+  ASSERT_TRUE(detection.segment(planes));
+  ASSERT_EQ(planes.size(), 2u);
+  EXPECT_NEAR(std::acos(planes[1].slab.plane[2]), 2 * M_PI / 180, 1e-4);
+  detection.setMaximumTilt(0.5 * M_PI / 180);
+  ASSERT_TRUE(detection.segment(planes));
+  for (const auto& plane : planes)
+    EXPECT_LE(std::acos(plane.slab.plane[2]), 0.5 * M_PI / 180 + 1e-9);
+}
+
+} // namespace
