@@ -25,7 +25,8 @@ struct Settings {
   std::string output;
 };
 
-/** @brief Gives the fitting the points by label, and the rooms unless the file has none. */
+/** @brief Gives the fitting the points by label, and the rooms unless the file has
+ * none. */
 void
 setEvidence(const ToolCloud& cloud, Fitting& fitting)
 {
@@ -48,11 +49,12 @@ tell(const pcl::sedr::PlanRoom& room)
   for (const auto& element : room.boundary.elements)
     arcs += element.isArc() ? 1 : 0;
   char text[200];
-  std::snprintf(text, sizeof text,
-                "room %u: %zu segments and %zu arcs, %.2f m around, %.2f m2, %zu columns, "
-                "%zu details",
-                room.id, room.boundary.elements.size() - arcs, arcs, room.perimeter(),
-                room.area(), room.columns.size(), room.details.size());
+  std::snprintf(
+      text, sizeof text,
+      "room %u: %zu segments and %zu arcs, %.2f m around, %.2f m2, %zu columns, "
+      "%zu details",
+      room.id, room.boundary.elements.size() - arcs, arcs, room.perimeter(),
+      room.area(), room.columns.size(), room.details.size());
   say(text);
 }
 
@@ -68,9 +70,8 @@ run(const Settings& settings, Fitting& fitting)
     if (!fitting.segment(plan))
       throw ToolError(fitting.getErrorMessage(), NothingFound);
   }
-  writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::floorplanToJson(plan);
-  });
+  writeWhole(settings.output,
+             [&](std::ostream& stream) { stream << pcl::sedr::floorplanToJson(plan); });
   for (const auto& warning : fitting.getWarnings())
     std::cerr << "pcl_floorplan_fitting: warning: " << warning << std::endl;
   for (const auto& room : plan.rooms)
@@ -94,20 +95,22 @@ main(int argc, char** argv)
 
   Options options(
       "pcl_floorplan_fitting",
-      "Fits the floor plan: the walls of every room as a closed loop of segments and arcs, its\n"
+      "Fits the floor plan: the walls of every room as a closed loop of segments and "
+      "arcs, its\n"
       "columns, its ceiling's details, and the planes of floors and ceilings.");
-  options.file("INPUT", settings.input,
-               "PCD or PLY file with labels 1 ceiling, 2 floor, 3 wall, perhaps 4 detail, and "
-               "rooms if several");
+  options.file(
+      "INPUT", settings.input,
+      "PCD or PLY file with labels 1 ceiling, 2 floor, 3 wall, perhaps 4 detail, and "
+      "rooms if several");
   options.file("OUTPUT.json", settings.output, "floor plan to write");
-  options.number("distance", distance, "m", "farthest a point is from its line or circle",
-                 Range::above(0));
+  options.number("distance", distance, "m",
+                 "farthest a point is from its line or circle", Range::above(0));
   options.number("grid", grid, "m", "edge of a cell of the outline", Range::above(0));
-  options.number("min-length", length, "m", "shortest wall with a line or circle of its own",
-                 Range::above(0));
+  options.number("min-length", length, "m",
+                 "shortest wall with a line or circle of its own", Range::above(0));
   options.number("min-radius", least_radius, "m", "of an arc", Range::above(0));
-  options.number("max-radius", greatest_radius, "m", "of an arc; flatter walls are straight",
-                 Range::above(0));
+  options.number("max-radius", greatest_radius, "m",
+                 "of an arc; flatter walls are straight", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   return runTool(options, argc, argv, [&] {
     if (greatest_radius <= least_radius)

@@ -7,6 +7,7 @@
 
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
+#include <pcl/sedr_segmentation/horizontal_levels.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
@@ -30,10 +31,11 @@ struct Settings {
 
 /** @brief What the details of one room are looked for in. */
 struct Room {
-  std::uint32_t id = 0; ///< 0: a file without rooms
+  std::uint32_t id = 0;  ///< 0: a file without rooms
   pcl::Indices ceilings; ///< of all heights
-  pcl::Indices floor;
-  pcl::Indices around; ///< points in its surroundings, with whatever label
+  pcl::Indices floors;   ///< of all heights
+  pcl::Indices around;   ///< points in its surroundings, with whatever label
+  std::size_t cells = 0; ///< below its ceilings
 };
 
 /** @brief The rooms with their ceilings. */
@@ -58,15 +60,18 @@ roomsWithCeilings(const ToolCloud& cloud)
   return rooms;
 }
 
-/** @brief Shares out all points: each belongs to the room whose ceiling is nearest in plan. */
+/** @brief Shares out all points: each belongs to the room whose ceiling is nearest in
+ * plan. */
 void
 shareOut(const Analysis& analysis, const ToolCloud& cloud, std::vector<Room>& rooms)
 {
   const pcl::sedr::CellGrid grid(analysis.getGridSize());
   const pcl::sedr::PointView points(*cloud.points);
   std::vector<pcl::sedr::CellSet> scopes;
-  for (const auto& room : rooms)
+  for (auto& room : rooms) {
     scopes.emplace_back(grid, points, room.ceilings);
+    room.cells = scopes.back().size();
+  }
   const pcl::sedr::RoomTerritory territory(grid, scopes);
   if (!territory.problem().empty())
     throw ToolError(territory.problem());
@@ -77,43 +82,76 @@ shareOut(const Analysis& analysis, const ToolCloud& cloud, std::vector<Room>& ro
     Room& room = rooms[static_cast<std::size_t>(at)];
     room.around.push_back(static_cast<pcl::index_t>(i));
     if (cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
-      room.floor.push_back(static_cast<pcl::index_t>(i));
+      room.floors.push_back(static_cast<pcl::index_t>(i));
   }
 }
 
-/** @brief Keeps of the room's ceilings the largest; the others are looked at anew. */
+/** @brief Those of the points that lie on a plane. */
+pcl::Indices
+onSlab(const pcl::sedr::PointView& points,
+       const pcl::Indices& indices,
+       const pcl::sedr::PlanSlab& slab,
+       double band)
+{
+  pcl::Indices on;
+  for (const auto i : indices)
+    if (std::abs(pcl::sedr::distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
+        band)
+      on.push_back(i);
+  return on;
+}
+
+/** @brief Of the room's ceilings the largest; the others are looked at anew. */
 pcl::Indices
 mainCeiling(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
 {
-  constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
   const pcl::sedr::PointView points(*cloud.points);
   const double band = analysis.getDistanceThreshold();
-  const auto slab = pcl::sedr::findSlab(points, room.ceilings, band, maximum_tilt, 1);
-  pcl::Indices main;
-  for (const auto i : room.ceilings)
-    if (std::abs(pcl::sedr::distanceAbove(slab, points[static_cast<std::size_t>(i)])) <= band)
-      main.push_back(i);
-  return main;
+  const auto slab = pcl::sedr::findSlab(points, room.ceilings, band,
+                                        pcl::sedr::LevelParameters().maximum_tilt, 1);
+  return onSlab(points, room.ceilings, slab, band);
+}
+
+/** @brief Of the room's floors the lowest that is seen below a tenth of its ceilings:
+ * higher ones are platforms or table tops. All of them if none is so large. */
+pcl::Indices
+mainFloor(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
+{
+  const pcl::sedr::PointView points(*cloud.points);
+  pcl::sedr::LevelParameters parameters;
+  parameters.tolerance = analysis.getDistanceThreshold();
+  parameters.cell_size = analysis.getGridSize();
+  parameters.minimum_area = 0.1 * static_cast<double>(room.cells) *
+                            parameters.cell_size * parameters.cell_size;
+  const auto levels = pcl::sedr::findLevels(points, room.floors, parameters);
+  return levels.empty()
+             ? room.floors
+             : onSlab(points, room.floors, levels.front().slab, parameters.tolerance);
 }
 
 /** @brief What was found in one room. */
 struct Found {
-  pcl::Indices ceiling; ///< of the main height
+  pcl::Indices ceiling; ///< the main one
+  pcl::Indices floor;   ///< likewise
   pcl::Indices details;
 };
 
 Found
-analyse(Analysis& analysis, const ToolCloud& cloud, const Room& room, double floor_height)
+analyse(Analysis& analysis,
+        const ToolCloud& cloud,
+        const Room& room,
+        double floor_height)
 {
   const auto shared = [](const pcl::Indices& indices) {
     return pcl::make_shared<const pcl::Indices>(indices);
   };
   Found found;
   found.ceiling = mainCeiling(analysis, cloud, room);
+  found.floor = mainFloor(analysis, cloud, room);
   analysis.setInputCloud(cloud.points);
   analysis.setIndices(shared(room.around));
   analysis.setCeilingIndices(shared(found.ceiling));
-  analysis.setFloorIndices(shared(room.floor));
+  analysis.setFloorIndices(shared(found.floor));
   analysis.setFloorHeight(floor_height);
   pcl::PointIndices details;
   if (!analysis.segment(details))
@@ -132,27 +170,30 @@ tell(const Analysis& analysis, const Room& room, const Found& found)
   if (found.details.empty())
     std::snprintf(text, sizeof text, "room %u: no details", room.id);
   else
-    std::snprintf(text, sizeof text,
-                  "room %u: %zu points of %zu %s, all above %.2f m; %s%d", room.id,
-                  found.details.size(), regions, regions == 1 ? "detail" : "details",
-                  analysis.getSliceHeight(),
-                  analysis.getTrial() > 0 ? "enclosed in trial " : "enclosed in no trial, ",
-                  analysis.getTrial());
+    std::snprintf(
+        text, sizeof text, "room %u: %zu points of %zu %s, all above %.2f m; %s%d",
+        room.id, found.details.size(), regions, regions == 1 ? "detail" : "details",
+        analysis.getSliceHeight(),
+        analysis.getTrial() > 0 ? "enclosed in trial " : "enclosed in no trial, ",
+        analysis.getTrial());
   say(text);
 }
 
-/** @brief Labels what was found in a room. What was taken for a ceiling, and is neither the main
- * one nor a detail, is other. */
+/** @brief Labels what was found in a room. What was taken for a ceiling or floor, and
+ * is neither the main one nor a detail, is other. */
 void
 label(const Room& room, const Found& found, ToolCloud& cloud)
 {
-  const auto set = [&](const pcl::Indices& indices, StructureLabel to, std::uint32_t id) {
+  const auto set = [&](const pcl::Indices& indices, StructureLabel to,
+                       std::uint32_t id) {
     for (const auto i : indices) {
       cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(to);
       cloud.room[static_cast<std::size_t>(i)] = id;
     }
   };
   set(room.ceilings, StructureLabel::Other, 0);
+  set(room.floors, StructureLabel::Other, 0);
+  set(found.floor, StructureLabel::Floor, room.id);
   set(found.ceiling, StructureLabel::Ceiling, room.id);
   set(found.details, StructureLabel::Detail, room.id);
 }
@@ -176,9 +217,8 @@ run(const Settings& settings, Analysis& analysis)
     const Progress progress("looking at slices");
     shareOut(analysis, cloud, rooms);
     for (const Room& room : rooms) {
-      const bool is_known = !settings.has_floor_height && !room.floor.empty();
-      found.push_back(
-          analyse(analysis, cloud, room, is_known ? std::nan("") : height));
+      const bool is_known = !settings.has_floor_height && !room.floors.empty();
+      found.push_back(analyse(analysis, cloud, room, is_known ? std::nan("") : height));
       tell(analysis, room, found.back());
     }
   }
@@ -206,27 +246,34 @@ main(int argc, char** argv)
   double thickness = analysis.getSliceThickness();
   double island = analysis.getMinimumIslandArea();
 
-  Options options(
-      "pcl_grid_slice_detail",
-      "Labels the details of every room's ceiling, soffits, beams and recesses, label 4.\nUses "
-      "ceilings, label 1, and floors, label 2; details already labelled are looked for anew.\n"
-      "Of several ceilings of a room the largest keeps label 1, the others become details or 0.");
+  Options options("pcl_grid_slice_detail",
+                  "Labels the details of every room's ceiling, soffits, beams and "
+                  "recesses, label 4.\nUses "
+                  "ceilings, label 1, and floors, label 2; details already labelled "
+                  "are looked for anew.\n"
+                  "Of several ceilings of a room the largest keeps label 1, the others "
+                  "become details or 0; of\n"
+                  "several floors the lowest below a tenth of the ceilings keeps label "
+                  "2, the others become 0.");
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("grid", grid, "m", "edge of a cell", Range::above(0));
-  options.number("distance", distance, "m", "farthest a point is from the plane of the ceiling",
-                 Range::above(0));
+  options.number("distance", distance, "m",
+                 "farthest a point is from the plane of the ceiling", Range::above(0));
   options.number("min-cells", cells, "cells", "smallest detail");
-  options.number("trials", trials, "",
-                 "slices at 1/4; then at 1/2; then at 1/8 and 3/8 of the height below the ceiling",
-                 Range::between(1, 3));
+  options.number(
+      "trials", trials, "",
+      "slices at 1/4; then at 1/2; then at 1/8 and 3/8 of the height below the ceiling",
+      Range::between(1, 3));
   options.number("thickness", thickness, "m", "of a slice", Range::above(0));
-  options.number("min-island", island, "m2",
-                 "what the ceiling encloses all around and is smaller is a lamp or a vent",
-                 Range::atLeast(0));
-  options.optionalNumber("floor-height", settings.floor_height, settings.has_floor_height, "m",
-                         "z of the floor", "the mean of the room's floor points");
+  options.number(
+      "min-island", island, "m2",
+      "what the ceiling encloses all around and is smaller is a lamp or a vent",
+      Range::atLeast(0));
+  options.optionalNumber("floor-height", settings.floor_height,
+                         settings.has_floor_height, "m", "z of the floor",
+                         "the mean of the room's floor points");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     analysis.setGridSize(grid);

@@ -44,8 +44,8 @@ nameOf(LevelKind kind)
                                     : "other";
 }
 
-/** @brief Mean height of the points of a plane, or of the plane itself over the origin if
- * it was left none. */
+/** @brief Mean height of the points of a plane, or of the plane itself over the origin
+ * if it was left none. */
 double
 heightOf(const pcl::HorizontalPlane& plane, const ToolCloud& cloud)
 {
@@ -80,7 +80,8 @@ checkScan(const Settings& settings, const ToolCloud& cloud)
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
 }
 
-/** @brief Refuses planes without a ceiling or without a floor; tells the largest six. */
+/** @brief Refuses planes without a ceiling or without a floor; tells the largest six.
+ */
 void
 checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
 {
@@ -95,15 +96,15 @@ checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
   std::vector<const pcl::HorizontalPlane*> largest;
   for (const auto& plane : planes)
     largest.push_back(&plane);
-  std::stable_sort(largest.begin(), largest.end(), [](const auto* a, const auto* b) {
-    return a->area > b->area;
-  });
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const auto* a, const auto* b) { return a->area > b->area; });
   largest.resize(std::min<std::size_t>(largest.size(), 6));
   char text[200];
-  std::snprintf(text, sizeof text,
-                "of %zu horizontal planes %td are ceilings and %td floors; a ceiling needs a "
-                "floor at least %.2f m below it; found:",
-                planes.size(), ceilings, floors, room_height);
+  std::snprintf(
+      text, sizeof text,
+      "of %zu horizontal planes %td are ceilings and %td floors; a ceiling needs a "
+      "floor at least %.2f m below it; found:",
+      planes.size(), ceilings, floors, room_height);
   std::string sentence = text;
   for (const auto* plane : largest) {
     std::snprintf(text, sizeof text, "%s %.2f m %s %.1f m2",
@@ -122,8 +123,8 @@ apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
   for (const auto& plane : planes) {
     if (plane.kind == LevelKind::Other)
       continue;
-    const auto label =
-        plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling : StructureLabel::Floor;
+    const auto label = plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling
+                                                        : StructureLabel::Floor;
     for (const auto i : plane.inliers.indices)
       cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
   }
@@ -146,7 +147,10 @@ savePlanes(const std::string& path, const Planes& planes, const ToolCloud& cloud
                     {"residual", plane.residual},
                     {"inliers", plane.inliers.indices.size()}});
   }
-  const Json json{{"format", "sedr-planes"}, {"version", 1}, {"unit", "m"}, {"planes", list}};
+  const Json json{{"format", "sedr-planes"},
+                  {"version", 1},
+                  {"unit", "m"},
+                  {"planes", list}};
   writeWhole(path, [&](std::ostream& stream) { stream << json.dump(1) << '\n'; });
 }
 
@@ -201,7 +205,8 @@ main(int argc, char** argv)
 
   Options options(
       "pcl_horizontal_plane_detection",
-      "Finds the horizontal planes of a thinned scan, lists them, and labels the points of "
+      "Finds the horizontal planes of a thinned scan, lists them, and labels the "
+      "points of "
       "ceilings 1,\nof floors 2, all others 0; rooms that the file had are set to 0.");
   options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
@@ -209,14 +214,15 @@ main(int argc, char** argv)
                  Range::above(0));
   options.number("grid", grid, "m", "edge of the cells that areas are counted in",
                  Range::above(0));
-  options.number("max-tilt", tilt, "degrees", "largest angle of a plane with the horizontal",
-                 Range::between(0, 45));
+  options.number("max-tilt", tilt, "degrees",
+                 "largest angle of a plane with the horizontal", Range::between(0, 45));
   options.number("min-area", area, "m2", "smallest plane", Range::above(0));
-  options.number("min-height", height, "m", "smallest height of a ceiling above its floor",
-                 Range::above(0));
+  options.number("min-height", height, "m",
+                 "smallest height of a ceiling above its floor", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   options.text("planes", settings.planes, "JSON file for the list of planes");
-  options.flag("z-up", settings.trust_up, "take z as up even if another axis seems to be");
+  options.flag("z-up", settings.trust_up,
+               "take z as up even if another axis seems to be");
   options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {

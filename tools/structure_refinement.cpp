@@ -40,11 +40,12 @@ run(const Settings& settings, Refinement& refinement)
     if (!refinement.getErrorMessage().empty())
       throw ToolError(refinement.getErrorMessage());
   }
-  const auto labelled = cloud.size() - static_cast<std::size_t>(std::count(
-                                           cloud.label.begin(), cloud.label.end(), 0));
+  const auto labelled =
+      cloud.size() -
+      static_cast<std::size_t>(std::count(cloud.label.begin(), cloud.label.end(), 0));
   if (refined.empty())
-    throw ToolError("none of the " + std::to_string(labelled) + " labelled points of '" +
-                        cloud.path + "' is within " +
+    throw ToolError("none of the " + std::to_string(labelled) +
+                        " labelled points of '" + cloud.path + "' is within " +
                         std::to_string(refinement.getMaximumDistance()) +
                         " m of its surface in '" + settings.plan + "'",
                     NothingFound);
@@ -67,13 +68,15 @@ main(int argc, char** argv)
   double distance = refinement.getMaximumDistance();
   unsigned threads = refinement.getNumberOfThreads();
 
-  Options options(
-      "pcl_structure_refinement",
-      "Moves labelled points onto the planes, lines and arcs of a floor plan, and sets their "
-      "normals\ninto the room, labels and rooms. Points that belong to no surface are left out.");
+  Options options("pcl_structure_refinement",
+                  "Moves labelled points onto the planes, lines and arcs of a floor "
+                  "plan, and sets their "
+                  "normals\ninto the room, labels and rooms. Points that belong to no "
+                  "surface are left out.");
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if the plan has several");
-  options.file("PLAN.json", settings.plan, "floor plan, as pcl_floorplan_fitting writes it");
+  options.file("PLAN.json", settings.plan,
+               "floor plan, as pcl_floorplan_fitting writes it");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("max-distance", distance, "m",
                  "the farthest a point may move; others are left out", Range::above(0));

@@ -20,7 +20,8 @@ struct Settings {
   bool compress = false;
 };
 
-/** @brief Turns the cloud into the repaired one: the rows that stay, then those that fill holes.
+/** @brief Turns the cloud into the repaired one: the rows that stay, then those that
+ * fill holes.
  * @return number of the latter */
 std::size_t
 apply(const Repair& repair, ToolCloud& cloud)
@@ -82,10 +83,11 @@ main(int argc, char** argv)
   Settings settings;
   double grid = repair.getGridSize();
 
-  Options options(
-      "pcl_vertical_hole_repair",
-      "Fills the holes of a refined structure: one point for every cell of every surface of the "
-      "plan,\nthe scanned one nearest to its middle or a new one there, at the end of the file.");
+  Options options("pcl_vertical_hole_repair",
+                  "Fills the holes of a refined structure: one point for every cell of "
+                  "every surface of the "
+                  "plan,\nthe scanned one nearest to its middle or a new one there, at "
+                  "the end of the file.");
   options.file("INPUT", settings.input,
                "PCD or PLY file, as pcl_structure_refinement writes it");
   options.file("PLAN.json", settings.plan, "the floor plan it was refined to");

@@ -122,21 +122,23 @@ nearSlab(const PointView& points,
 
 /** @brief Whether the candidates are denser at the slab than around it: within half a tolerance
  * more of them than in the two shells, twice as thick together, one to two tolerances away. Clutter
- * is as dense everywhere. */
+ * is as dense everywhere; what was set aside as such still counts. */
 bool
 standsOut(const PointView& points,
           const std::vector<Candidate>& candidates,
+          const std::vector<Candidate>& clutter,
           const PlanSlab& slab,
           double tolerance)
 {
   std::size_t at_slab = 0;
   std::size_t around = 0;
-  for (const auto& c : candidates) {
-    const double d =
-        std::abs(distanceAbove(slab, points[static_cast<std::size_t>(c.index)]));
-    at_slab += d <= tolerance / 2 ? 1 : 0;
-    around += d > tolerance && d <= 2 * tolerance ? 1 : 0;
-  }
+  for (const auto* part : {&candidates, &clutter})
+    for (const auto& c : *part) {
+      const double d =
+          std::abs(distanceAbove(slab, points[static_cast<std::size_t>(c.index)]));
+      at_slab += d <= tolerance / 2 ? 1 : 0;
+      around += d > tolerance && d <= 2 * tolerance ? 1 : 0;
+    }
   return at_slab > around;
 }
 
@@ -378,6 +380,7 @@ findLevels(const PointView& points,
       std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9));
 
   std::vector<Level> levels;
+  std::vector<Candidate> clutter;
   while (true) {
     const Window window =
         densestWindow(candidates, 2 * parameters.tolerance, cells.size());
@@ -390,11 +393,14 @@ findLevels(const PointView& points,
         nearSlab(points, candidates, level.slab, parameters.tolerance);
     level.cells = cellsOf(candidates, own, cells);
     if (level.cells.size() >= minimum_cells &&
-        standsOut(points, candidates, level.slab, parameters.tolerance))
+        standsOut(points, candidates, clutter, level.slab, parameters.tolerance))
       levels.push_back(std::move(level));
     else { // no plane there after all: the window's points are clutter
       own.resize(window.last - window.first);
       std::iota(own.begin(), own.end(), window.first);
+      clutter.insert(clutter.end(),
+                     candidates.begin() + static_cast<std::ptrdiff_t>(window.first),
+                     candidates.begin() + static_cast<std::ptrdiff_t>(window.last));
     }
     erase(candidates, own);
   }

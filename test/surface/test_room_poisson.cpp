@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../sedr_surface/src/quiet_output.h"
 #include "surface/lattice_room.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/room_poisson.h>
 
 #include <gtest/gtest.h>
+
+#include <cstdio>
+#include <iostream>
 
 using namespace pcl::sedr;
 using namespace sedr_test;
@@ -204,6 +208,27 @@ TEST(RoomPoisson, all_points_in_one_place_are_refused)
   EXPECT_NE(report.problem.find("200 points extend over 0"), std::string::npos)
       << report.problem;
   EXPECT_TRUE(mesh.empty());
+}
+
+TEST(QuietOutput, keeps_poisson_s_complaints_and_hands_on_the_rest)
+{
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  std::printf("before\n");
+  std::size_t complaints = 0;
+  {
+    QuietOutput quiet;
+    std::printf("Vertex pair not in list 1 (77) 0\t[7] (1 2 3)\nan important line\n");
+    std::fprintf(stderr,
+                 "[WARNING] Couldn't find root index with either child\n\t00010000\n");
+    std::cerr << "an important warning" << std::endl;
+    complaints = quiet.finish();
+  }
+  std::printf("after\n");
+  EXPECT_EQ(complaints, 3u);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(),
+            "before\nan important line\nafter\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "an important warning\n");
 }
 
 TEST(PoissonSolver, prints_nothing_and_hands_on_what_others_print)

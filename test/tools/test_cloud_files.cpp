@@ -184,6 +184,17 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
       std::string::npos);
 }
 
+TEST_F(CloudFiles, ACompressedPcdThatIsCutOffIsToldFromADamagedOne)
+{
+  saveCloud(in("a.pcd"), manyFields(), PcdData::Compressed);
+  std::string bytes = bytesOf(in("a.pcd"));
+  EXPECT_NE(refusal(bytes.substr(0, bytes.size() - 1)).find("cut off"),
+            std::string::npos);
+  bytes[bytes.find("binary_compressed\n") +
+        18]--; // one byte less is said to be compressed
+  EXPECT_NE(refusal(bytes).find("damaged"), std::string::npos);
+}
+
 /** All files that a good one becomes by cutting it off anywhere, or by changing bytes,
  * are read or refused, never worse. */
 TEST_F(CloudFiles, DamagedFilesAreReadOrRefused)

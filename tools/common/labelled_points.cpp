@@ -14,12 +14,11 @@ requireLabel(const ToolCloud& cloud, StructureLabel label, const std::string& re
 {
   pcl::Indices found = cloud.withLabel(label);
   if (found.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' has label " +
-                        std::to_string(static_cast<std::uint32_t>(label)) + ", " +
-                        pcl::sedr::toString(label) +
-                        (remedy.empty() ? "" : "; " + remedy),
-                    NothingFound);
+    throw ToolError(
+        "none of the " + std::to_string(cloud.size()) + " points of '" + cloud.path +
+            "' has label " + std::to_string(static_cast<std::uint32_t>(label)) + ", " +
+            pcl::sedr::toString(label) + (remedy.empty() ? "" : "; " + remedy),
+        NothingFound);
   return found;
 }
 
@@ -43,7 +42,8 @@ meanFloorHeight(const ToolCloud& cloud, const std::string& remedy)
     if (points.isFinite(static_cast<std::size_t>(i)))
       finite.push_back(i);
   if (finite.empty())
-    throw ToolError("none of the points of '" + cloud.path + "' with label 2, floor, is finite" +
+    throw ToolError("none of the points of '" + cloud.path +
+                        "' with label 2, floor, is finite" +
                         (remedy.empty() ? "" : "; " + remedy),
                     NothingFound);
   return meanHeight(points, finite);

@@ -53,7 +53,8 @@ checkJsonOutput(const std::string& path)
 {
   constexpr const char* extension = ".json";
   if (path.size() < 5 || path.compare(path.size() - 5, 5, extension) != 0)
-    throw ToolError("cannot write '" + path + "': the name of a JSON file ends in .json");
+    throw ToolError("cannot write '" + path +
+                    "': the name of a JSON file ends in .json");
   checkWritable(path);
 }
 
@@ -64,7 +65,8 @@ giveRooms(const Floorplan& plan, ToolCloud& cloud)
     if (cloud.label[i] != 0 && cloud.room[i] != 0)
       return;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector2d p = (*cloud.points)[i].getVector3fMap().head<2>().cast<double>();
+    const Eigen::Vector2d p =
+        (*cloud.points)[i].getVector3fMap().head<2>().cast<double>();
     if (cloud.label[i] != 0 && p.allFinite())
       cloud.room[i] = roomAt(plan, p);
   }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+
+#include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace {
+
+using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
+
+/** @brief A real scan from the folder that SEDR_DATA names; null without it. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+realScan(const std::string& name)
+{
+  const char* folder = std::getenv("SEDR_DATA");
+  const auto path = std::filesystem::path(folder ? folder : "") / (name + ".pcd");
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  if (!std::filesystem::exists(path) || pcl::io::loadPCDFile(path.string(), *cloud) != 0)
+    return nullptr;
+  return cloud;
+}
+
+#define SEDR_LOAD_OR_SKIP(cloud, name)                                                   \
+  const auto cloud = realScan(name);                                                     \
+  if (!cloud)                                                                            \
+  GTEST_SKIP() << "no " << name << ".pcd in the folder that SEDR_DATA names"
+
+TEST(RealScan, synth1_has_its_four_rooms_with_corners_to_the_centimetre)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "synth1");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  // Corners of the planes fitted to the scan's walls, see the data's own description.
+  const std::vector<Eigen::Vector2d> corners{
+      {-1.4, -2.8}, {2.4, -2.8},  {2.4, 1.0},  {1.4, 1.9},  {-1.4, 1.9},
+      {2.5, -2.8},  {5.9, -2.8},  {5.9, 1.9},  {3.5, 1.9},  {2.5, 1.0},
+      {-1.4, -11.9}, {0.3, -11.9}, {0.3, -4.4}, {5.9, -4.4}, {5.9, -2.9},
+      {-1.4, -2.9}, {0.4, -9.9},  {5.9, -9.9}, {5.9, -5.6}, {0.4, -5.6}};
+  EXPECT_EQ(chain.getFloorplan()->rooms.size(), 4u);
+  std::size_t walls = 0;
+  for (const auto& room : chain.getFloorplan()->rooms)
+    for (const auto& wall : room.boundary.elements) {
+      ++walls;
+      double nearest = 1;
+      for (const auto& corner : corners)
+        nearest = std::min(nearest, (corner - wall.start).norm());
+      EXPECT_LT(nearest, 0.01) << wall.start.transpose();
+    }
+  EXPECT_EQ(walls, corners.size());
+}
+
+TEST(RealScan, stepped_room_keeps_its_step_and_closes)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "stepped_room");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  pcl::PolygonMesh mesh;
+  chain.reconstruct(mesh);
+  ASSERT_FALSE(mesh.polygons.empty()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1u);
+  const auto& room = chain.getFloorplan()->rooms[0];
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+  ASSERT_EQ(room.details.size(), 1u);
+  const Eigen::Vector2d below(2, 2);
+  EXPECT_EQ(room.detailAt(below), 0);
+  EXPECT_NEAR(room.ceiling.heightAt(below) - room.ceilingAt(below), 0.5, 0.05);
+  EXPECT_TRUE(chain.getChain().poisson.getReports().at(0).closed);
+}
+
+TEST(RealScan, office_is_one_room_with_its_recesses)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "office_labelled");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1u);
+  EXPECT_GE(chain.getFloorplan()->rooms[0].boundary.elements.size(), 12u);
+  EXPECT_NEAR(chain.getFloorplan()->rooms[0].area(), 35.9, 0.4);
+}
+
+TEST(RealScan, apartment_has_several_rooms)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "apartment");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  EXPECT_GE(chain.getFloorplan()->rooms.size(), 6u);
+}
+
+} // namespace

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulator/scan.h"
+#include "simulator/scenes.h"
+#include "simulator/truth_mesh.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace {
+
+namespace sim = pcl::sedr::sim;
+using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
+
+/** @brief A scene as it is scanned, simulated once for all tests. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+scanOf(const std::string& scene)
+{
+  static std::map<std::string, pcl::PointCloud<pcl::PointXYZ>::ConstPtr> scans;
+  auto& scan = scans[scene];
+  if (!scan) {
+    pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+    for (const auto& p : sim::scan(sim::sceneNamed(scene)).points)
+      cloud->emplace_back(p.x, p.y, p.z);
+    scan = cloud;
+  }
+  return scan;
+}
+
+/** @brief The closed structural mesh of a scene, in the frame of its scan. */
+std::shared_ptr<const pcl::sedr::TriangleMesh>
+truthOf(const std::string& scene)
+{
+  const sim::Scene s = sim::sceneNamed(scene);
+  const sim::Mesh truth = sim::truthMesh(s);
+  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>();
+  for (const auto& vertex : truth.vertices) {
+    const sim::Vec3 v = sim::placed(s.placement, vertex);
+    mesh->vertices.emplace_back(v.x, v.y, v.z);
+  }
+  for (const auto& f : truth.faces)
+    mesh->triangles.push_back(f.vertices);
+  return mesh;
+}
+
+struct Expected {
+  std::string scene;
+  std::size_t rooms;
+  std::size_t walls;
+  std::size_t columns;
+  std::size_t details;
+  double area;       ///< square metres of all rooms
+  double worst_mean; ///< metres from truth to mesh
+};
+
+std::ostream&
+operator<<(std::ostream& stream, const Expected& e)
+{
+  return stream << e.scene;
+}
+
+class SimulatedScene : public testing::TestWithParam<Expected> {
+protected:
+  void
+  SetUp() override
+  {
+    chain_.setInputCloud(scanOf(GetParam().scene));
+  }
+
+  Reconstruction chain_;
+};
+
+TEST_P(SimulatedScene, has_the_rooms_walls_columns_and_details_that_were_scanned)
+{
+  ASSERT_TRUE(chain_.findStructure()) << chain_.getErrorMessage();
+  const auto plan = chain_.getFloorplan();
+  std::size_t walls = 0;
+  std::size_t columns = 0;
+  std::size_t details = 0;
+  double area = 0;
+  for (const auto& room : plan->rooms) {
+    walls += room.boundary.elements.size();
+    columns += room.columns.size();
+    details += room.details.size();
+    area += room.area();
+  }
+  EXPECT_EQ(plan->rooms.size(), GetParam().rooms);
+  EXPECT_EQ(walls, GetParam().walls);
+  EXPECT_EQ(columns, GetParam().columns);
+  EXPECT_EQ(details, GetParam().details);
+  EXPECT_NEAR(area, GetParam().area, 0.002 * GetParam().area);
+}
+
+TEST_P(SimulatedScene, becomes_a_closed_manifold_mesh_near_the_truth)
+{
+  pcl::PolygonMesh output;
+  chain_.reconstruct(output);
+  ASSERT_FALSE(output.polygons.empty()) << chain_.getErrorMessage();
+
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
+      chain_.getChain().poisson.getMesh()));
+  evaluation.setTruth(truthOf(GetParam().scene));
+  pcl::sedr::MeshEvaluationResult figures;
+  ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+  EXPECT_TRUE(figures.mesh.closed);
+  EXPECT_EQ(figures.mesh.topology.components.size(), GetParam().rooms);
+  EXPECT_GE(figures.truth_to_mesh->within_5cm, 0.97);
+  EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
+  EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         SimulatedScene,
+                         testing::Values(Expected{"bls_room", 1, 4, 0, 2, 29.76, 0.003},
+                                         Expected{"hls_hall", 1, 4, 5, 0, 168.65, 0.003},
+                                         Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
+                         [](const auto& scene) { return scene.param.scene; });
+
+TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
+{
+  std::string plans[2];
+  pcl::PointCloud<pcl::PointStructure> structures[2];
+  for (const unsigned threads : {1u, 2u}) {
+    Reconstruction chain;
+    chain.setInputCloud(scanOf("syn_flat"));
+    chain.setNumberOfThreads(threads);
+    ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+    plans[threads - 1] = pcl::sedr::floorplanToJson(*chain.getFloorplan());
+    structures[threads - 1] = *chain.getStructure();
+  }
+  EXPECT_EQ(plans[0], plans[1]);
+  ASSERT_EQ(structures[0].size(), structures[1].size());
+  EXPECT_EQ(std::memcmp(structures[0].data(),
+                        structures[1].data(),
+                        structures[0].size() * sizeof(pcl::PointStructure)),
+            0);
+}
+
+TEST(Chain, covers_the_structure_evenly_with_unit_normals_into_the_room)
+{
+  Reconstruction chain;
+  chain.setInputCloud(scanOf("bls_room"));
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  const auto& room = chain.getFloorplan()->rooms.at(0);
+  for (const auto& p : *chain.getStructure()) {
+    const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
+    EXPECT_NEAR(normal.norm(), 1, 1e-5);
+    const Eigen::Vector3d inside = p.getVector3fMap().cast<double>() + 0.05 * normal;
+    EXPECT_TRUE(room.boundary.distance(inside.head<2>()) < 0.06 ||
+                room.contains(inside.head<2>()));
+    EXPECT_GT(inside.z(), room.floor.heightAt(inside.head<2>()) - 0.01);
+    EXPECT_EQ(p.room, 1u);
+    EXPECT_NE(p.label, 0u);
+  }
+}
+
+TEST(Chain, names_the_stage_that_found_nothing)
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr floor(new pcl::PointCloud<pcl::PointXYZ>);
+  for (int x = 0; x < 100; ++x)
+    for (int y = 0; y < 100; ++y)
+      floor->emplace_back(0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 0.f);
+  Reconstruction chain;
+  chain.setInputCloud(floor);
+  pcl::PolygonMesh output;
+  chain.reconstruct(output);
+  EXPECT_TRUE(output.polygons.empty());
+  EXPECT_EQ(chain.getFailedStage(), "HorizontalPlaneDetection");
+  EXPECT_NE(chain.getErrorMessage().find("ceiling"), std::string::npos);
+}
+
+} // namespace
