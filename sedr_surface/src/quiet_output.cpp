@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quiet_output.h"
 
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <iostream>
 #include <sstream>
-#include <vector>
-
-#include <unistd.h>
+#include <string>
 
 namespace pcl {
 namespace sedr {
@@ -38,25 +33,42 @@ isPoissonComplaint(const std::string& line)
   return false;
 }
 
-int
-openUnnamedFile()
+#ifdef __GLIBC__
+
+// A stream into memory. It lives as long as the process: a thread may have got hold of
+// it just before the end of a diversion and print into it later, which the next one
+// then finds.
+struct MemoryStream {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* stream = open_memstream(&text, &size);
+
+  std::string take()
+  {
+    std::fflush(stream);
+    const std::string taken(text, size);
+    std::rewind(stream);
+    return taken;
+  }
+};
+
+MemoryStream&
+outStream()
 {
-  std::error_code error;
-  const auto folder = std::filesystem::temp_directory_path(error);
-  if (error)
-    return -1;
-  const std::string path = (folder / "sedr_output_XXXXXX").string();
-  std::vector<char> name(path.begin(), path.end());
-  name.push_back('\0');
-  const int file = ::mkstemp(name.data());
-  if (file >= 0)
-    ::unlink(name.data());
-  return file;
+  static auto& stream = *new MemoryStream;
+  return stream;
+}
+
+MemoryStream&
+errStream()
+{
+  static auto& stream = *new MemoryStream;
+  return stream;
 }
 
 // Passes on what is not pcl::Poisson's and counts the rest.
 std::size_t
-sift(const std::string& text, std::ostream& stream)
+sift(const std::string& text, std::FILE* stream)
 {
   std::size_t complaints = 0;
   std::istringstream lines(text);
@@ -64,75 +76,56 @@ sift(const std::string& text, std::ostream& stream)
     if (isPoissonComplaint(line))
       ++complaints;
     else
-      stream << line << '\n';
+      std::fprintf(stream, "%s\n", line.c_str());
   }
-  stream.flush();
+  std::fflush(stream);
   return complaints;
 }
 
+#endif
+
 } // namespace
+
+#ifdef __GLIBC__
 
 QuietOutput::QuietOutput()
 {
-  std::cout.flush();
-  std::cerr.flush();
-  std::fflush(nullptr);
-  out_ = divert(STDOUT_FILENO);
-  err_ = divert(STDERR_FILENO);
-}
-
-QuietOutput::~QuietOutput()
-{
-  finish();
+  if (outStream().stream == nullptr || errStream().stream == nullptr)
+    return;
+  out_ = stdout;
+  err_ = stderr;
+  stdout = outStream().stream;
+  stderr = errStream().stream;
 }
 
 std::size_t
 QuietOutput::finish()
 {
-  if (out_.kept >= 0 || err_.kept >= 0) {
-    std::cout.flush();
-    std::cerr.flush();
-    std::fflush(nullptr);
-    const std::string out = restore(out_);
-    const std::string err = restore(err_);
-    complaints_ = sift(out, std::cout) + sift(err, std::cerr);
+  if (out_ != nullptr) {
+    stdout = out_;
+    stderr = err_;
+    out_ = err_ = nullptr;
+    complaints_ = sift(outStream().take(), stdout) + sift(errStream().take(), stderr);
   }
   return complaints_;
 }
 
-QuietOutput::Diversion
-QuietOutput::divert(int descriptor)
+#else
+
+QuietOutput::QuietOutput() = default;
+
+std::size_t
+QuietOutput::finish()
 {
-  Diversion diversion;
-  diversion.descriptor = descriptor;
-  diversion.file = openUnnamedFile();
-  if (diversion.file < 0)
-    return diversion;
-  diversion.kept = ::dup(descriptor);
-  if (diversion.kept < 0 || ::dup2(diversion.file, descriptor) < 0) {
-    if (diversion.kept >= 0)
-      ::close(diversion.kept);
-    ::close(diversion.file);
-    diversion.kept = diversion.file = -1;
-  }
-  return diversion;
+  static_cast<void>(isPoissonComplaint);
+  return complaints_;
 }
 
-std::string
-QuietOutput::restore(Diversion& diversion)
+#endif
+
+QuietOutput::~QuietOutput()
 {
-  std::string text;
-  if (diversion.kept < 0)
-    return text;
-  ::dup2(diversion.kept, diversion.descriptor);
-  ::close(diversion.kept);
-  ::lseek(diversion.file, 0, SEEK_SET);
-  char block[4096];
-  for (ssize_t n = 0; (n = ::read(diversion.file, block, sizeof(block))) > 0;)
-    text.append(block, static_cast<std::size_t>(n));
-  ::close(diversion.file);
-  diversion.kept = diversion.file = -1;
-  return text;
+  finish();
 }
 
 } // namespace sedr

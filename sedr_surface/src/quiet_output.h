@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <cstdio>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes what the process prints to stdout and stderr from construction to
- * finish().
+/** @brief Takes what is printed to C's stdout and stderr from construction to finish().
  *
- * pcl::Poisson prints its troubles with printf, line upon line; nothing but the file
- * descriptors can stop that. They belong to the whole process: what other threads print
- * in the meantime is held back and printed by finish(). Without a temporary file to
- * print into, nothing is taken. */
+ * pcl::Poisson prints its troubles with printf, line upon line, and has no switch for
+ * it. With glibc both streams are variables that can point elsewhere; with other C
+ * libraries nothing is taken. std::cout and std::cerr go their way. What other threads
+ * print with printf in the meantime is held back and printed by finish(). One at a
+ * time. */
 class QuietOutput {
 public:
   QuietOutput();
@@ -29,19 +29,8 @@ public:
   std::size_t finish();
 
 private:
-  /** @brief A stream that goes into a file for the time being. */
-  struct Diversion {
-    int descriptor = -1; ///< 1 or 2
-    int kept = -1;       ///< duplicate of where it led before
-    int file = -1;       ///< where it leads now
-  };
-
-  static Diversion divert(int descriptor);
-
-  static std::string restore(Diversion& diversion);
-
-  Diversion out_;
-  Diversion err_;
+  std::FILE* out_ = nullptr; ///< the streams as they were, null when given back
+  std::FILE* err_ = nullptr;
   std::size_t complaints_ = 0;
 };
 

@@ -221,14 +221,27 @@ TEST(QuietOutput, keeps_poisson_s_complaints_and_hands_on_the_rest)
     std::printf("Vertex pair not in list 1 (77) 0\t[7] (1 2 3)\nan important line\n");
     std::fprintf(stderr,
                  "[WARNING] Couldn't find root index with either child\n\t00010000\n");
-    std::cerr << "an important warning" << std::endl;
+    std::fprintf(stderr, "held back\n");
+    std::cerr << "an important warning" << std::endl; // not held back
     complaints = quiet.finish();
   }
   std::printf("after\n");
   EXPECT_EQ(complaints, 3u);
   EXPECT_EQ(::testing::internal::GetCapturedStdout(),
             "before\nan important line\nafter\n");
-  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "an important warning\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "an important warning\nheld back\n");
+}
+
+TEST(QuietOutput, begins_anew_each_time)
+{
+  ::testing::internal::CaptureStdout();
+  for (const char* text : {"a long line that should not come back\n", "short\n", ""}) {
+    QuietOutput quiet;
+    std::printf("%s", text);
+    EXPECT_EQ(quiet.finish(), 0u);
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(),
+            "a long line that should not come back\nshort\n");
 }
 
 TEST(PoissonSolver, prints_nothing_and_hands_on_what_others_print)

@@ -36,6 +36,8 @@ pcdBytes(const std::vector<std::vector<float>>& points,
 inline void
 writeFile(const std::filesystem::path& path, const std::string& bytes)
 {
+  std::filesystem::remove(
+      path); // rewriting a file waits for the disk, a new one does not
   std::ofstream(path, std::ios::binary) << bytes;
 }
 

@@ -1,23 +1,93 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "tools/box_room.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include <pcl/sedr_filters/floorplan_io.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ostream>
+#include <sstream>
+#include <utility>
 
-// What every tool of the form "pcl_x INPUT OUTPUT.pcd [options]" promises. A test
-// program instantiates it with the tools it knows:
+// What every tool of the form "pcl_x INPUT OUTPUT [options]" or "pcl_x INPUT PLAN.json
+// OUTPUT [options]" promises. A test program instantiates it with the tools it knows:
 //
 //     INSTANTIATE_TEST_SUITE_P(Tools, ToolContract, ::testing::Values("/path/to/pcl_x",
 //     ...));
 
 namespace programs {
 
-class ToolContract : public ::testing::TestWithParam<std::string> {
+/** A tool, and what it is called with. */
+struct Tool {
+  Tool(const char* path)
+      : program(path)
+  {}
+
+  Tool(std::string path, std::string output_name, bool plan = false)
+      : program(std::move(path))
+      , output(std::move(output_name))
+      , takes_plan(plan)
+  {}
+
+  std::string program;
+  std::string output = "output.pcd";
+  bool takes_plan = false; ///< as its second argument
+};
+
+inline std::ostream&
+operator<<(std::ostream& stream, const Tool& tool)
+{
+  return stream << tool.program;
+}
+
+/** A line of a program's help: an option without its dashes, and all that is said of it. */
+struct OptionHelp {
+  std::string name;
+  std::string text;
+  bool takes_value = false;
+};
+
+inline std::vector<OptionHelp>
+optionsIn(const std::string& help)
+{
+  std::vector<OptionHelp> options;
+  std::istringstream lines(help.substr(std::min(help.size(), help.find("Options:"))));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word.compare(0, 2, "--") == 0) {
+      options.push_back({word.substr(2), "", line.find(" arg") != std::string::npos});
+      std::getline(words, line);
+    }
+    else if (line.compare(0, 10, "          ") != 0)
+      continue;
+    if (!options.empty())
+      options.back().text += line + " ";
+  }
+  return options;
+}
+
+class ToolContract : public ::testing::TestWithParam<Tool> {
 protected:
+  const std::string& program() const { return GetParam().program; }
+
+  /** Runs the tool on a cloud, with the plan of a room if it takes one. */
+  ProgramRun runOn(const std::string& input, const std::string& output)
+  {
+    if (!GetParam().takes_plan)
+      return run(program(), {input, output});
+    writeFile(in("input_plan.json"),
+              pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
+    return run(program(), {input, in("input_plan.json"), output});
+  }
+
   std::string in(const std::string& name) const
   {
     return (folder_.path() / name).string();
@@ -26,7 +96,7 @@ protected:
   ProgramRun onFile(const std::string& bytes)
   {
     writeFile(in("input.pcd"), bytes);
-    return run(GetParam(), {in("input.pcd"), in("output.pcd")});
+    return runOn(in("input.pcd"), in(GetParam().output));
   }
 
   /** One sentence, the exit code, and no file but those that were there. */
@@ -45,7 +115,7 @@ protected:
 TEST_P(ToolContract, HelpTellsUsageAndOptions)
 {
   for (const char* option : {"-h", "--help"}) {
-    const ProgramRun result = run(GetParam(), {option});
+    const ProgramRun result = run(program(), {option});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_NE(result.out.find("Usage: pcl_"), std::string::npos);
     EXPECT_NE(result.out.find("default "), std::string::npos);
@@ -53,18 +123,44 @@ TEST_P(ToolContract, HelpTellsUsageAndOptions)
   }
 }
 
+TEST_P(ToolContract, HelpTellsEveryDefault)
+{
+  const std::vector<OptionHelp> options = optionsIn(run(program(), {"-h"}).out);
+  EXPECT_FALSE(options.empty());
+  for (const auto& option : options)
+    if (option.takes_value)
+      EXPECT_NE(option.text.find("default "), std::string::npos) << option.name;
+}
+
+TEST_P(ToolContract, NumbersThatAreNoneOrOutOfRangeAreRefused)
+{
+  for (const auto& option : optionsIn(run(program(), {"-h"}).out)) {
+    const bool is_number = option.text.find("above") != std::string::npos ||
+                           option.text.find("at least") != std::string::npos ||
+                           option.text.find("from ") != std::string::npos;
+    if (!option.takes_value || !is_number)
+      continue;
+    for (const char* value : {"-1", "many"}) {
+      const ProgramRun result =
+          run(program(), {in("a.pcd"), in("b.pcd"), "--" + option.name, value});
+      expectFailure(result, 1);
+      EXPECT_NE(result.err.find("--" + option.name), std::string::npos) << result.err;
+    }
+  }
+}
+
 TEST_P(ToolContract, BadCommandLinesAreRefused)
 {
-  expectFailure(run(GetParam(), {}), 1);
-  expectFailure(run(GetParam(), {"a.pcd"}), 1);
-  expectFailure(run(GetParam(), {"a.pcd", "b.pcd", "c.pcd"}), 1);
-  expectFailure(run(GetParam(), {"a.pcd", "b.pcd", "--no-such-option"}), 1);
+  expectFailure(run(program(), {}), 1);
+  expectFailure(run(program(), {"a.pcd"}), 1);
+  expectFailure(run(program(), {"a.pcd", "b.pcd", "c.pcd", "d.pcd"}), 1);
+  expectFailure(run(program(), {"a.pcd", "b.pcd", "--no-such-option"}), 1);
 }
 
 TEST_P(ToolContract, FilesThatAreNoCloudsAreRefused)
 {
-  expectFailure(run(GetParam(), {in("missing.pcd"), in("output.pcd")}), 1);
-  expectFailure(run(GetParam(), {folder_.path().string(), in("output.pcd")}), 1);
+  expectFailure(runOn(in("missing.pcd"), in(GetParam().output)), 1);
+  expectFailure(runOn(folder_.path().string(), in(GetParam().output)), 1);
   expectFailure(onFile(""), 1);
   expectFailure(onFile("no cloud at all\n"), 1);
   expectFailure(onFile(std::string(5000, '\0')), 1);
@@ -86,10 +182,11 @@ TEST_P(ToolContract, CloudsWithoutAFinitePointOrTooFarAwayAreRefused)
 TEST_P(ToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
 {
   writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
-  expectFailure(run(GetParam(), {in("input.pcd"), in("no_folder/output.pcd")}), 1);
-  expectFailure(run(GetParam(), {in("input.pcd"), in("output.txt")}), 1);
-  std::filesystem::create_directory(in("input_folder.pcd"));
-  expectFailure(run(GetParam(), {in("input.pcd"), in("input_folder.pcd")}), 1);
+  const std::string& output = GetParam().output;
+  expectFailure(runOn(in("input.pcd"), in("no_folder/" + output)), 1);
+  expectFailure(runOn(in("input.pcd"), in("output.txt")), 1);
+  std::filesystem::create_directory(in("input_folder_" + output));
+  expectFailure(runOn(in("input.pcd"), in("input_folder_" + output)), 1);
 }
 
 } // namespace programs

@@ -74,8 +74,8 @@ protected:
   void applyFilter(PointCloud& output) override;
 
 private:
-  /** @brief Checks the parameters, and selects the points within the limits of the
-   * filter field. */
+  /** @brief Checks the parameters; selects the points within the limits of the filter
+   * field, if there is one. */
   bool selectPoints(pcl::Indices& selected);
 
   PointT meanOf(const pcl::index_t* first, const pcl::index_t* last) const;

@@ -36,8 +36,8 @@ namespace pcl {
  * The same input gives the same output, byte for byte, for any setNumberOfThreads().
  * pcl::Poisson itself repeats its result with one thread only and gets one, unless
  * setSolverThreads() asks for more. Runs in several threads of a process wait for one
- * another. While pcl::Poisson runs, stdout and stderr are held back to catch what it
- * prints.
+ * another. While pcl::Poisson runs, what printf prints is held back, to catch its
+ * complaints.
  *
  * @code
  * pcl::StructuralPoisson<pcl::PointStructure> poisson;

@@ -66,10 +66,8 @@ ParallelVoxelGrid<PointT>::selectPoints(pcl::Indices& selected)
     problem = sedr::indicesProblem(*indices_, input_->size());
   if (!problem.empty())
     return fail(name, problem);
-  if (getFilterFieldName().empty()) {
-    selected = *indices_;
+  if (getFilterFieldName().empty())
     return true;
-  }
   std::vector<pcl::PCLPointField> fields;
   const int field = pcl::getFieldIndex<PointT>(getFilterFieldName(), fields);
   if (field < 0)
@@ -129,8 +127,9 @@ ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
     return;
   }
   const sedr::PointView points(*input_);
-  auto partition =
-      sedr::partitionVoxels(points, selected, inverseLeaf(), getNumberOfThreads());
+  const bool takes_all = getFilterFieldName().empty();
+  auto partition = sedr::partitionVoxels(points, takes_all ? *indices_ : selected,
+                                         inverseLeaf(), getNumberOfThreads());
   finishPartition(points, partition);
 
   output.resize(partition.size());

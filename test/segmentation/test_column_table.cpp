@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/column_table.h>
+#include <pcl/sedr_segmentation/room_territory.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr CellBox box{{-3, -2}, {4, 5}};
+
+/** Random points over the box and beyond it, of heights 0 to 3. */
+RoomPoints
+randomPoints(int count)
+{
+  RoomPoints points;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.25, 0.35);
+  std::uniform_real_distribution<double> height(0, 3);
+  for (int i = 0; i < count; ++i)
+    points.point(place(random), place(random), height(random));
+  return points;
+}
+
+/** The heights of one column, found by looking at all points. */
+std::vector<float>
+heightsIn(const RoomPoints& points, const std::vector<int>& indices, Cell cell)
+{
+  const CellGrid grid(0.05);
+  std::vector<float> heights;
+  for (const int i : indices)
+    if (grid.at(points[i].x(), points[i].y()) == cell)
+      heights.push_back(points[i].z());
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+TEST(ColumnTable, HoldsThePointsOfEachColumnByHeight)
+{
+  const RoomPoints points = randomPoints(2000);
+  std::vector<int> odd;
+  for (int i = 1; i < 2000; i += 2)
+    odd.push_back(i);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), odd);
+  for (const Cell cell : {Cell{0, 0}, Cell{-3, -2}, Cell{4, 5}, Cell{-1, 3}}) {
+    std::vector<float> heights;
+    for (auto* e = table.begin(cell); e != table.end(cell); ++e) {
+      heights.push_back(e->z);
+      EXPECT_EQ(points[e->index].z(), e->z);
+      EXPECT_EQ(e->index % 2, 1);
+    }
+    ASSERT_FALSE(heights.empty());
+    EXPECT_EQ(heights, heightsIn(points, odd, cell));
+  }
+}
+
+TEST(ColumnTable, IsEmptyOutsideOfItsBoxAndForPointsThatAreNotFinite)
+{
+  RoomPoints points;
+  points.point(0.01, 0.01, nan);
+  points.point(nan, 0.01, 1);
+  points.point(0.01, std::numeric_limits<double>::infinity(), 1);
+  points.point(5, 5, 1);
+  points.point(1e30, 0, 1);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  for (const Cell cell : {Cell{0, 0}, Cell{100, 100}, Cell{-4, 0}}) {
+    EXPECT_EQ(table.begin(cell), table.end(cell));
+    EXPECT_FALSE(table.hasWithin(cell, -10, 10));
+    EXPECT_TRUE(table.runs(cell, 1).empty());
+  }
+}
+
+TEST(ColumnTable, HasWithinIsWhatLookingAtAllSays)
+{
+  const RoomPoints points = randomPoints(500);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> height(-0.1, 3.1);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Cell cell{static_cast<int>(random() % 8) - 3, static_cast<int>(random() % 8) - 2};
+    const double low = height(random);
+    const double high = low + 0.2;
+    const auto heights = heightsIn(points, points.all(), cell);
+    ASSERT_EQ(table.hasWithin(cell, low, high),
+              std::any_of(heights.begin(), heights.end(), [&](float z) {
+                return z >= low && z <= high;
+              }));
+  }
+}
+
+TEST(ColumnTable, TheEndsOfAHeightRangeAreWithin)
+{
+  RoomPoints points;
+  points.point(0.01, 0.01, 1.5);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  EXPECT_TRUE(table.hasWithin({0, 0}, 1.5, 2));
+  EXPECT_TRUE(table.hasWithin({0, 0}, 1, 1.5));
+  EXPECT_FALSE(table.hasWithin({0, 0}, 1.501, 2));
+  EXPECT_FALSE(table.hasWithin({1, 0}, 1, 2));
+}
+
+TEST(ColumnTable, ShareIsThatOfTheOccupiedParts)
+{
+  RoomPoints points;
+  for (const double z : {0.1, 0.15, 0.6, 1.9})
+    points.point(0.01, 0.01, z);
+  points.point(0.06, -0.04, 1.1); // a neighbour by a corner
+  points.point(0.11, 0.01, 1.4);  // two cells away
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 0), 0.75);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 1), 1);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 8, 1), 0.5);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 8, 2), 0.625);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 2, 2, 4, 1), 0) << "no height";
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 2, 0, 4, 1), 0);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 0, 1), 0) << "no parts";
+}
+
+TEST(ColumnTable, RunsArePartedByLargerGaps)
+{
+  RoomPoints points;
+  for (const double z : {2.4, 0.0, 0.125, 0.25, 0.9, 1.0, 2.375})
+    points.point(0.01, 0.01, z);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  const auto runs = table.runs({0, 0}, 0.125);
+  ASSERT_EQ(runs.size(), 3u);
+  EXPECT_EQ(runs[0].low, 0.f);
+  EXPECT_EQ(runs[0].high, 0.25f);
+  EXPECT_EQ(runs[1].low, 0.9f);
+  EXPECT_EQ(runs[1].high, 1.f);
+  EXPECT_EQ(runs[2].low, 2.375f);
+  EXPECT_EQ(runs[2].high, 2.4f);
+  EXPECT_EQ(table.runs({0, 0}, 0.11).size(), 5u);
+  EXPECT_EQ(table.runs({0, 0}, 3).size(), 1u);
+}
+
+CellSet
+cellsOf(const PlanLoop& loop)
+{
+  RoomPoints points;
+  points.slab(loop, 0);
+  return CellSet(CellGrid(0.05), points.view(), points.all());
+}
+
+TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
+{
+  const RoomTerritory territory(
+      CellGrid(0.05),
+      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))});
+  ASSERT_EQ(territory.problem(), "");
+  EXPECT_EQ(territory.roomAt({2, 1, 9}), 0);
+  EXPECT_EQ(territory.roomAt({5, 1, -9}), 1);
+  EXPECT_EQ(territory.roomAt({4.01f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
+}
+
+TEST(RoomTerritory, ReachesAsFarAsWallsCanBe)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
+  EXPECT_EQ(territory.roomAt({4.68f, 1.5f, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.72f, 1.5f, 1}), -1);
+  EXPECT_EQ(territory.roomAt({-0.68f, 1.5f, 1}), 0);
+  EXPECT_EQ(territory.roomAt({-0.72f, 1.5f, 1}), -1);
+  EXPECT_EQ(territory.roomAt({1000, 1000, 1}), -1);
+}
+
+TEST(RoomTerritory, PointsThatAreNotFiniteAreInNone)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
+  constexpr float lost = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(territory.roomAt({1, 1, lost}), -1);
+  EXPECT_EQ(territory.roomAt({lost, 1, 1}), -1);
+  EXPECT_EQ(territory.roomAt({1, std::numeric_limits<float>::infinity(), 1}), -1);
+}
+
+TEST(RoomTerritory, SharedCellsGoToTheFirstRoom)
+{
+  const RoomTerritory territory(
+      CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(3, 0, 6, 3))});
+  EXPECT_EQ(territory.roomAt({3.5f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1);
+}
+
+TEST(RoomTerritory, WithoutRoomsOrTooFarApartThereIsNone)
+{
+  EXPECT_EQ(RoomTerritory(CellGrid(0.05), {}).roomAt({0, 0, 0}), -1);
+  const CellSet far({keyOf({0, 0}), keyOf({2000000000, 2000000000})});
+  const RoomTerritory territory(CellGrid(0.05), {far});
+  EXPECT_NE(territory.problem(), "");
+  EXPECT_EQ(territory.roomAt({0.01f, 0.01f, 0}), -1);
+}
+
+} // namespace

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/grid_slice_detail.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Analysis = pcl::GridSliceDetail<pcl::PointXYZ>;
+
+constexpr double height = 2.5;
+
+/** 5 m x 4 m x 2.5 m. */
+PlanRoom
+plainRoom()
+{
+  return roomOf(rectangle(0.01, 0.01, 5.01, 4.01), height);
+}
+
+/** With a soffit 0.6 m wide along two walls. */
+PlanRoom
+soffitRoom(double drop)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(polygon({{0.01, 0.01},
+                                    {5.01, 0.01},
+                                    {5.01, 0.61},
+                                    {0.61, 0.61},
+                                    {0.61, 4.01},
+                                    {0.01, 4.01}}),
+                           height - drop)};
+  return room;
+}
+
+/** The points of a room, and what the analysis finds in them. */
+struct Scene {
+  RoomPoints points;
+  RoomParts parts;
+
+  explicit Scene(const PlanRoom& room, double noise = 0) : points(0.05, noise)
+  {
+    parts = points.room(room);
+  }
+
+  Scene(const PlanRoom& room, const RoomPoints::InSpace& keep)
+  {
+    parts = points.room(room, keep);
+  }
+
+  SliceDetails
+  find(const SliceParameters& parameters = {}) const
+  {
+    std::string problem;
+    const SliceDetails details = findSliceDetails(
+        points.view(), points.all(), parts.ceiling, slabAt(height), 0, parameters, problem);
+    EXPECT_EQ(problem, "");
+    return details;
+  }
+
+  /** The points of details in whose cell neither wall nor main ceiling is. */
+  std::vector<int>
+  clearDetails() const
+  {
+    const CellGrid grid(0.05);
+    const CellSet others =
+        CellSet(grid, points.view(), joined(parts.walls, parts.ceiling));
+    std::vector<int> clear;
+    for (const int i : parts.details)
+      if (!others.contains(grid.at(points[i].x(), points[i].y())))
+        clear.push_back(i);
+    return clear;
+  }
+};
+
+/** That all clear detail points but a share were found, and nothing but details and what
+ * of a wall is above the room's middle. */
+void
+expectFound(const Scene& scene, const SliceDetails& details, double missing = 0.005)
+{
+  const auto clear = scene.clearDetails();
+  ASSERT_GT(clear.size(), 1000u);
+  std::vector<int> missed;
+  std::set_difference(clear.begin(),
+                      clear.end(),
+                      details.indices.begin(),
+                      details.indices.end(),
+                      std::back_inserter(missed));
+  EXPECT_LE(static_cast<double>(missed.size()), missing * static_cast<double>(clear.size()));
+  const std::set<int> truth(scene.parts.details.begin(), scene.parts.details.end());
+  for (const int i : details.indices)
+    if (!truth.count(i)) {
+      EXPECT_GT(scene.points[i].z(), height / 2);
+      EXPECT_LT(scene.points[i].z(), height - 0.07) << "not the main ceiling";
+    }
+  EXPECT_EQ(details.region.size(), details.indices.size());
+  EXPECT_TRUE(std::is_sorted(details.indices.begin(), details.indices.end()));
+}
+
+TEST(SliceDetails, OfAPlainRoomAreNone)
+{
+  for (const double noise : {0.0, 0.02}) {
+    const SliceDetails details = Scene(plainRoom(), noise).find();
+    EXPECT_TRUE(details.indices.empty());
+    EXPECT_TRUE(details.sizes.empty());
+    EXPECT_TRUE(details.cells.empty());
+    EXPECT_EQ(details.trial, 0);
+    EXPECT_TRUE(std::isnan(details.slice_height));
+  }
+}
+
+TEST(SliceDetails, ASoffitAlongTwoWallsIsOneInTheFirstTrial)
+{
+  const Scene scene(soffitRoom(0.3));
+  const SliceDetails details = scene.find();
+  expectFound(scene, details);
+  EXPECT_EQ(details.trial, 1);
+  ASSERT_EQ(details.sizes.size(), 1u);
+  EXPECT_NEAR(static_cast<double>(details.sizes[0]) * 0.0025, 0.6 * (5 + 3.4), 0.6);
+  EXPECT_EQ(details.cells.size(), details.sizes[0]);
+  EXPECT_NEAR(details.slice_height, height - 0.3 - 0.05, 0.02);
+  for (const auto region : details.region)
+    EXPECT_EQ(region, 0u);
+}
+
+TEST(SliceDetails, TheSliceLiesBelowAllThatWasFound)
+{
+  for (const double drop : {0.2, 0.5}) {
+    const Scene scene(soffitRoom(drop), 0.01);
+    const SliceDetails details = scene.find();
+    expectFound(scene, details, 0.1); // noise mixes the risers' cells with others
+    for (const int i : details.indices)
+      ASSERT_GT(scene.points[i].z(), details.slice_height);
+  }
+}
+
+TEST(SliceDetails, ASoffitBelowAQuarterOfTheHeightIsFoundInTheSecondTrial)
+{
+  const Scene scene(soffitRoom(0.8));
+  expectFound(scene, scene.find());
+  EXPECT_EQ(scene.find().trial, 2);
+  SliceParameters once;
+  once.trials = 1;
+  EXPECT_EQ(scene.find(once).trial, 0);
+}
+
+TEST(SliceDetails, BehindARibbonOfWindowsItIsFoundInTheThirdTrial)
+{
+  // Neither at a quarter (1.875 m) nor at half of the height (1.25 m) is there a wall.
+  const Scene scene(soffitRoom(0.2), [](const Eigen::Vector3d& p) {
+    return p.y() > 0.02 || p.z() < 1.1 || p.z() > 2.0;
+  });
+  expectFound(scene, scene.find());
+  EXPECT_EQ(scene.find().trial, 3);
+  SliceParameters twice;
+  twice.trials = 2;
+  EXPECT_EQ(scene.find(twice).trial, 0);
+}
+
+TEST(SliceDetails, ABeamAcrossTheRoomIsFound)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(rectangle(2.21, 0.01, 2.61, 4.01), 2.15)};
+  const Scene scene(room);
+  const SliceDetails details = scene.find();
+  expectFound(scene, details);
+  EXPECT_EQ(details.sizes.size(), 1u);
+}
+
+TEST(SliceDetails, ARecessIsFoundThoughNoSliceEnclosesIt)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(rectangle(1.51, 1.01, 3.51, 2.51), 2.7)};
+  const Scene scene(room);
+  const SliceDetails details = scene.find();
+  EXPECT_EQ(details.trial, 0);
+  ASSERT_EQ(details.sizes.size(), 1u);
+  EXPECT_NEAR(static_cast<double>(details.sizes[0]) * 0.0025, 3, 0.3);
+  const std::set<int> found(details.indices.begin(), details.indices.end());
+  std::size_t missed = 0;
+  for (const int i : scene.clearDetails())
+    missed += found.count(i) ? 0 : 1;
+  EXPECT_LE(missed, 10u);
+}
+
+TEST(SliceDetails, SeveralComeLargestFirst)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(rectangle(0.81, 0.81, 1.81, 1.81), 2.75),
+                  detailOf(rectangle(2.51, 0.81, 4.51, 2.31), 2.75),
+                  detailOf(rectangle(0.81, 2.51, 2.01, 3.51), 2.75)};
+  const SliceDetails details = Scene(room).find();
+  ASSERT_EQ(details.sizes.size(), 3u);
+  EXPECT_NEAR(static_cast<double>(details.sizes[0]) * 0.0025, 3, 0.3);
+  EXPECT_NEAR(static_cast<double>(details.sizes[1]) * 0.0025, 1.2, 0.2);
+  EXPECT_NEAR(static_cast<double>(details.sizes[2]) * 0.0025, 1, 0.2);
+  std::vector<std::size_t> count(3, 0);
+  for (const auto region : details.region)
+    ++count.at(region);
+  EXPECT_GT(count[0], count[1]);
+  EXPECT_GT(count[2], 0u);
+}
+
+TEST(SliceDetails, ALampIsNone)
+{
+  for (const double size : {0.5, 1.0}) {
+    const PlanRoom room = plainRoom();
+    Scene scene(room);
+    const PlanLoop lamp = rectangle(2.01, 1.51, 2.01 + size, 1.51 + size);
+    // It hides the ceiling above it, and hangs free.
+    scene.parts.ceiling.erase(
+        std::remove_if(scene.parts.ceiling.begin(),
+                       scene.parts.ceiling.end(),
+                       [&](int i) {
+                         return lamp.contains(
+                             scene.points[i].head<2>().cast<double>());
+                       }),
+        scene.parts.ceiling.end());
+    const auto underside = scene.points.slab(lamp, 2.1);
+    std::vector<int> seen = scene.parts.ceiling;
+    for (const auto& part : {scene.parts.floor, scene.parts.walls, underside})
+      seen = joined(seen, part);
+    std::string problem;
+    const SliceDetails details = findSliceDetails(
+        scene.points.view(), seen, scene.parts.ceiling, slabAt(height), 0, {}, problem);
+    EXPECT_TRUE(details.indices.empty()) << size;
+  }
+}
+
+TEST(SliceDetails, HeadsOfDoorsAndWindowsAreNone)
+{
+  // Openings in the wall at y = 0.01, with reveals outwards.
+  struct Opening {
+    double from, to, sill, head, depth;
+  };
+  const std::vector<Opening> openings{{0.5, 1.4, 0, 2.0, 0.15}, {2.2, 4.2, 0.9, 2.1, 0.3}};
+  const auto isWall = [&](const Eigen::Vector3d& p) {
+    return p.y() > 0.02 ||
+           std::none_of(openings.begin(), openings.end(), [&](const Opening& o) {
+             return p.x() > o.from && p.x() < o.to && p.z() > o.sill && p.z() < o.head;
+           });
+  };
+  Scene scene(plainRoom(), isWall);
+  for (const Opening& o : openings) {
+    const PlanLoop reveal = rectangle(o.from, 0.01 - o.depth, o.to, 0.01);
+    scene.points.slab(reveal, o.sill);
+    scene.points.slab(reveal, o.head);
+    scene.points.wall(reveal.elements[1], o.sill, o.head);
+    scene.points.wall(reveal.elements[3], o.sill, o.head);
+  }
+  const SliceDetails details = scene.find();
+  EXPECT_TRUE(details.indices.empty()) << details.indices.size();
+}
+
+TEST(SliceDetails, ATableAndAShelfAreNone)
+{
+  Scene scene(plainRoom());
+  scene.points.slab(rectangle(1, 1, 2.5, 2), 0.75);
+  scene.points.slab(rectangle(0.01, 1, 0.31, 3), 1.9); // below the ceiling
+  EXPECT_TRUE(scene.find().indices.empty());
+}
+
+TEST(SliceDetails, OfFewerThanTheMinimumOfCellsAreNone)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(rectangle(4.01, 0.01, 5.01, 4.01), 2.2),
+                  detailOf(rectangle(0.01, 0.01, 1.01, 1.01), 2.2)};
+  const Scene scene(room);
+  ASSERT_EQ(scene.find().sizes.size(), 2u);
+  SliceParameters parameters;
+  parameters.minimum_cells = 600;
+  const SliceDetails details = scene.find(parameters);
+  ASSERT_EQ(details.sizes.size(), 1u);
+  EXPECT_GE(details.sizes[0], 600u);
+  parameters.minimum_cells = 2000;
+  EXPECT_TRUE(scene.find(parameters).indices.empty());
+}
+
+TEST(SliceDetails, TooLargeABoxIsRefusedWithItsNumberOfCells)
+{
+  RoomPoints points;
+  const RoomParts parts = points.room(plainRoom());
+  points.point(9e6, 9e6, 1);
+  std::string problem;
+  const SliceDetails details = findSliceDetails(
+      points.view(), points.all(), parts.ceiling, slabAt(height), 0, {}, problem);
+  EXPECT_NE(problem.find("cells"), std::string::npos) << problem;
+  EXPECT_TRUE(details.indices.empty());
+}
+
+Analysis
+analysisOf(const Scene& scene)
+{
+  Analysis analysis;
+  analysis.setInputCloud(scene.points.cloud());
+  analysis.setCeilingIndices(shared(scene.parts.ceiling));
+  analysis.setFloorIndices(shared(scene.parts.floor));
+  return analysis;
+}
+
+TEST(GridSliceDetail, FindsWhatTheAnalysisFindsAndTellsItsFigures)
+{
+  const Scene scene(soffitRoom(0.3));
+  const SliceDetails truth = scene.find();
+  Analysis analysis = analysisOf(scene);
+  pcl::PointIndices details;
+  details.indices = {1, 2, 3};
+  ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();
+  EXPECT_EQ(details.indices, pcl::Indices(truth.indices.begin(), truth.indices.end()));
+  EXPECT_EQ(analysis.getRegionLabels(), truth.region);
+  EXPECT_EQ(analysis.getRegionSizes(), truth.sizes);
+  EXPECT_NEAR(analysis.getSliceHeight(), truth.slice_height, 1e-9);
+  EXPECT_EQ(analysis.getTrial(), 1);
+}
+
+TEST(GridSliceDetail, TheFloorsHeightMayBeGivenInstead)
+{
+  const Scene scene(soffitRoom(0.3));
+  Analysis analysis = analysisOf(scene);
+  pcl::PointIndices by_points;
+  pcl::PointIndices by_height;
+  ASSERT_TRUE(analysis.segment(by_points));
+  analysis.setFloorIndices(nullptr);
+  EXPECT_FALSE(analysis.segment(by_height));
+  EXPECT_NE(analysis.getErrorMessage(), "");
+  analysis.setFloorHeight(0);
+  ASSERT_TRUE(analysis.segment(by_height));
+  EXPECT_EQ(by_height.indices, by_points.indices);
+}
+
+TEST(GridSliceDetail, FollowsACeilingThatLeans)
+{
+  PlanRoom room = soffitRoom(0.3);
+  const double slope = std::tan(1 * M_PI / 180);
+  room.ceiling = slabAt(height, slope);
+  room.details[0].slab = slabAt(height - 0.3, slope);
+  const Scene scene(room);
+  Analysis analysis = analysisOf(scene);
+  pcl::PointIndices details;
+  ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();
+  const auto clear = scene.clearDetails();
+  std::vector<int> missed;
+  std::set_difference(clear.begin(),
+                      clear.end(),
+                      details.indices.begin(),
+                      details.indices.end(),
+                      std::back_inserter(missed));
+  EXPECT_LE(missed.size(), clear.size() / 100);
+  EXPECT_EQ(analysis.getTrial(), 1);
+}
+
+TEST(GridSliceDetail, LooksAtTheRoomsOwnPointsOnly)
+{
+  // Two rooms side by side: the analysis of one does not see the soffit of the other.
+  RoomPoints points;
+  const RoomParts plain = points.room(plainRoom());
+  const std::vector<int> own = points.all();
+  PlanRoom other = roomOf(rectangle(5.11, 0.01, 9.11, 4.01), height);
+  other.details = {detailOf(rectangle(5.11, 0.01, 5.71, 4.01), 2.1)};
+  points.room(other);
+  Analysis analysis;
+  analysis.setInputCloud(points.cloud());
+  analysis.setIndices(shared(own));
+  analysis.setCeilingIndices(shared(plain.ceiling));
+  analysis.setFloorHeight(0);
+  pcl::PointIndices details;
+  ASSERT_TRUE(analysis.segment(details));
+  EXPECT_TRUE(details.indices.empty());
+}
+
+} // namespace

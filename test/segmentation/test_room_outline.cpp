@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/room_outline.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double height = 2.5;
+
+/** A room of 4 m x 3 m whose ceiling was seen where `isSeen` says so. */
+class Scene {
+public:
+  explicit Scene(
+      const RoomPoints::InPlan& isSeen = [](double, double) { return true; })
+  {
+    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+    points.slab(loop, 0);
+    for (const auto& e : loop.elements)
+      points.wall(e, 0, height);
+    ceiling = points.slab(loop, height, isSeen);
+  }
+
+  /** The four sides of an upright box. */
+  void
+  box(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    for (const auto& e : rectangle(x0, y0, x1, y1).elements)
+      points.wall(e, low, high);
+  }
+
+  RoomOutline
+  outline() const
+  {
+    const CellGrid grid(0.05);
+    const CellSet seen(grid, points.view(), ceiling);
+    const CellBox all = grown(boxOf(seen), 14);
+    return outlineRoom(CellMask(seen, all),
+                       grid,
+                       ColumnTable(grid, all, points.view(), points.all()),
+                       slabAt(height),
+                       slabAt(0));
+  }
+
+  RoomPoints points;
+  std::vector<int> ceiling;
+};
+
+/** Whether these are the cells in which a full ceiling of the room has points. */
+bool
+isWholeRoom(const CellMask& room)
+{
+  const Scene scene;
+  return room.toSet().keys() ==
+         CellSet(CellGrid(0.05), scene.points.view(), scene.ceiling).keys();
+}
+
+bool
+within(double x, double y, double x0, double y0, double x1, double y1)
+{
+  return x > x0 && x < x1 && y > y0 && y < y1;
+}
+
+double
+areaOf(const CellMask& mask)
+{
+  return static_cast<double>(mask.count()) * 0.0025;
+}
+
+TEST(OutlineRoom, OfAWholeCeilingIsItsCells)
+{
+  const RoomOutline outline = Scene().outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+  EXPECT_NEAR(areaOf(outline.room), 12, 0.01);
+}
+
+TEST(OutlineRoom, WhatWasNotHitIsClosed)
+{
+  const RoomOutline outline = Scene([](double x, double y) {
+                                return std::fmod(std::round(x * 20), 4) != 0 &&
+                                       std::fmod(std::round(y * 20), 3) != 0;
+                              }).outline();
+  EXPECT_NEAR(areaOf(outline.room), 12, 0.6) << "up to the outermost seen row";
+  EXPECT_EQ(labelRegions(outline.room, false).sizes.size(), 1u);
+  EXPECT_EQ(enclosedCells(outline.room).count(), 0u);
+  EXPECT_TRUE(outline.columns.empty());
+}
+
+TEST(OutlineRoom, TheHoleOfALampIsFilled)
+{
+  Scene scene([](double x, double y) { return !within(x, y, 1.5, 1, 2.1, 1.6); });
+  scene.box(1.5, 1, 2.1, 1.6, 2.1, height);
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
+TEST(OutlineRoom, AColumnIsKeptAsAHoleOfTheRoomThatItStandsIn)
+{
+  Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.91, 1.41); });
+  scene.box(1.51, 1.01, 1.91, 1.41, 0, height);
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  ASSERT_EQ(outline.columns.size(), 1u);
+  EXPECT_NEAR(areaOf(outline.columns[0]), 0.16, 0.03);
+  EXPECT_EQ(outline.columns[0].at(CellGrid(0.05).at(1.7, 1.2)), 1);
+  EXPECT_EQ(outline.columns[0].at(CellGrid(0.05).at(1.7, 1.6)), 0);
+}
+
+TEST(OutlineRoom, EveryColumnIsKept)
+{
+  const auto isSeen = [](double x, double y) {
+    return std::hypot(x - 1, y - 1) > 0.3 && std::hypot(x - 3, y - 2) > 0.2;
+  };
+  Scene scene(isSeen);
+  scene.points.wall(circle({1, 1}, 0.3).elements[0], 0, height);
+  scene.points.wall(circle({3, 2}, 0.2).elements[0], 0, height);
+  const RoomOutline outline = scene.outline();
+  ASSERT_EQ(outline.columns.size(), 2u);
+  EXPECT_NEAR(areaOf(outline.columns[0]), M_PI * 0.09, 0.06);
+  EXPECT_NEAR(areaOf(outline.columns[1]), M_PI * 0.04, 0.05);
+}
+
+TEST(OutlineRoom, AnObjectShortOfTheCeilingIsNoColumn)
+{
+  // Scanned from below, it hides the ceiling above it.
+  Scene scene([](double x, double y) { return !within(x, y, 1.5, 1, 2.3, 1.6); });
+  scene.box(1.5, 1, 2.3, 1.6, 0, height - 0.3);
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
+TEST(OutlineRoom, AHoleSmallerThanAColumnIsFilled)
+{
+  Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.66, 1.16); });
+  scene.box(1.51, 1.01, 1.66, 1.16, 0, height); // a pipe of 15 cm
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
+TEST(OutlineRoom, AFalseNotchIsClosed)
+{
+  // A cupboard at the wall that ends below the ceiling hides a part of it.
+  Scene scene([](double x, double y) { return !within(x, y, 1.5, 0, 2.1, 0.5); });
+  scene.box(1.51, 0.01, 2.11, 0.51, 0, 1.9);
+  EXPECT_TRUE(isWholeRoom(scene.outline().room));
+}
+
+TEST(OutlineRoom, ANotchWithAWallAroundStays)
+{
+  const auto isSeen = [](double x, double y) { return !within(x, y, 1.51, 0, 2.11, 0.51); };
+  Scene scene(isSeen);
+  scene.box(1.51, 0.01, 2.11, 0.51, 0, height);
+  const RoomOutline outline = scene.outline();
+  const CellGrid grid(0.05);
+  EXPECT_EQ(outline.room.at(grid.at(1.8, 0.2)), 0);
+  EXPECT_EQ(outline.room.at(grid.at(1.8, 0.7)), 1);
+  EXPECT_NEAR(areaOf(outline.room), 12 - 0.3, 0.06);
+}
+
+TEST(OutlineRoom, WhatWasSeenThroughAnOpeningIsCutOff)
+{
+  Scene scene;
+  const auto beyond = scene.points.slab(rectangle(2.01, 3.01, 2.26, 4.01), height);
+  scene.ceiling = joined(scene.ceiling, beyond);
+  const CellMask room = scene.outline().room;
+  EXPECT_EQ(room.at(CellGrid(0.05).at(2.13, 3.35)), 0);
+  EXPECT_NEAR(areaOf(room), 12, 0.08) << "but for its mouth";
+}
+
+TEST(OutlineRoom, ANarrowNicheWithWallsStays)
+{
+  Scene scene;
+  const auto niche = scene.points.slab(rectangle(2.01, 3.01, 2.31, 4.01), height);
+  scene.ceiling = joined(scene.ceiling, niche);
+  for (const auto& e :
+       {segment({2.31, 3.01}, {2.31, 4.01}), segment({2.31, 4.01}, {2.01, 4.01}),
+        segment({2.01, 4.01}, {2.01, 3.01})})
+    scene.points.wall(e, 0, height);
+  EXPECT_NEAR(areaOf(scene.outline().room), 12.3, 0.05);
+}
+
+TEST(OutlineRoom, OnlyTheLargestPartIsTheRoom)
+{
+  Scene scene;
+  const auto elsewhere = scene.points.slab(rectangle(6, 0, 7, 3), height);
+  scene.ceiling = joined(scene.ceiling, elsewhere);
+  EXPECT_TRUE(isWholeRoom(scene.outline().room));
+}
+
+} // namespace

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** The points of a room 6 m x 4 m x 2.5 m, each coordinate changed by `change`. */
+template <typename Change>
+RoomPoints
+changed(Change change)
+{
+  RoomPoints room;
+  room.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  RoomPoints result;
+  for (const int i : room.all()) {
+    const Eigen::Vector3d p = change(room[i].cast<double>().eval());
+    result.point(p.x(), p.y(), p.z());
+  }
+  return result;
+}
+
+std::string
+scanProblemOf(const RoomPoints& points)
+{
+  return scanProblem(points.view(), points.all());
+}
+
+std::string
+upProblemOf(const RoomPoints& points)
+{
+  return upProblem(points.view(), points.all());
+}
+
+bool
+mentions(const std::string& sentence, const std::string& part)
+{
+  return sentence.find(part) != std::string::npos;
+}
+
+TEST(ScanProblem, OfARoomInMetresIsNone)
+{
+  EXPECT_EQ(scanProblemOf(changed([](auto p) { return p; })), "");
+  EXPECT_EQ(scanProblemOf(changed([](auto p) -> Eigen::Vector3d {
+              return p + Eigen::Vector3d(500000, -4e6, 120);
+            })),
+            "")
+      << "far from the origin";
+}
+
+TEST(ScanProblem, MillimetresAreNamedWithTheirExtent)
+{
+  const std::string problem =
+      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 1000; }));
+  EXPECT_TRUE(mentions(problem, "millimetre")) << problem;
+  EXPECT_TRUE(mentions(problem, "0.001")) << problem;
+  EXPECT_TRUE(mentions(problem, " 24") || mentions(problem, " 25")) << problem;
+}
+
+TEST(ScanProblem, AStrayPointKilometresAwayIsNoReason)
+{
+  RoomPoints points = changed([](auto p) { return p; });
+  points.point(9e4, 9e4, 9e4);
+  points.point(-9e4, -9e4, -9e4);
+  EXPECT_EQ(scanProblemOf(points), "");
+}
+
+TEST(ScanProblem, TooSmallForARoomIsNamed)
+{
+  const std::string problem =
+      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 0.001; }));
+  EXPECT_TRUE(mentions(problem, "too small")) << problem;
+  EXPECT_TRUE(mentions(problem, "0.00")) << problem;
+}
+
+TEST(ScanProblem, TooFewFinitePointsAreCounted)
+{
+  RoomPoints points;
+  for (int i = 0; i < 999; ++i)
+    points.point(0.01 * i, 0.02 * i, 0.003 * i);
+  for (int i = 0; i < 5000; ++i)
+    points.point(1, 1, std::numeric_limits<double>::quiet_NaN());
+  const std::string problem = scanProblemOf(points);
+  EXPECT_TRUE(mentions(problem, "999 of 5999")) << problem;
+  EXPECT_TRUE(mentions(problem, "1000")) << problem;
+  points.point(1, 1, 1);
+  EXPECT_EQ(scanProblemOf(points), "");
+  EXPECT_TRUE(mentions(scanProblem(PointView(), {}), "0 of 0"));
+}
+
+TEST(ScanProblem, LooksAtTheIndexedPointsOnly)
+{
+  RoomPoints points = changed([](auto p) { return p; });
+  const std::vector<int> room = points.all();
+  for (int i = 0; i < 20000; ++i)
+    points.point(1000.0 * i, 0, 1000.0 * i);
+  EXPECT_EQ(scanProblem(points.view(), room), "");
+  EXPECT_NE(scanProblemOf(points), "");
+}
+
+TEST(UpProblem, OfARoomThatStandsIsNone)
+{
+  EXPECT_EQ(upProblemOf(changed([](auto p) { return p; })), "");
+}
+
+TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
+{
+  // Six metres between the walls that now are floor and ceiling.
+  const std::string y = upProblemOf(changed([](auto p) -> Eigen::Vector3d {
+    return {p.y(), p.z(), p.x()};
+  }));
+  EXPECT_TRUE(mentions(y, "y seems to be up")) << y;
+  EXPECT_TRUE(mentions(y, "2.5 m")) << y;
+  const std::string x = upProblemOf(changed([](auto p) -> Eigen::Vector3d {
+    return {p.z(), p.y(), p.x()};
+  }));
+  EXPECT_TRUE(mentions(x, "x seems to be up")) << x;
+}
+
+TEST(UpProblem, AHighHallIsNoReason)
+{
+  RoomPoints points(0.1);
+  points.room(rectangle(0, 0, 20, 15), 0, 8);
+  EXPECT_EQ(upProblemOf(points), "");
+  RoomPoints narrow;
+  narrow.room(rectangle(0, 0, 4, 3), 0, 4.4); // walls larger than its floor
+  EXPECT_EQ(upProblemOf(narrow), "");
+}
+
+TEST(UpProblem, OfNothingIsNone)
+{
+  EXPECT_EQ(upProblem(PointView(), {}), "");
+  RoomPoints wall;
+  wall.wall(segment({0, 0}, {4, 0}), 0, 9);
+  EXPECT_EQ(upProblemOf(wall), "");
+}
+
+} // namespace

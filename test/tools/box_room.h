@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_types.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace programs {
+
+using Label = pcl::sedr::StructureLabel;
+
+/** What a room of the tests is like; metres. */
+struct BoxRoom {
+  double x = 0.37; ///< its corner
+  double y = -1.21;
+  double width = 4;
+  double depth = 3;
+  double height = 2.5;
+  std::uint32_t id = 1;
+  bool has_soffit = false; ///< 0.6 m wide along the wall at `x`, 0.4 m deep
+};
+
+/** A point of a scan, and what it is in truth. */
+struct RoomPoint {
+  float x, y, z;
+  Label label;
+  std::uint32_t room;
+};
+
+/** A scan made of flat pieces, points 5 cm apart, each off its piece by up to 2 mm. */
+class RoomScan {
+public:
+  std::vector<RoomPoint> points;
+
+  /** Adds the rectangle from `low` to `high`, which have one coordinate in common. */
+  void addPiece(const Eigen::Vector3d& low,
+                const Eigen::Vector3d& high,
+                Label label,
+                std::uint32_t room)
+  {
+    constexpr double step = 0.05;
+    const int across = high.x() == low.x() ? 0 : high.y() == low.y() ? 1 : 2;
+    const int u = (across + 1) % 3;
+    const int v = (across + 2) % 3;
+    const long columns = std::lround((high[u] - low[u]) / step);
+    const long rows = std::lround((high[v] - low[v]) / step);
+    for (long i = 0; i < columns; ++i)
+      for (long j = 0; j < rows; ++j) {
+        Eigen::Vector3d p = low;
+        p[u] += step * (static_cast<double>(i) + 0.5);
+        p[v] += step * (static_cast<double>(j) + 0.5);
+        p[across] += 0.004 * (random() - 0.5);
+        points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()),
+                          static_cast<float>(p.z()), label, room});
+      }
+  }
+
+  /** Floor, ceiling and walls; a doorway in the wall at y, a cupboard that hides a part of
+   * the wall at y + depth, and a table. */
+  void addRoom(const BoxRoom& room)
+  {
+    const auto add = [&](double x1, double y1, double z1, double x2, double y2, double z2,
+                         Label label) {
+      addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2}, label,
+               room.id);
+    };
+    const double w = room.width;
+    const double d = room.depth;
+    const double h = room.height;
+    const double soffit = room.has_soffit ? 0.6 : 0;
+    const double low = h - 0.4;
+    add(0, 0, 0, w, d - 0.5, 0, Label::Floor); // none below the cupboard
+    add(soffit, 0, h, w, d, h, Label::Ceiling);
+    if (room.has_soffit) {
+      add(0, 0, low, soffit, d, low, Label::Detail);
+      add(soffit, 0, low, soffit, d, h, Label::Detail);
+    }
+    add(0, 0, 0, 0, d, room.has_soffit ? low : h, Label::Wall);
+    add(w, 0, 0, w, d, h, Label::Wall);
+    addWalls(room, soffit);
+    addFurniture(room);
+  }
+
+  /** The bytes of a PCD with x, y, z and the number of the point as intensity, and with
+   * label and room if they are asked for. */
+  std::string pcd(bool with_labels) const
+  {
+    const std::string n = std::to_string(points.size());
+    std::string bytes =
+        with_labels ? "VERSION 0.7\nFIELDS x y z intensity label room\nSIZE 4 4 4 4 4 4\n"
+                      "TYPE F F F F U U\nCOUNT 1 1 1 1 1 1\n"
+                    : "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n"
+                      "COUNT 1 1 1 1\n";
+    bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
+             "\nDATA binary\n";
+    const auto append = [&](const auto& value) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      append(points[i].x);
+      append(points[i].y);
+      append(points[i].z);
+      append(static_cast<float>(i));
+      if (!with_labels)
+        continue;
+      append(static_cast<std::uint32_t>(points[i].label));
+      append(points[i].room);
+    }
+    return bytes;
+  }
+
+  /** The scan without the points for which `test` holds. */
+  template <typename Test>
+  RoomScan without(Test test) const
+  {
+    RoomScan rest;
+    for (const auto& p : points)
+      if (!test(p))
+        rest.points.push_back(p);
+    return rest;
+  }
+
+  RoomScan withoutLabel(Label label) const
+  {
+    return without([&](const RoomPoint& p) { return p.label == label; });
+  }
+
+private:
+  double random()
+  {
+    state_ = state_ * 1664525u + 1013904223u;
+    return static_cast<double>(state_ >> 8) / (1 << 24);
+  }
+
+  void addWalls(const BoxRoom& room, double soffit)
+  {
+    const auto add = [&](double x1, double y, double z1, double x2, double z2) {
+      addPiece({room.x + x1, room.y + y, z1}, {room.x + x2, room.y + y, z2}, Label::Wall,
+               room.id);
+    };
+    const double w = room.width;
+    const double h = room.height;
+    const double low = h - 0.4;
+    if (room.has_soffit)
+      for (const double y : {0.0, room.depth})
+        add(0, y, 0, soffit, low);
+    add(soffit, 0, 0, 2, h); // the doorway is from 2 to 3 and 2 m high
+    add(2, 0, 2, 3, h);
+    add(3, 0, 0, w, h);
+    add(soffit, room.depth, 0, 1.5, h); // the cupboard from 1.5 to 2.5, 1.8 m high
+    add(1.5, room.depth, 1.8, 2.5, h);
+    add(2.5, room.depth, 0, w, h);
+  }
+
+  void addFurniture(const BoxRoom& room)
+  {
+    const auto add = [&](double x1, double y1, double z1, double x2, double y2, double z2) {
+      addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2},
+               Label::Other, 0);
+    };
+    const double d = room.depth;
+    add(1.5, d - 0.5, 0, 2.5, d - 0.5, 1.8);
+    add(1.5, d - 0.5, 1.8, 2.5, d, 1.8);
+    add(1.5, d - 0.5, 0, 1.5, d, 1.8);
+    add(2.5, d - 0.5, 0, 2.5, d, 1.8);
+    add(1.2, 0.8, 0.75, 2.8, 1.6, 0.75);
+  }
+
+  std::uint32_t state_ = 1;
+};
+
+inline RoomScan
+scanOf(const BoxRoom& room = BoxRoom())
+{
+  RoomScan scan;
+  scan.addRoom(room);
+  return scan;
+}
+
+/** The true plan of a room without a soffit. */
+inline pcl::sedr::PlanRoom
+planOf(const BoxRoom& room)
+{
+  pcl::sedr::PlanRoom plan;
+  plan.id = room.id;
+  const Eigen::Vector2d low(room.x, room.y);
+  const std::vector<Eigen::Vector2d> corners{low, low + Eigen::Vector2d(room.width, 0),
+                                             low + Eigen::Vector2d(room.width, room.depth),
+                                             low + Eigen::Vector2d(0, room.depth)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    pcl::sedr::PlanElement wall;
+    wall.start = corners[i];
+    wall.end = corners[(i + 1) % 4];
+    plan.boundary.elements.push_back(wall);
+  }
+  plan.ceiling.plane[3] = -room.height;
+  return plan;
+}
+
+} // namespace programs
