@@ -100,8 +100,10 @@ def inside(points, x, y):
 
 def added_rows(after, before):
     """Which rows of `after` are not among those of `before`."""
-    key = lambda points: np.ascontiguousarray(np.round(points * 1e4).astype(np.int64)).view("i8,i8,i8").ravel()
-    return ~np.isin(key(after), key(before))
+    keys = [np.ascontiguousarray(np.round(points * 1e4).astype(np.int64)).view("V24").ravel()
+            for points in (after, before)]
+    known = set(key.tobytes() for key in keys[1])
+    return np.array([key.tobytes() not in known for key in keys[0]])
 
 
 def millions(n):
@@ -422,7 +424,8 @@ def overview(data):
     images = [render([opened_scan(scan, bounds)], bounds, *HALL_VIEW, depth=True),
               render([opened_structure(structure, HALL_VIEW)], bounds, *HALL_VIEW, depth=True),
               render(open_mesh(labelled_mesh(hall), HALL_CUT), bounds, *HALL_VIEW)]
-    titles = [f"scan: {millions(len(scan.xyz))}", f"structure: {millions(len(structure.xyz))}", "model: one closed mesh"]
+    titles = [f"scan: {millions(len(scan.xyz))}", f"structure: {millions(len(structure.xyz))}",
+              "model: one closed mesh"]
     for ax, image, title in zip(axes, images, titles):
         show_render(ax, image, title)
     add_legend(fig, [CEILING, FLOOR, WALL, COLUMN])
@@ -431,7 +434,8 @@ def overview(data):
 
 def opened_scan(scan, bounds):
     """Without the ceiling, the wall in front, and what lies outside."""
-    near = inside(scan.xyz, bounds[0:2] + [-0.2, 0.2], bounds[2:4] + [0.55, 0.2]) & between(scan.xyz[:, 2], -0.1, HALL_CUT)
+    near = inside(scan.xyz, bounds[0:2] + [-0.2, 0.2], bounds[2:4] + [0.55, 0.2])
+    near &= between(scan.xyz[:, 2], -0.1, HALL_CUT)
     return point_actor(scan.xyz[near], np.zeros(near.sum(), int), 2, lighten=0.5)
 
 
@@ -537,7 +541,8 @@ def floor_projection_recovery(data):
     before, after = (Cloud(data / "bls_room" / name).only(FLOOR) for name in ("details.pcd", "floor.pcd"))
     filled, removed = added_rows(after, before), added_rows(before, after)
     fig, axes = new_figure(4.6, [1, 1])
-    panels = [("floor as scanned", before, removed, COLOURS[DETAIL]), ("completed from the ceiling", after, filled, FILLED)]
+    panels = [("floor as scanned", before, removed, COLOURS[DETAIL]),
+              ("completed from the ceiling", after, filled, FILLED)]
     for ax, (title, points, marked, colour) in zip(axes, panels):
         dots(ax, to_study_plan(cell_centres(points[~marked])), COLOURS[FLOOR], 12)
         dots(ax, to_study_plan(cell_centres(points[marked])), colour, 12)
@@ -548,8 +553,9 @@ def floor_projection_recovery(data):
 
 def floorplan_fitting(data):
     fig = plt.figure(figsize=(12, 5.9), dpi=DPI, facecolor="white")
+    quarter_turn = lambda points: points @ np.array([[0, -1], [1, 0]])
     panels = [("hls_hall", place(fig, 0.1, 0.6, 6.6, 4.8), lambda p: p, (-0.4, 16.6), (-0.6, 11.6)),
-              ("syn_flat", place(fig, 6.6, 2.75, 5.3, 2.8), lambda p: p @ np.array([[0, -1], [1, 0]]), (-0.3, 14.3), (-7.6, 0.3)),
+              ("syn_flat", place(fig, 6.6, 2.75, 5.3, 2.8), quarter_turn, (-0.3, 14.3), (-7.6, 0.3)),
               ("bls_room", place(fig, 6.6, 0.5, 5.3, 1.95), to_study_plan, (-0.3, 6.5), (-0.2, 5))]
     for scene, ax, to_axes, x, y in panels:
         dots(ax, to_axes(Cloud(data / scene / "walls.pcd").only(WALL, COLUMN)[:, :2]), "#8fd19b", 3)
@@ -596,10 +602,12 @@ def vertical_hole_repair(data):
 def structural_poisson(data):
     mesh = labelled_mesh(data / "hls_hall")
     fig, axes = new_figure(4.6, [1.7, 1])
-    show_render(axes[0], render(open_mesh(mesh, HALL_CUT), mesh.GetBounds(), *HALL_VIEW), "hls_hall, ceiling cut off")
+    whole = render(open_mesh(mesh, HALL_CUT), mesh.GetBounds(), *HALL_VIEW)
+    show_render(axes[0], whole, "hls_hall, ceiling cut off")
     box = bounds_of(np.array([[3.95, 2.95, 0], [4.55, 3.55, 0.6]]))
-    close_up = [show_edges(inner_actor(with_normals(mesh)))]
-    show_render(axes[1], render(close_up, box, *HALL_VIEW, shape=(900, 900), crop=False), "its triangles: foot of a column")
+    triangles = show_edges(inner_actor(with_normals(mesh)))
+    close_up = render([triangles], box, *HALL_VIEW, shape=(900, 900), crop=False)
+    show_render(axes[1], close_up, "its triangles: foot of a column")
     add_legend(fig, [FLOOR, WALL, COLUMN])
     return fig
 
@@ -620,8 +628,10 @@ def mesh_evaluation(data):
     scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 2), "YlOrRd")
     paint(mesh, scale.to_rgba(far, bytes=True)[:, :3])
     fig, axes = new_figure(4.2, [1.15, 1.15, 1], bottom=0.2, right=0.985, wspace=0.2)
-    show_render(axes[0], render(open_mesh(mesh, STUDY_CUT), mesh.GetBounds(), *STUDY_VIEW), "ceiling cut off")
-    show_render(axes[1], render(open_mesh(mesh, 0.6, False), mesh.GetBounds(), *STUDY_BELOW), "from below, floor cut off")
+    above = render(open_mesh(mesh, STUDY_CUT), mesh.GetBounds(), *STUDY_VIEW)
+    below = render(open_mesh(mesh, 0.6, False), mesh.GetBounds(), *STUDY_BELOW)
+    show_render(axes[0], above, "ceiling cut off")
+    show_render(axes[1], below, "from below, floor cut off")
     bar = place(fig, 2, 0.65, 4, 0.15)
     fig.colorbar(scale, cax=bar, orientation="horizontal", extend="max", label="distance to truth, cm")
     draw_histogram(axes[2], far)
@@ -630,7 +640,8 @@ def mesh_evaluation(data):
 
 def draw_histogram(ax, far):
     ax.hist(far, bins=np.arange(0, 6, 0.1), color=COLOURS[FLOOR], weights=np.full(len(far), 100 / len(far)), log=True)
-    ax.set(title="vertices of the mesh", xlabel="distance to truth, cm", ylabel="% of them", xlim=(0, 6), ylim=(0.003, 130))
+    ax.set(title="vertices of the mesh", xlabel="distance to truth, cm", ylabel="% of them",
+           xlim=(0, 6), ylim=(0.003, 130))
     ax.yaxis.set_major_formatter("{x:g}")
     text = f"mean {far.mean():.2f} cm\n95 % below {np.percentile(far, 95):.1f} cm\nfarthest {far.max():.1f} cm"
     ax.text(0.95, 0.94, text, transform=ax.transAxes, ha="right", va="top")

@@ -7,19 +7,21 @@
 # OUTPUT  folder for the pictures (doc/images)
 # Debian packages: python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-[ $# -le 2 ] || { echo "usage: $0 [BIN [OUTPUT]]" >&2; exit 1; }
-bin=${1-build/release/bin}
-output=${2-doc/images}
-[ -x "$bin/pcl_sedr" ] || { echo "$0: no pcl_sedr in '$bin'; build it first, see README.md" >&2; exit 1; }
+fail() { echo "$0: $*" >&2; exit 1; }
+
+[ $# -le 2 ] || fail "usage: $0 [BIN [OUTPUT]]"
+root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
+bin=$(realpath -m "${1-$root/build/release/bin}")
+output=$(realpath -m "${2-$root/doc/images}")
+[ -x "$bin/pcl_sedr" ] || fail "no pcl_sedr in '$bin'; build it first, see README.md"
 
 missing=()
 for package in python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
 done
-[ ${#missing[@]} -eq 0 ] || { echo "$0: needs the Debian packages ${missing[*]}" >&2; exit 1; }
+[ ${#missing[@]} -eq 0 ] || fail "needs the Debian packages ${missing[*]}"
 
 data=$(mktemp -d)
 trap 'rm -rf "$data"' EXIT
@@ -49,4 +51,4 @@ done
 
 echo "== drawing"
 mkdir -p "$output"
-xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 doc/make_images.py "$data" "$output"
+xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"

@@ -229,7 +229,8 @@ TEST(QuietOutput, keeps_poisson_s_complaints_and_hands_on_the_rest)
   EXPECT_EQ(complaints, 3u);
   EXPECT_EQ(::testing::internal::GetCapturedStdout(),
             "before\nan important line\nafter\n");
-  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "an important warning\nheld back\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "an important warning\nheld back\n");
 }
 
 TEST(QuietOutput, begins_anew_each_time)

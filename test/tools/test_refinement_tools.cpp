@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tools/tool_contract.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace programs;
+using pcl::sedr::tools::floatField;
+using pcl::sedr::tools::loadCloud;
+using pcl::sedr::tools::ToolCloud;
+using Strings = std::vector<std::string>;
+
+INSTANTIATE_TEST_SUITE_P(RefinementTools,
+                         ToolContract,
+                         ::testing::Values(Tool(STRUCTURE_REFINEMENT, "output.pcd", true),
+                                           Tool(VERTICAL_HOLE_REPAIR,
+                                                "output.pcd",
+                                                true)));
+
+class RefinementTools : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  ProgramRun runOn(const std::string& tool,
+                   const std::string& bytes,
+                   const Strings& options = {},
+                   const std::string& output = "output.pcd")
+  {
+    writeFile(in("input.pcd"), bytes);
+    if (!std::filesystem::exists(in("plan.json")))
+      writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
+    Strings arguments{in("input.pcd"), in("plan.json"), in(output)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(tool, arguments);
+  }
+
+  void expectFailure(const ProgramRun& result,
+                     int exit_code,
+                     const std::string& words) const
+  {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(in("output.pcd")));
+  }
+
+  static std::vector<Eigen::Vector3f> normalsOf(const ToolCloud& cloud)
+  {
+    const auto x = floatField(cloud.blob, "normal_x");
+    const auto y = floatField(cloud.blob, "normal_y");
+    const auto z = floatField(cloud.blob, "normal_z");
+    std::vector<Eigen::Vector3f> normals;
+    for (std::size_t i = 0; i < x.size() && i < y.size() && i < z.size(); ++i)
+      normals.emplace_back(x[i], y[i], z[i]);
+    return normals;
+  }
+
+  TemporaryFolder folder_;
+};
+
+/** Distance of a point from the surface of its label in the true room, and whether its
+ * normal is that of the surface, into the room. */
+std::pair<double, bool>
+errorOf(const BoxRoom& room,
+        const Eigen::Vector3f& p,
+        const Eigen::Vector3f& normal,
+        Label label)
+{
+  const double x = p.x() - room.x;
+  const double y = p.y() - room.y;
+  if (label == Label::Floor)
+    return {std::abs(p.z()), normal == Eigen::Vector3f(0, 0, 1)};
+  if (label == Label::Ceiling)
+    return {std::abs(p.z() - room.height), normal == Eigen::Vector3f(0, 0, -1)};
+  const std::vector<std::pair<double, Eigen::Vector3f>> walls{
+      {std::abs(x), {1, 0, 0}},
+      {std::abs(x - room.width), {-1, 0, 0}},
+      {std::abs(y), {0, 1, 0}},
+      {std::abs(y - room.depth), {0, -1, 0}}};
+  const auto nearest =
+      std::min_element(walls.begin(), walls.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+      });
+  return {nearest->first, (normal - nearest->second).norm() < 1e-6f};
+}
+
+void
+expectOnSurfaces(const ToolCloud& cloud, const std::vector<Eigen::Vector3f>& normals)
+{
+  ASSERT_EQ(normals.size(), cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto error = errorOf(BoxRoom(), (*cloud.points)[i].getVector3fMap(), normals[i],
+                               static_cast<Label>(cloud.label[i]));
+    ASSERT_LT(error.first, 1e-5) << "row " << i << ", label " << cloud.label[i];
+    ASSERT_TRUE(error.second) << "row " << i << ", label " << cloud.label[i];
+    ASSERT_EQ(cloud.room[i], 1u);
+  }
+}
+
+TEST_F(RefinementTools, RefinementMovesPointsOntoTheirSurfaces)
+{
+  const RoomScan scan = scanOf();
+  const ProgramRun result = runOn(STRUCTURE_REFINEMENT, scan.pcd(true));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  expectOnSurfaces(cloud, normalsOf(cloud));
+
+  // Every labelled point is there, in order, with its fields and its place on the surface.
+  const auto intensity = floatField(cloud.blob, "intensity");
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const RoomPoint& p = scan.points[i];
+    if (p.label == Label::Other)
+      continue;
+    ASSERT_LT(next, cloud.size());
+    ASSERT_EQ(intensity[next], static_cast<float>(i));
+    ASSERT_LT((Eigen::Vector3f(p.x, p.y, p.z) - (*cloud.points)[next].getVector3fMap())
+                  .norm(),
+              0.0021f);
+    ++next;
+  }
+  EXPECT_EQ(next, cloud.size());
+}
+
+TEST_F(RefinementTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
+{
+  RoomScan scan = scanOf().without([](const RoomPoint& p) { return p.label != Label::Wall; });
+  const std::size_t walls = scan.points.size();
+  const float y = static_cast<float>(BoxRoom().y);
+  scan.points.push_back({1.5f, y + 0.1f, 1.f, Label::Wall, 1});
+  scan.points.push_back({1.5f, y + 0.2f, 1.f, Label::Wall, 1});
+  scan.points.push_back({1.5f, y, 1.f, Label::Wall, 2}); // the plan has no room 2
+  scan.points.push_back({1.5f, std::nanf(""), 1.f, Label::Wall, 1});
+  EXPECT_EQ(runOn(STRUCTURE_REFINEMENT, scan.pcd(true)).exit_code, 0);
+  EXPECT_EQ(loadCloud(in("output.pcd")).size(), walls + 1);
+  EXPECT_EQ(
+      runOn(STRUCTURE_REFINEMENT, scan.pcd(true), {"--max-distance", "0.05"}).exit_code, 0);
+  EXPECT_EQ(loadCloud(in("output.pcd")).size(), walls);
+}
+
+TEST_F(RefinementTools, PointsWithoutRoomsTakeThatOfThePlan)
+{
+  RoomScan scan = scanOf();
+  for (auto& p : scan.points)
+    p.room = 0;
+  EXPECT_EQ(runOn(STRUCTURE_REFINEMENT, scan.pcd(true)).exit_code, 0);
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  expectOnSurfaces(cloud, normalsOf(cloud));
+}
+
+TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
+{
+  ASSERT_EQ(runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code,
+            0);
+  const ProgramRun result = runOn(VERTICAL_HOLE_REPAIR, bytesOf(in("refined.pcd")));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  expectOnSurfaces(cloud, normalsOf(cloud));
+  // 59 square metres of surface, 400 cells of each.
+  EXPECT_NEAR(static_cast<double>(cloud.size()), 400 * (24 + 35), 300);
+
+  // Points that were seen come first and keep their fields, new ones have zeros in them.
+  const auto intensity = floatField(cloud.blob, "intensity");
+  const auto added =
+      std::find_if(intensity.rbegin(), intensity.rend(), [](float v) { return v != 0; }) -
+      intensity.rbegin();
+  EXPECT_LE(std::count(intensity.begin(), intensity.end() - added, 0.f), 1);
+  // The doorway of 2 square metres, the wall of 1.8 and the floor of 2 at the cupboard.
+  EXPECT_NEAR(static_cast<double>(added), 400 * 5.8, 250);
+
+  const auto countNear = [&](float x, float y, float z) {
+    return std::count_if(cloud.points->begin(), cloud.points->end(), [&](const auto& p) {
+      const Eigen::Vector3f place(static_cast<float>(BoxRoom().x) + x,
+                                  static_cast<float>(BoxRoom().y) + y, z);
+      return (p.getVector3fMap() - place).norm() < 0.2f;
+    });
+  };
+  for (const auto& [x, y, z] : {std::array{2.5f, 0.f, 1.f}, std::array{2.f, 3.f, 1.f},
+                                std::array{2.f, 2.75f, 0.f}, std::array{1.f, 0.f, 1.f}})
+    EXPECT_NEAR(static_cast<double>(countNear(x, y, z)), 50, 15) << x << ' ' << y;
+}
+
+TEST_F(RefinementTools, RepairTakesItsGrid)
+{
+  ASSERT_EQ(runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code,
+            0);
+  const std::string refined = bytesOf(in("refined.pcd"));
+  EXPECT_EQ(runOn(VERTICAL_HOLE_REPAIR, refined, {"--grid", "0.1"}).exit_code, 0);
+  EXPECT_NEAR(static_cast<double>(loadCloud(in("output.pcd")).size()), 100 * 59, 100);
+}
+
+TEST_F(RefinementTools, PlansThatAreNoneAreRefused)
+{
+  const std::string good = pcl::sedr::floorplanToJson({{planOf(BoxRoom())}});
+  for (const std::string& bad : {std::string("no plan at all"), std::string(1000, '\0'),
+                                 std::string("{}"), std::string("[1, 2]"),
+                                 good.substr(0, good.size() / 2), std::string()}) {
+    writeFile(in("plan.json"), bad);
+    for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
+      expectFailure(runOn(tool, scanOf().pcd(true)), 1, "plan.json");
+  }
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson({}));
+  for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
+    expectFailure(runOn(tool, scanOf().pcd(true)), 2, "no rooms");
+}
+
+TEST_F(RefinementTools, WhatHasNoPointOnThePlanIsToldSo)
+{
+  BoxRoom elsewhere;
+  elsewhere.x = 100;
+  for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR}) {
+    expectFailure(runOn(tool, scanOf(elsewhere).pcd(true)), 2, "none of the");
+    expectFailure(runOn(tool, scanOf().pcd(false)), 2, "none of the");
+  }
+}
+
+} // namespace

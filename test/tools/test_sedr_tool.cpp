@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tools/tool_contract.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace programs;
+using pcl::sedr::tools::loadCloud;
+using pcl::sedr::tools::ToolCloud;
+using Strings = std::vector<std::string>;
+
+class SedrTool : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  ProgramRun onFile(const std::string& bytes, const Strings& options = {})
+  {
+    writeFile(in("input.pcd"), bytes);
+    Strings arguments{in("input.pcd"), in("model")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(SEDR, arguments);
+  }
+
+  /** The exit code, one sentence that holds `words`, and no file but the input. */
+  void expectFailure(const ProgramRun& result, int exit_code, const std::string& words)
+  {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder_.path()))
+      EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "input.pcd")
+          << entry.path() << " was left behind";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SedrTool, MakesAClosedModelOfARoom)
+{
+  const RoomScan scan = scanOf();
+  const ProgramRun result = onFile(scan.pcd(false), {"--tree-depth", "7"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+
+  const ToolCloud structure = loadCloud(in("model/structure.pcd"));
+  EXPECT_TRUE(structure.has_label && structure.has_room);
+  for (const char* name : {"normal_x", "normal_y", "normal_z"})
+    EXPECT_TRUE(pcl::sedr::tools::findField(structure.blob, name)) << name;
+
+  std::string problem;
+  const auto plan =
+      pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
+
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  EXPECT_EQ(report.at("input").at("points"), scan.points.size());
+  EXPECT_EQ(report.at("parameters").at("tree_depth"), 7);
+  ASSERT_EQ(report.at("rooms").size(), 1u);
+  EXPECT_NEAR(report.at("rooms")[0].at("volume").get<double>(), 30, 0.2);
+  EXPECT_NEAR(report.at("rooms")[0].at("perimeter").get<double>(), 14, 0.05);
+  EXPECT_EQ(report.at("stages").size(), 11u);
+
+  const ProgramRun judged =
+      run(MESH_EVALUATION, {in("model/mesh.ply"), "--json", in("figures.json")});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
+  EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
+  EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
+}
+
+TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
+{
+  RoomScan scan = scanOf();
+  for (auto& p : scan.points) { // and far enough that a metre would be too coarse
+    p.x = 1000 * p.x + 20000;
+    p.y *= 1000;
+    p.z *= 1000;
+  }
+  const ProgramRun result =
+      onFile(scan.pcd(false), {"--unit", "0.001", "--tree-depth", "6"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
+}
+
+TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
+{
+  const std::string bytes = scanOf().pcd(false);
+  Strings results;
+  for (const char* threads : {"1", "3"}) {
+    ASSERT_EQ(onFile(bytes, {"--tree-depth", "6", "--threads", threads}).exit_code, 0);
+    results.push_back(bytesOf(in("model/mesh.ply")) + bytesOf(in("model/structure.pcd")) +
+                      bytesOf(in("model/floorplan.json")));
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+TEST_F(SedrTool, HelpTellsEveryOptionOfTableOneWithItsDefault)
+{
+  const ProgramRun result = run(SEDR, {"-h"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  std::vector<std::string> names;
+  for (const auto& option : optionsIn(result.out)) {
+    names.push_back(option.name);
+    EXPECT_TRUE(!option.takesValue() ||
+                option.text.find("default ") != std::string::npos)
+        << option.name;
+  }
+  for (const char* name :
+       {"voxel-size", "plane-tolerance", "grid-size", "boundary-angle",
+        "boundary-neighbors", "minimum-cells", "boundary-tolerance", "tree-depth"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+}
+
+TEST_F(SedrTool, BadCommandLinesAreRefused)
+{
+  expectFailure(run(SEDR, {}), 1, "INPUT is missing");
+  expectFailure(run(SEDR, {in("a.pcd")}), 1, "OUTPUT_DIR is missing");
+  expectFailure(run(SEDR, {in("a.pcd"), in("b"), in("c")}), 1, "too many");
+  expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--colour"}), 1, "--colour");
+  for (const auto& option : optionsIn(run(SEDR, {"-h"}).out))
+    if (option.hasRange())
+      for (const char* value : {"-1", "many", "nan"})
+        expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--" + option.name, value}), 1,
+                      "--" + option.name);
+}
+
+TEST_F(SedrTool, FilesThatAreNoCloudsAreRefused)
+{
+  expectFailure(run(SEDR, {in("missing.pcd"), in("model")}), 1, "missing.pcd");
+  expectFailure(run(SEDR, {folder_.path().string(), in("model")}), 1, "folder");
+  expectFailure(onFile(""), 1, "empty");
+  expectFailure(onFile("no cloud at all\n"), 1, "neither");
+  const std::string good = scanOf().pcd(false);
+  expectFailure(onFile(good.substr(0, good.size() - 1)), 1, "input.pcd");
+  expectFailure(onFile(good.substr(0, 60)), 1, "input.pcd");
+  expectFailure(onFile(pcdBytes({})), 1, "0 points");
+}
+
+TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)
+{
+  writeFile(in("input.pcd"), scanOf().pcd(false));
+  expectFailure(run(SEDR, {in("input.pcd"), in("input.pcd")}), 1, "folder");
+  expectFailure(run(SEDR, {in("input.pcd"), in("input.pcd/model")}), 1, "folder");
+  std::filesystem::create_directories(in("model/mesh.ply"));
+  expectFailure(run(SEDR, {in("input.pcd"), in("model")}), 1, "mesh.ply");
+}
+
+TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
+{
+  const RoomScan scan = scanOf();
+  const auto changed = [&](auto change) {
+    RoomScan other = scan;
+    for (auto& p : other.points)
+      change(p);
+    return other.pcd(false);
+  };
+  expectFailure(onFile(changed([](auto& p) { p.y = std::nanf(""); })), 1, "finite");
+  expectFailure(onFile(changed([](auto& p) { p.x += 1.5e6f; })), 1, "mm");
+  expectFailure(onFile(changed([](auto& p) {
+                  p.x *= 1000;
+                  p.y *= 1000;
+                  p.z *= 1000;
+                })),
+                2, "millimetre");
+  expectFailure(onFile(changed([](auto& p) {
+                  p.x *= 0.1f;
+                  p.y *= 0.1f;
+                  p.z *= 0.1f;
+                })),
+                2, "too small");
+  BoxRoom large;
+  large.width = 6;
+  large.depth = 5;
+  RoomScan turned = scanOf(large);
+  for (auto& p : turned.points)
+    std::swap(p.y, p.z);
+  expectFailure(onFile(turned.pcd(false)), 2, "y seems to be up");
+  RoomScan few = scan;
+  few.points.resize(900);
+  expectFailure(onFile(few.pcd(false)), 2, "900");
+}
+
+TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
+{
+  const RoomScan scan = scanOf();
+  const auto only = [&](Label label) {
+    return scan.without([&](const RoomPoint& p) { return p.label != label; }).pcd(false);
+  };
+  expectFailure(onFile(only(Label::Floor)), 2, "HorizontalPlaneDetection");
+  expectFailure(onFile(only(Label::Wall)), 2, "HorizontalPlaneDetection");
+  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2, "0 are ceilings");
+  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2, "0 floors");
+  expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
+}
+
+} // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tools/tool_contract.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace programs;
+using pcl::sedr::tools::floatField;
+using pcl::sedr::tools::loadCloud;
+using pcl::sedr::tools::ToolCloud;
+
+/** @brief The programs of all stages, one after the other, with their defaults. */
+TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
+{
+  RoomScan scan;
+  for (const std::uint32_t id : {1u, 2u}) {
+    BoxRoom room;
+    room.id = id;
+    room.has_soffit = id == 1;
+    room.width = id == 1 ? 4 : 3;
+    room.x += id == 1 ? 0 : 4.1; // a partition of 10 cm
+    scan.addRoom(room);
+  }
+  const TemporaryFolder folder;
+  const auto in = [&](const char* name) { return (folder.path() / name).string(); };
+  const auto stage = [&](const char* tool, std::vector<const char*> files) {
+    std::vector<std::string> arguments;
+    for (const char* file : files)
+      arguments.push_back(in(file));
+    const ProgramRun result = run(tool, arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "") << tool;
+  };
+  writeFile(in("scan.pcd"), scan.pcd(false));
+  stage(PARALLEL_VOXEL_GRID, {"scan.pcd", "thinned.pcd"});
+  stage(HORIZONTAL_PLANE_DETECTION, {"thinned.pcd", "planes.pcd"});
+  stage(GRID_REGION_OUTLIER_REMOVAL, {"planes.pcd", "rooms.pcd"});
+  stage(GRID_SLICE_DETAIL, {"rooms.pcd", "details.pcd"});
+  stage(FLOOR_PROJECTION_RECOVERY, {"details.pcd", "floor.pcd"});
+  stage(CEILING_BOUNDARY_WALL_GROWING, {"floor.pcd", "walls.pcd"});
+  stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json"});
+  stage(STRUCTURE_REFINEMENT, {"walls.pcd", "floorplan.json", "refined.pcd"});
+  stage(VERTICAL_HOLE_REPAIR, {"refined.pcd", "floorplan.json", "structure.pcd"});
+  stage(STRUCTURAL_POISSON, {"structure.pcd", "mesh.ply"});
+
+  std::string problem;
+  const auto plan = pcl::sedr::floorplanFromJson(bytesOf(in("floorplan.json")), problem);
+  ASSERT_EQ(plan.rooms.size(), 2u) << problem;
+  EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
+  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(), 0.6 * 3, 0.05);
+  EXPECT_NEAR(plan.rooms[1].area(), 9, 0.05);
+  EXPECT_EQ(plan.rooms[1].details.size(), 0u);
+
+  const ToolCloud structure = loadCloud(in("structure.pcd"));
+  EXPECT_EQ(floatField(structure.blob, "intensity").size(), structure.size());
+
+  const ProgramRun judged =
+      run(MESH_EVALUATION, {in("mesh.ply"), "--json", in("figures.json")});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
+  EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
+  EXPECT_EQ(mesh.at("components").size(), 2u);
+  EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 12 * 2.5 - 1.8 * 0.4 + 9 * 2.5,
+              0.6);
+}
+
+} // namespace
