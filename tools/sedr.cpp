@@ -40,7 +40,7 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr
 loadScan(const std::string& path, double unit)
 {
   const Progress progress("reading " + path);
-  const ToolCloud file = loadCloud(path);
+  const ToolCloud file = loadCloud(path, unit);
   for (auto& p : *file.points)
     p.getVector3fMap() *= static_cast<float>(unit);
   return file.points;

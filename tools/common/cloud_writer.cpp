@@ -224,6 +224,28 @@ save(const std::string& path,
   });
 }
 
+/** @brief The same rows without the gaps that PCL's point types leave between and after their
+ * fields: a file's header does not tell of gaps. */
+pcl::PCLPointCloud2
+withoutPadding(const pcl::PCLPointCloud2& blob)
+{
+  pcl::PCLPointCloud2 packed = blob;
+  packed.point_step = 0;
+  for (auto& field : packed.fields) {
+    field.offset = packed.point_step;
+    packed.point_step += static_cast<std::uint32_t>(fieldSize(field.datatype) * field.count);
+  }
+  const std::size_t rows = std::size_t{blob.width} * blob.height;
+  packed.row_step = packed.point_step * packed.width;
+  packed.data.assign(rows * packed.point_step, 0);
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t f = 0; f < packed.fields.size(); ++f)
+      std::memcpy(&packed.data[i * packed.point_step + packed.fields[f].offset],
+                  &blob.data[i * blob.point_step + blob.fields[f].offset],
+                  fieldSize(blob.fields[f].datatype) * blob.fields[f].count);
+  return packed;
+}
+
 } // namespace
 
 void
@@ -245,7 +267,7 @@ saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 void
 saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
 {
-  save(path, blob, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), data);
+  save(path, withoutPadding(blob), Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), data);
 }
 
 } // namespace tools

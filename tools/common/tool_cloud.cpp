@@ -33,23 +33,25 @@ checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
                       "', its fields are:" + names);
 }
 
-/** @brief Leaves out padding and turns x, y and z into FLOAT32. */
+/** @brief Leaves out padding and turns x, y and z into FLOAT32 metres, scaled as doubles. */
 void
-tidyFields(pcl::PCLPointCloud2& blob, const std::string& path)
+tidyFields(pcl::PCLPointCloud2& blob, const std::string& path, double unit)
 {
   pcl::PCLPointCloud2 tidy;
   std::vector<pcl::PCLPointField> sources;
+  std::vector<bool> is_converted;
   bool is_tidy = true;
   for (const auto& field : blob.fields) {
     const bool is_coordinate =
         field.name == "x" || field.name == "y" || field.name == "z";
     const bool converts =
         is_coordinate &&
-        (field.datatype != pcl::PCLPointField::FLOAT32 || field.count != 1);
+        (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 || field.count != 1);
     is_tidy = is_tidy && field.name != "_" && !converts;
     if (field.name == "_")
       continue;
     sources.push_back(field);
+    is_converted.push_back(converts);
     tidy.fields.push_back(field);
     if (converts) {
       tidy.fields.back().datatype = pcl::PCLPointField::FLOAT32;
@@ -65,10 +67,10 @@ tidyFields(pcl::PCLPointCloud2& blob, const std::string& path)
       const auto& to = tidy.fields[f];
       const auto* from = &blob.data[i * blob.point_step + sources[f].offset];
       auto* where = &tidy.data[i * tidy.point_step + to.offset];
-      if (to.datatype == sources[f].datatype)
-        std::memcpy(where, from, fieldSize(to.datatype) * to.count);
+      if (is_converted[f])
+        writeField(where, to.datatype, unit * readField(from, sources[f].datatype));
       else
-        writeField(where, to.datatype, readField(from, sources[f].datatype));
+        std::memcpy(where, from, fieldSize(to.datatype) * to.count);
     }
   blob = std::move(tidy);
 }
@@ -82,10 +84,21 @@ median(std::vector<double> values)
   return *middle;
 }
 
+/** @brief Whether heights spread, but for a hundredth at each end, over more metres than
+ * any building has. */
+bool
+couldBeMillimetres(std::vector<double> heights)
+{
+  constexpr double highest = 200;
+  std::sort(heights.begin(), heights.end());
+  const std::size_t cut = heights.size() / 100;
+  return heights[heights.size() - 1 - cut] - heights[cut] > highest;
+}
+
 /** @brief Refuses clouds without a finite point, and those that lie, but for stray
- * points, too far from the origin for a float. */
+ * points, too far from the origin for a float of metres. */
 void
-checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
+checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path, double unit)
 {
   std::array<std::vector<double>, 4> values; // x, y, z and the largest of their sizes
   std::array<const pcl::PCLPointField*, 3> xyz{
@@ -95,8 +108,8 @@ checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
   for (std::size_t i = 0; i < blob.width; ++i) {
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
-                          xyz[axis]->datatype);
+      p[axis] = unit * readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
+                                 xyz[axis]->datatype);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       continue;
     if (finite++ % stride != 0)
@@ -111,6 +124,10 @@ checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path)
   const double size = median(values[3]);
   if (size * float_step <= coarsest)
     return;
+  if (unit == 1 && couldBeMillimetres(values[2]))
+    throw ToolError("the coordinates of '" + path +
+                    "' are too large for metres; if the unit is the millimetre, scale by "
+                    "0.001 (--unit 0.001 in pcl_sedr)");
   std::ostringstream sentence;
   sentence.precision(2);
   sentence << "the coordinates of '" << path << "' are too large: at "
@@ -137,7 +154,7 @@ ToolCloud::withLabel(StructureLabel wanted) const
 }
 
 ToolCloud
-loadCloud(const std::string& path)
+loadCloud(const std::string& path, double unit)
 {
   const MappedFile file(path);
   if (!looksLikePly(file) && !looksLikePcd(file))
@@ -149,12 +166,13 @@ loadCloud(const std::string& path)
   cloud.blob = std::move(loaded.blob);
   auto& blob = cloud.blob;
   checkCoordinates(blob, path);
-  checkExtent(blob, path);
-  tidyFields(blob, path);
+  checkExtent(blob, path, unit);
+  tidyFields(blob, path, unit);
 
   cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>(blob.width, 1));
   cloud.points->is_dense = false;
   cloud.points->sensor_origin_ = loaded.origin;
+  cloud.points->sensor_origin_.head<3>() *= static_cast<float>(unit);
   cloud.points->sensor_orientation_ = loaded.orientation;
   const std::array<std::size_t, 3> offsets{findField(blob, "x")->offset,
                                            findField(blob, "y")->offset,
