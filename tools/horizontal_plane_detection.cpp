@@ -9,8 +9,6 @@
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 
-#include <pcl/common/angles.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -26,6 +24,9 @@ namespace {
 
 using Detection = pcl::HorizontalPlaneDetection<pcl::PointXYZ>;
 using Planes = std::vector<pcl::HorizontalPlane>;
+
+/** Radians. PCL's own conversion is a little more, which 45 degrees must not be. */
+constexpr double degree = M_PI / 180;
 
 struct Settings {
   std::string input;
@@ -160,7 +161,7 @@ print(const Planes& planes, const ToolCloud& cloud)
   std::printf("kind     height m   area m2  tilt deg  residual cm   inliers\n");
   for (const auto& plane : planes)
     std::printf("%-7s %9.3f %9.2f %9.2f %12.2f %9zu\n", nameOf(plane.kind),
-                heightOf(plane, cloud), plane.area, pcl::rad2deg(tiltOf(plane)),
+                heightOf(plane, cloud), plane.area, tiltOf(plane) / degree,
                 100 * plane.residual, plane.inliers.indices.size());
 }
 
@@ -198,7 +199,7 @@ main(int argc, char** argv)
   Settings settings;
   double distance = detection.getDistanceThreshold();
   double grid = detection.getGridSize();
-  double tilt = pcl::rad2deg(detection.getMaximumTilt());
+  double tilt = detection.getMaximumTilt() / degree;
   double area = detection.getMinimumArea();
   double height = detection.getMinimumRoomHeight();
   std::uint64_t seed = detection.getSeed();
@@ -213,7 +214,7 @@ main(int argc, char** argv)
   options.number("distance", distance, "m", "farthest a point is from its plane",
                  Range::above(0));
   options.number("grid", grid, "m", "edge of the cells that areas are counted in",
-                 Range::above(0));
+                 Range::between(0.001, 10));
   options.number("max-tilt", tilt, "degrees",
                  "largest angle of a plane with the horizontal", Range::between(0, 45));
   options.number("min-area", area, "m2", "smallest plane", Range::above(0));
@@ -228,7 +229,7 @@ main(int argc, char** argv)
   return runTool(options, argc, argv, [&] {
     detection.setDistanceThreshold(distance);
     detection.setGridSize(grid);
-    detection.setMaximumTilt(pcl::deg2rad(tilt));
+    detection.setMaximumTilt(tilt * degree);
     detection.setMinimumArea(area);
     detection.setMinimumRoomHeight(height);
     detection.setSeed(seed);

@@ -13,40 +13,102 @@
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <filesystem>
+#include <functional>
+#include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 using namespace pcl::sedr::tools;
+using pcl::sedr::StageReport;
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 namespace fs = std::filesystem;
 
 namespace {
 
-/** @brief Makes the folder, and asks whether the outputs can be written there, before the work. */
-void
-prepareFolder(const std::string& folder)
+constexpr std::array<const char*, 4> output_names{"structure.pcd", "mesh.ply",
+                                                  "floorplan.json", "report.json"};
+
+/** @brief The folder of the results: asked for before the work, made when there is
+ * something to write, and gone again, if it was made here, when writing fails. */
+class OutputFolder {
+public:
+  explicit OutputFolder(const std::string& path)
+      : path_(path.empty() ? throw ToolError("the output folder has no name")
+                           : fs::absolute(path))
+  {
+    fs::path parent = path_;
+    std::error_code error;
+    while (!fs::exists(fs::symlink_status(parent, error)) &&
+           parent != parent.root_path()) {
+      missing_.push_back(parent);
+      parent = parent.parent_path();
+    }
+    if (!fs::is_directory(parent, error))
+      refuse("'" + parent.string() + "' is no folder");
+    if (access(parent.c_str(), W_OK | X_OK) != 0)
+      refuse("'" + parent.string() + "' is not writable: " + std::strerror(errno));
+    if (missing_.empty())
+      for (const char* name : output_names)
+        checkWritable(file(name));
+  }
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+  /** @brief Makes the folder and calls `write`, which fills it. */
+  void fill(const std::function<void()>& write) const
+  {
+    std::error_code error;
+    fs::create_directories(path_, error);
+    try {
+      if (error)
+        refuse(error.message());
+      write();
+    }
+    catch (...) {
+      if (!missing_.empty())
+        for (const char* name : output_names)
+          fs::remove(file(name), error);
+      for (const auto& folder : missing_)
+        fs::remove(folder, error); // only where it is empty
+      throw;
+    }
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string& reason) const
+  {
+    throw ToolError("the output folder '" + path_.string() +
+                    "' cannot be written to: " + reason);
+  }
+
+  fs::path path_;
+  std::vector<fs::path> missing_; ///< what must be made, innermost first
+};
+
+/** @brief Runs a step that is no stage of the chain, with progress; it is handed its
+ * report, to fill in the points. */
+StageReport
+timed(const std::string& name, const std::function<void(StageReport&)>& step)
 {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw ToolError("the output folder '" + folder + "' cannot be made: " +
-                    (error ? error.message() : "a file of that name exists"));
-  for (const char* name : {"structure.pcd", "mesh.ply", "floorplan.json", "report.json"})
-    checkWritable((fs::path(folder) / name).string());
+  const Progress progress(name);
+  StageReport report{name};
+  const auto start = std::chrono::steady_clock::now();
+  step(report);
+  report.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
 }
 
-/** @brief Loads the scan, and brings it to metres. */
-pcl::PointCloud<pcl::PointXYZ>::Ptr
-loadScan(const std::string& path, double unit)
-{
-  const Progress progress("reading " + path);
-  const ToolCloud file = loadCloud(path, unit);
-  for (auto& p : *file.points)
-    p.getVector3fMap() *= static_cast<float>(unit);
-  return file.points;
-}
-
-/** @brief Runs the chain with progress; what fails is a ToolError that names the stage. */
+/** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
+ */
 void
 reconstruct(Reconstruction& chain)
 {
@@ -57,6 +119,7 @@ reconstruct(Reconstruction& chain)
   };
   pcl::PolygonMesh mesh;
   chain.reconstruct(mesh);
+  chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
   progress.reset();
   if (mesh.polygons.empty())
     throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
@@ -64,9 +127,8 @@ reconstruct(Reconstruction& chain)
 
 /** @brief Distances of the labelled scan points, before refinement, from the mesh. */
 pcl::sedr::MeshEvaluationResult
-evaluate(const Reconstruction& chain, unsigned threads)
+evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
-  const Progress progress("MeshEvaluation");
   const auto& result = chain.getChain();
   const std::size_t scanned = chain.getStageReports().front().points_out;
   pcl::IndicesPtr structure(new pcl::Indices);
@@ -82,24 +144,136 @@ evaluate(const Reconstruction& chain, unsigned threads)
   pcl::sedr::MeshEvaluationResult figures;
   if (!evaluation.compute(figures))
     throw ToolError(evaluation.getErrorMessage(), NothingFound);
+  report.points_in = structure->size();
+  report.points_out = structure->size() - figures.skipped_points;
   return figures;
 }
 
+/** @brief Writes the model: all but the report. */
 void
-write(const std::string& folder, const Reconstruction& chain, const std::string& report)
+writeModel(const OutputFolder& folder, const Reconstruction& chain)
 {
-  const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   pcl::PCLPointCloud2 structure;
   pcl::toPCLPointCloud2(*chain.getStructure(), structure);
-  saveCloud(path("structure.pcd"), structure);
+  saveCloud(folder.file("structure.pcd"), structure);
   const std::string problem =
-      pcl::sedr::savePly(path("mesh.ply"), chain.getChain().poisson.getMesh());
+      pcl::sedr::savePly(folder.file("mesh.ply"), chain.getChain().poisson.getMesh());
   if (!problem.empty())
     throw ToolError(problem);
-  writeWhole(path("floorplan.json"), [&](std::ostream& stream) {
+  writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
     stream << pcl::sedr::floorplanToJson(*chain.getFloorplan());
   });
-  writeWhole(path("report.json"), [&](std::ostream& stream) { stream << report; });
+}
+
+/** @brief What the command line sets; the defaults are the chain's. */
+struct Settings {
+  explicit Settings(const Reconstruction& chain)
+      : voxel(chain.getVoxelSize())
+      , plane_tolerance(chain.getPlaneTolerance())
+      , grid(chain.getGridSize())
+      , angle(pcl::rad2deg(chain.getBoundaryAngle()))
+      , neighbours(chain.getBoundaryNeighbors())
+      , minimum_cells(chain.getMinimumDetailCells())
+      , boundary_tolerance(chain.getBoundaryTolerance())
+      , depth(chain.getTreeDepth())
+      , threads(chain.getNumberOfThreads())
+      , seed(chain.getSeed())
+      , z_up(chain.getChain().trust_up)
+  {}
+
+  std::string input;
+  std::string folder;
+  double voxel;
+  double plane_tolerance;
+  double grid;
+  double angle; ///< degrees
+  unsigned neighbours;
+  std::size_t minimum_cells;
+  double boundary_tolerance;
+  int depth;
+  unsigned threads;
+  std::uint64_t seed;
+  double unit = 1; ///< metres
+  bool z_up;
+};
+
+void
+addOptions(Options& options, Settings& s)
+{
+  options.file("INPUT", s.input, "PCD or PLY file, z up");
+  options.file("OUTPUT_DIR", s.folder, "folder for the results, made if missing");
+  options.number("voxel-size", s.voxel, "m", "edge of a voxel in down-sampling",
+                 Range::between(0.005, 1));
+  options.number("plane-tolerance", s.plane_tolerance, "m",
+                 "tolerance of the planes of ceiling and floor",
+                 Range::between(0.001, 1));
+  options.number("grid-size", s.grid, "m", "cell of outlier removal and grid-slices",
+                 Range::between(0.01, 1));
+  options.number("boundary-angle", s.angle, "degrees", "angle of boundary estimation",
+                 Range::between(1, 359));
+  options.number("boundary-neighbors", s.neighbours, "points",
+                 "neighbours of boundary estimation", Range::between(3, 10000));
+  options.number("minimum-cells", s.minimum_cells, "cells",
+                 "least region of a structural detail", Range::atLeast(1));
+  options.number("boundary-tolerance", s.boundary_tolerance, "m",
+                 "tolerance of the walls' lines and circles", Range::between(0.001, 1));
+  options.number("tree-depth", s.depth, "levels",
+                 "greatest depth of the Poisson reconstruction", Range::between(3, 14));
+  options.number("threads", s.threads, "", "threads, 0 for all processors",
+                 Range::between(0, 1024));
+  options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
+  options.number("unit", s.unit, "m",
+                 "length of one unit of the scan: 0.001 for millimetres",
+                 Range::between(1e-6, 1e6));
+  options.flag("z-up", s.z_up, "take z as up even if another axis seems to be");
+}
+
+void
+apply(const Settings& s, Reconstruction& chain)
+{
+  chain.setVoxelSize(static_cast<float>(s.voxel));
+  chain.setPlaneTolerance(s.plane_tolerance);
+  chain.setGridSize(s.grid);
+  chain.setBoundaryEstimation(pcl::deg2rad(s.angle), s.neighbours);
+  chain.setMinimumDetailCells(s.minimum_cells);
+  chain.setBoundaryTolerance(s.boundary_tolerance);
+  chain.setTreeDepth(s.depth);
+  chain.setNumberOfThreads(s.threads);
+  chain.setSeed(s.seed);
+  chain.getChain().trust_up = s.z_up;
+}
+
+/** @brief Reads, reconstructs, measures and writes. */
+int
+run(const Settings& settings, Reconstruction& chain)
+{
+  const OutputFolder folder(settings.folder);
+  RunRecord record;
+  record.path = settings.input;
+  record.unit = settings.unit;
+  const StageReport reading = timed("reading", [&](StageReport& report) {
+    const auto scan = loadCloud(settings.input, settings.unit).points;
+    record.points = report.points_in = report.points_out = scan->size();
+    chain.setInputCloud(scan);
+  });
+  reconstruct(chain);
+  record.stages = chain.getStageReports();
+  record.stages.insert(record.stages.begin(), reading);
+  record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
+    record.figures = evaluate(chain, settings.threads, report);
+  }));
+  folder.fill([&] {
+    record.stages.push_back(timed("writing", [&](StageReport& report) {
+      writeModel(folder, chain);
+      report.points_in = report.points_out = chain.getStructure()->size();
+    }));
+    writeWhole(folder.file("report.json"),
+               [&](std::ostream& stream) { stream << makeReport(record, chain); });
+  });
+  for (const auto& warning : chain.getChain().warnings)
+    std::cerr << "pcl_sedr: warning: " << warning << '\n';
+  say(summaryOf(record, chain));
+  return Done;
 }
 
 } // namespace
@@ -108,89 +282,14 @@ int
 main(int argc, char** argv)
 {
   Reconstruction chain;
-  ReportInput input;
-  std::string folder;
-  double voxel = chain.getVoxelSize();
-  double plane_tolerance = chain.getPlaneTolerance();
-  double grid = chain.getGridSize();
-  double angle = pcl::rad2deg(chain.getBoundaryAngle());
-  unsigned neighbours = chain.getBoundaryNeighbors();
-  std::size_t minimum_cells = chain.getMinimumDetailCells();
-  double boundary_tolerance = chain.getBoundaryTolerance();
-  int depth = chain.getTreeDepth();
-  unsigned threads = chain.getNumberOfThreads();
-  std::uint64_t seed = chain.getSeed();
-
-  Options options("pcl_sedr",
-                  "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
-                  "room.\nWrites structure.pcd, mesh.ply, floorplan.json and report.json.");
-  options.file("INPUT", input.path, "PCD or PLY file, z up");
-  options.file("OUTPUT_DIR", folder, "folder for the results, made if missing");
-  options.number(
-      "voxel-size", voxel, "m", "edge of a voxel in down-sampling", Range::between(0.005, 1));
-  options.number("plane-tolerance",
-                 plane_tolerance,
-                 "m",
-                 "tolerance of the planes of ceiling and floor",
-                 Range::between(0.001, 1));
-  options.number(
-      "grid-size", grid, "m", "cell of outlier removal and grid-slices", Range::between(0.01, 1));
-  options.number("boundary-angle",
-                 angle,
-                 "degrees",
-                 "angle of boundary estimation",
-                 Range::between(1, 359));
-  options.number("boundary-neighbors",
-                 neighbours,
-                 "points",
-                 "neighbours of boundary estimation",
-                 Range::between(3, 10000));
-  options.number("minimum-cells",
-                 minimum_cells,
-                 "cells",
-                 "least region of a structural detail",
-                 Range::atLeast(1));
-  options.number("boundary-tolerance",
-                 boundary_tolerance,
-                 "m",
-                 "tolerance of the walls' lines and circles",
-                 Range::between(0.001, 1));
-  options.number("tree-depth",
-                 depth,
-                 "levels",
-                 "greatest depth of the Poisson reconstruction",
-                 Range::between(3, 14));
-  options.number("threads", threads, "", "threads, 0 for all processors", Range::between(0, 1024));
-  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
-  options.number("unit",
-                 input.unit,
-                 "m",
-                 "length of one unit of the scan: 0.001 for millimetres",
-                 Range::between(1e-6, 1e6));
-  options.flag("z-up",
-               chain.getChain().trust_up,
-               "take z as up even if another axis seems to be");
-
+  Settings settings(chain);
+  Options options(
+      "pcl_sedr",
+      "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
+      "room.\nWrites structure.pcd, mesh.ply, floorplan.json and report.json.");
+  addOptions(options, settings);
   return runTool(options, argc, argv, [&] {
-    chain.setVoxelSize(static_cast<float>(voxel));
-    chain.setPlaneTolerance(plane_tolerance);
-    chain.setGridSize(grid);
-    chain.setBoundaryEstimation(pcl::deg2rad(angle), neighbours);
-    chain.setMinimumDetailCells(minimum_cells);
-    chain.setBoundaryTolerance(boundary_tolerance);
-    chain.setTreeDepth(depth);
-    chain.setNumberOfThreads(threads);
-    chain.setSeed(seed);
-
-    prepareFolder(folder);
-    const auto scan = loadScan(input.path, input.unit);
-    input.points = scan->size();
-    chain.setInputCloud(scan);
-    reconstruct(chain);
-    write(folder, chain, makeReport(input, chain, evaluate(chain, threads)));
-    for (const auto& warning : chain.getChain().warnings)
-      std::cerr << "pcl_sedr: warning: " << warning << '\n';
-    say(summaryOf(chain));
-    return Done;
+    apply(settings, chain);
+    return run(settings, chain);
   });
 }

@@ -2,7 +2,9 @@
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -77,6 +79,7 @@ CellGrid::holds(double x, double y) const
 Cell
 CellGrid::at(double x, double y) const
 {
+  assert(holds(x, y));
   return {static_cast<std::int32_t>(std::floor(x / size_)),
           static_cast<std::int32_t>(std::floor(y / size_))};
 }
@@ -85,6 +88,16 @@ CellSet::CellSet(std::vector<CellKey> keys) : keys_(std::move(keys))
 {
   std::sort(keys_.begin(), keys_.end());
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+}
+
+CellSet
+CellSet::fromSorted(std::vector<CellKey> keys)
+{
+  assert(std::adjacent_find(keys.begin(), keys.end(), std::greater_equal<>()) ==
+         keys.end());
+  CellSet set;
+  set.keys_ = std::move(keys);
+  return set;
 }
 
 std::size_t
@@ -105,7 +118,7 @@ unite(const CellSet& a, const CellSet& b)
                  b.keys().begin(),
                  b.keys().end(),
                  std::back_inserter(keys));
-  return CellSet(std::move(keys));
+  return CellSet::fromSorted(std::move(keys));
 }
 
 CellSet
@@ -117,7 +130,7 @@ intersect(const CellSet& a, const CellSet& b)
                         b.keys().begin(),
                         b.keys().end(),
                         std::back_inserter(keys));
-  return CellSet(std::move(keys));
+  return CellSet::fromSorted(std::move(keys));
 }
 
 CellSet
@@ -129,7 +142,7 @@ subtract(const CellSet& a, const CellSet& b)
                       b.keys().begin(),
                       b.keys().end(),
                       std::back_inserter(keys));
-  return CellSet(std::move(keys));
+  return CellSet::fromSorted(std::move(keys));
 }
 
 CellRegions

@@ -102,8 +102,12 @@ maskProblem(const CellBox& box)
 {
   if (box.count() <= most_mask_cells)
     return {};
-  return "the grid around the region would have " + std::to_string(box.count()) +
-         " cells, at most " + std::to_string(most_mask_cells) +
+  const auto span = [](std::int32_t low, std::int32_t high) {
+    return std::to_string(static_cast<std::int64_t>(high) - low + 1);
+  };
+  return "the region spans " + span(box.low.x, box.high.x) + " x " +
+         span(box.low.y, box.high.y) + " cells, these are " + std::to_string(box.count()) +
+         ", at most " + std::to_string(most_mask_cells) +
          " can be held: take larger cells or cut the scan";
 }
 
@@ -137,7 +141,7 @@ CellMask::toSet() const
   for (std::size_t i = 0; i < values_.size(); ++i)
     if (values_[i])
       keys.push_back(keyOf(cellAt(i)));
-  return CellSet(std::move(keys));
+  return CellSet::fromSorted(std::move(keys)); // the box is walked through in their order
 }
 
 std::vector<float>
@@ -236,10 +240,15 @@ regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region
   return result;
 }
 
-std::vector<std::size_t>
-growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
+namespace {
+
+/** @brief Grows labels; `parent` may be null. */
+void
+growFrom(const CellMask& domain,
+         int steps,
+         std::vector<std::int32_t>& label,
+         std::vector<std::size_t>* parent)
 {
-  std::vector<std::size_t> parent(label.size(), CellSet::npos);
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < label.size(); ++i)
     if (label[i] >= 0)
@@ -256,12 +265,28 @@ growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
         if (label[j] >= 0)
           continue;
         label[j] = label[i];
-        parent[j] = i;
+        if (parent)
+          (*parent)[j] = i;
         next.push_back(j);
       }
     }
     front.swap(next);
   }
+}
+
+} // namespace
+
+void
+growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
+{
+  growFrom(domain, steps, label, nullptr);
+}
+
+std::vector<std::size_t>
+growLabelsWithParents(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
+{
+  std::vector<std::size_t> parent(label.size(), CellSet::npos);
+  growFrom(domain, steps, label, &parent);
   return parent;
 }
 

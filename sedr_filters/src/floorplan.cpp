@@ -42,6 +42,20 @@ turnAround(const PlanElement& e, const Eigen::Vector2d& p)
   return std::atan2(cross(a, b), a.dot(b));
 }
 
+/** @brief Number of chords that stay within `tolerance` metres of an arc, 3 to 10000. */
+std::size_t
+chordsOf(const PlanElement& arc, double tolerance)
+{
+  constexpr double least = 3;
+  constexpr double most = 10000;
+  // The sagitta r (1 - cos (step / 2)) is 2 r sin^2 (step / 4): no difference of nearly equal
+  // numbers however large the radius.
+  const double slack = std::min(1.0, std::max(tolerance, 1e-6) / arc.radius);
+  const double step = 4 * std::asin(std::sqrt(slack / 2));
+  return static_cast<std::size_t>(
+      std::max(least, std::min(most, std::ceil(std::abs(arc.sweep()) / step))));
+}
+
 } // namespace
 
 double
@@ -176,13 +190,7 @@ PlanLoop::polygon(double tolerance) const
 {
   std::vector<Eigen::Vector2d> corners;
   for (const auto& e : elements) {
-    std::size_t parts = 1;
-    if (e.isArc()) {
-      const double slack = std::min(1.0, std::max(tolerance, 1e-6) / e.radius);
-      const double step = 2 * std::acos(1 - slack);
-      parts = static_cast<std::size_t>(std::ceil(std::abs(e.sweep()) / step));
-      parts = std::max<std::size_t>(parts, 3);
-    }
+    const std::size_t parts = e.isArc() ? chordsOf(e, tolerance) : 1;
     for (std::size_t k = 0; k < parts; ++k)
       corners.push_back(k == 0 ? e.start : e.pointAt(e.length() * k / parts));
   }
@@ -239,8 +247,7 @@ PlanRoom::detailAt(const Eigen::Vector2d& p) const
 double
 PlanRoom::ceilingAt(const Eigen::Vector2d& p) const
 {
-  const int detail = detailAt(p);
-  return (detail < 0 ? ceiling : details[static_cast<std::size_t>(detail)].slab).heightAt(p);
+  return ceilingSlab(detailAt(p)).heightAt(p);
 }
 
 double

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/floorplan_io.h>
 
+#include "number_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace pcl {
@@ -22,13 +25,26 @@ toJson(const Eigen::Vector2d& p)
   return Json::array({p.x(), p.y()});
 }
 
+/** @brief Limits of what is read: beyond them no room was ever scanned, and double precision, grids
+ * and files of single precision lose the millimetres. Metres. */
+constexpr double most_coordinate = 1e6;
+constexpr double most_radius = 1e5;
+constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
+constexpr double least_upward = 0.7;     ///< c of a floor or ceiling: at most 45 degrees of slope
+
 Eigen::Vector2d
 pointFrom(const Json& json)
 {
   if (json.size() != 2)
     throw std::invalid_argument("a point has 2 coordinates, not " +
                                 std::to_string(json.size()));
-  return {json.at(0).get<double>(), json.at(1).get<double>()};
+  const Eigen::Vector2d p(json.at(0).get<double>(), json.at(1).get<double>());
+  for (const double coordinate : p)
+    if (!(std::abs(coordinate) <= most_coordinate))
+      throw std::invalid_argument("a coordinate must lie within " +
+                                  numberText(most_coordinate) + " m, it is " +
+                                  numberText(coordinate));
+  return p;
 }
 
 Json
@@ -47,6 +63,22 @@ toJson(const PlanElement& e)
   return json;
 }
 
+/** @brief Throws where start and end of an arc are not on its circle. */
+void
+checkArc(const PlanElement& e)
+{
+  if (!(e.radius > 0 && e.radius <= most_radius))
+    throw std::invalid_argument("the radius of an arc must be above 0 m and at most " +
+                                numberText(most_radius) + " m, it is " +
+                                numberText(e.radius));
+  for (const Eigen::Vector2d& end : {e.start, e.end}) {
+    const double gap = std::abs((end - e.centre).norm() - e.radius);
+    if (!(gap <= most_gap_of_arc))
+      throw std::invalid_argument("an end of an arc must lie on its circle, it is " +
+                                  numberText(gap) + " m off");
+  }
+}
+
 PlanElement
 elementFrom(const Json& json)
 {
@@ -60,9 +92,7 @@ elementFrom(const Json& json)
     e.centre = pointFrom(json.at("centre"));
     e.radius = json.at("radius").get<double>();
     e.counter_clockwise = json.at("counter_clockwise").get<bool>();
-    if (!(e.radius > 0) || !std::isfinite(e.radius))
-      throw std::invalid_argument("the radius of an arc must be above 0 m, it is " +
-                                  std::to_string(e.radius));
+    checkArc(e);
   }
   e.inliers = json.at("inliers").get<std::size_t>();
   e.residual = json.at("residual").get<double>();
@@ -96,6 +126,19 @@ loopFrom(const Json& json)
   return loop;
 }
 
+/** @brief A loop that must run counter-clockwise around some area. */
+PlanLoop
+outerLoopFrom(const Json& json)
+{
+  PlanLoop loop = loopFrom(json);
+  const double area = loop.area();
+  if (!(area > 0))
+    throw std::invalid_argument(
+        "a boundary must run counter-clockwise around an area above 0 m2, it is " +
+        numberText(area) + " m2");
+  return loop;
+}
+
 Json
 loopsToJson(const std::vector<PlanLoop>& loops)
 {
@@ -122,15 +165,35 @@ toJson(const PlanSlab& slab)
           {"residual", slab.residual}};
 }
 
+/** @brief Brings a normal that was rounded to unit length, and leaves one that was not as it is.
+ * Throws where the plane is none of a floor or ceiling. */
+void
+makeUpward(Eigen::Vector4d& plane)
+{
+  const double length = plane.head<3>().norm();
+  if (!(std::abs(length - 1) <= 1e-3))
+    throw std::invalid_argument(
+        "the normal of a floor or ceiling must have length 1, it has " + numberText(length));
+  if (!(plane[2] >= least_upward * length))
+    throw std::invalid_argument("the plane of a floor or ceiling must face up, its c is " +
+                                numberText(plane[2]) + ", at least " +
+                                numberText(least_upward) + " is needed");
+  // Of a place whose coordinates are within the limit: sqrt(3) times it.
+  if (!(std::abs(plane[3]) <= 2 * most_coordinate))
+    throw std::invalid_argument("the d of a floor or ceiling must lie within " +
+                                numberText(2 * most_coordinate) + " m, it is " +
+                                numberText(plane[3]));
+  if (std::abs(length - 1) > 1e-9)
+    plane /= length;
+}
+
 PlanSlab
 slabFrom(const Json& json)
 {
   PlanSlab slab;
   for (std::size_t k = 0; k < 4; ++k)
     slab.plane[static_cast<Eigen::Index>(k)] = json.at("plane").at(k).get<double>();
-  if (!slab.plane.allFinite() || !(slab.plane[2] > 0))
-    throw std::invalid_argument("the plane of a floor or ceiling must face up, its c is " +
-                                std::to_string(slab.plane[2]));
+  makeUpward(slab.plane);
   slab.inliers = json.at("inliers").get<std::size_t>();
   slab.residual = json.at("residual").get<double>();
   return slab;
@@ -154,19 +217,35 @@ toJson(const PlanRoom& room)
           {"details", details}};
 }
 
+/** @brief The id of a room, which none of `rooms` may have. */
+std::uint32_t
+idFrom(const Json& json, const std::vector<PlanRoom>& rooms)
+{
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() == 0 ||
+      json.get<std::uint64_t>() > most)
+    throw std::invalid_argument("the id of a room is a whole number from 1 to " +
+                                std::to_string(most) + ", not " + json.dump());
+  const auto id = json.get<std::uint32_t>();
+  for (const auto& room : rooms)
+    if (room.id == id)
+      throw std::invalid_argument("two rooms have the id " + std::to_string(id));
+  return id;
+}
+
 PlanRoom
-roomFrom(const Json& json)
+roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
 {
   PlanRoom room;
-  room.id = json.at("id").get<std::uint32_t>();
+  room.id = idFrom(json.at("id"), rooms);
   room.floor = slabFrom(json.at("floor"));
   room.ceiling = slabFrom(json.at("ceiling"));
-  room.boundary = loopFrom(json.at("boundary"));
+  room.boundary = outerLoopFrom(json.at("boundary"));
   room.columns = loopsFrom(json.at("columns"));
   for (const auto& d : json.at("details")) {
     PlanDetail detail;
     detail.slab = slabFrom(d.at("slab"));
-    detail.boundary = loopFrom(d.at("boundary"));
+    detail.boundary = outerLoopFrom(d.at("boundary"));
     detail.holes = loopsFrom(d.at("holes"));
     room.details.push_back(std::move(detail));
   }
@@ -202,7 +281,7 @@ floorplanFromJson(const std::string& text, std::string& problem)
                                   ", version " + std::to_string(format_version) +
                                   " can be read");
     for (const auto& room : json.at("rooms"))
-      plan.rooms.push_back(roomFrom(room));
+      plan.rooms.push_back(roomFrom(room, plan.rooms));
   }
   catch (const std::exception& error) {
     problem = std::string("the floor plan cannot be read: ") + error.what();

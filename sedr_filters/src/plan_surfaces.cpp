@@ -43,12 +43,6 @@ clampedTo(const UprightSpan& span, double z)
   return std::min(std::max(z, span.low), std::max(span.low, span.high));
 }
 
-Eigen::Vector3d
-unitNormal(const PlanSlab& slab, bool up)
-{
-  return up ? Eigen::Vector3d(slab.plane.head<3>()) : Eigen::Vector3d(-slab.plane.head<3>());
-}
-
 /** @brief The nearest place of an upright surface, by the distance in plan and what z lies beside
  * the surface's heights; infinity where that is not below `least`. */
 double
@@ -71,25 +65,6 @@ nearestOn(const UprightSurface& surface,
   nearest.label = surface.label;
   nearest.room = surface.room->id;
   return std::hypot((foot - place).norm(), p.z() - z);
-}
-
-/** @brief The ceiling or detail above a place, or the floor below it. */
-double
-nearestSlab(const PlanRoom& room, const Eigen::Vector3d& p, bool is_floor, SurfacePoint& nearest)
-{
-  const Eigen::Vector2d place = p.head<2>();
-  const int detail = is_floor ? -1 : room.detailAt(place);
-  const PlanSlab& slab = is_floor ? room.floor
-                         : detail < 0
-                             ? room.ceiling
-                             : room.details[static_cast<std::size_t>(detail)].slab;
-  nearest.position << place, slab.heightAt(place);
-  nearest.normal = unitNormal(slab, is_floor);
-  nearest.label = is_floor     ? StructureLabel::Floor
-                  : detail < 0 ? StructureLabel::Ceiling
-                               : StructureLabel::Detail;
-  nearest.room = room.id;
-  return std::abs(p.z() - nearest.position.z());
 }
 
 /** @brief Which upright surfaces a point with a label may belong to. */
@@ -137,6 +112,21 @@ uprightSurfaces(const PlanRoom& room)
   return surfaces;
 }
 
+SurfacePoint
+slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor)
+{
+  const int detail = is_floor ? -1 : room.detailAt(place);
+  const PlanSlab& slab = is_floor ? room.floor : room.ceilingSlab(detail);
+  SurfacePoint point;
+  point.position << place, slab.heightAt(place);
+  point.normal = (is_floor ? 1.0 : -1.0) * slab.plane.head<3>();
+  point.label = is_floor     ? StructureLabel::Floor
+                : detail < 0 ? StructureLabel::Ceiling
+                             : StructureLabel::Detail;
+  point.room = room.id;
+  return point;
+}
+
 bool
 snapToRoom(const PlanRoom& room,
            const std::vector<UprightSurface>& uprights,
@@ -148,8 +138,10 @@ snapToRoom(const PlanRoom& room,
   double least = std::numeric_limits<double>::infinity();
   const bool is_slab = label == StructureLabel::Ceiling || label == StructureLabel::Floor ||
                        label == StructureLabel::Detail;
-  if (is_slab && room.contains(position.head<2>()))
-    least = nearestSlab(room, position, label == StructureLabel::Floor, snapped);
+  if (is_slab && room.contains(position.head<2>())) {
+    snapped = slabPointAt(room, position.head<2>(), label == StructureLabel::Floor);
+    least = std::abs(position.z() - snapped.position.z());
+  }
   if (label == StructureLabel::Wall || label == StructureLabel::Column ||
       label == StructureLabel::Detail)
     for (const auto& surface : uprights) {

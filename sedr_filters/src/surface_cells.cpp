@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/surface_cells.h>
 
+#include "number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,13 +22,81 @@ partsOf(double length, double size)
 /** @brief A riser lower than this is no step but two fits of one height, metres. */
 constexpr double least_riser = 0.01;
 
-Eigen::Vector3d
-normalOf(const PlanSlab& slab, double sign)
+struct PlanBox {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+};
+
+PlanBox
+boxOf(const PlanLoop& loop, double tolerance)
 {
-  return sign * slab.plane.head<3>();
+  PlanBox box;
+  for (const auto& corner : loop.polygon(tolerance)) {
+    box.low = box.low.cwiseMin(corner);
+    box.high = box.high.cwiseMax(corner);
+  }
+  return box;
+}
+
+/** @brief The greatest difference of height between any two slabs of a room at one place of its
+ * box: it is linear in between, so the corners tell. */
+double
+greatestHeight(const PlanRoom& room, const PlanBox& box)
+{
+  double greatest = 0;
+  for (const double x : {box.low.x(), box.high.x()})
+    for (const double y : {box.low.y(), box.high.y()}) {
+      const Eigen::Vector2d corner(x, y);
+      double low = room.floor.heightAt(corner);
+      double high = low;
+      for (int d = -1; d < static_cast<int>(room.details.size()); ++d) {
+        low = std::min(low, room.ceilingSlab(d).heightAt(corner));
+        high = std::max(high, room.ceilingSlab(d).heightAt(corner));
+      }
+      greatest = std::max(greatest, high - low);
+    }
+  return greatest;
+}
+
+/** @brief About how many cells a room has, the empty ones of its box in plan included, for they
+ * take memory too. */
+double
+estimatedCells(const PlanRoom& room, double size)
+{
+  if (room.boundary.elements.empty())
+    return 0;
+  const PlanBox box = boxOf(room.boundary, size / 10);
+  const Eigen::Vector2d extent = box.high - box.low;
+  double columns = 0;
+  const auto add = [&](const PlanLoop& loop) {
+    columns += loop.length() / size + static_cast<double>(loop.elements.size());
+  };
+  add(room.boundary);
+  for (const auto& column : room.columns)
+    add(column);
+  for (const auto& detail : room.details) {
+    add(detail.boundary);
+    for (const auto& hole : detail.holes)
+      add(hole);
+  }
+  return columns * (greatestHeight(room, box) / size + 1) +
+         2 * (extent.x() / size + 1) * (extent.y() / size + 1);
 }
 
 } // namespace
+
+std::string
+surfaceCellsProblem(const Floorplan& plan, double size)
+{
+  double cells = 0;
+  for (const auto& room : plan.rooms)
+    cells += estimatedCells(room, size);
+  if (cells <= most_surface_cells)
+    return {};
+  const std::string count = std::isfinite(cells) ? "about " + numberText(cells) : "countless";
+  return "the surfaces of the floor plan would have " + count + " cells of " + numberText(size) + " m, at most " +
+         numberText(most_surface_cells) + " can be held: take larger cells";
+}
 
 SurfaceCells::SurfaceCells(const PlanRoom& room, double size) : room_(room), size_(size)
 {
@@ -67,17 +137,12 @@ SurfaceCells::addStrip(const UprightSurface& surface)
 void
 SurfaceCells::addSlabs()
 {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-  for (const auto& corner : room_.boundary.polygon(size_ / 10)) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  if (!low.allFinite())
+  const PlanBox box = boxOf(room_.boundary, size_ / 10);
+  if (!box.low.allFinite())
     return;
-  origin_ = low;
-  width_ = static_cast<std::size_t>((high.x() - low.x()) / size_) + 1;
-  height_ = static_cast<std::size_t>((high.y() - low.y()) / size_) + 1;
+  origin_ = box.low;
+  width_ = static_cast<std::size_t>((box.high.x() - box.low.x()) / size_) + 1;
+  height_ = static_cast<std::size_t>((box.high.y() - box.low.y()) / size_) + 1;
   floor_.assign(width_ * height_, none);
   ceiling_.assign(width_ * height_, none);
   for (const bool is_floor : {true, false})
@@ -87,18 +152,8 @@ SurfaceCells::addSlabs()
                                             static_cast<double>(i / width_) + 0.5);
       if (!room_.contains(place))
         continue;
-      const int detail = is_floor ? -1 : room_.detailAt(place);
-      const PlanSlab& slab = is_floor ? room_.floor
-                             : detail < 0
-                                 ? room_.ceiling
-                                 : room_.details[static_cast<std::size_t>(detail)].slab;
       SurfaceCell cell;
-      cell.centre.position << place, slab.heightAt(place);
-      cell.centre.normal = normalOf(slab, is_floor ? 1 : -1);
-      cell.centre.label = is_floor     ? StructureLabel::Floor
-                          : detail < 0 ? StructureLabel::Ceiling
-                                       : StructureLabel::Detail;
-      cell.centre.room = room_.id;
+      cell.centre = slabPointAt(room_, place, is_floor);
       (is_floor ? floor_ : ceiling_)[i] = cells_.size();
       cells_.push_back(cell);
     }

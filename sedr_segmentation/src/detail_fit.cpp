@@ -283,17 +283,18 @@ fitDetail(const HeightMap& map,
   LoopParameters loop = parameters.loop;
   loop.expected_offset = (is_low ? 0.5 : -0.5) * parameters.cell_size;
   loop.reach = 2 * parameters.cell_size;
-  double largest = 0;
-  const double least_hole = parameters.minimum_detail_area;
-  for (const auto& contour : traceContours(cells, parameters.cell_size)) {
-    const double area = signedArea(contour);
-    if (area > largest) {
-      largest = area;
-      detail.boundary = fitLoop(contour, risers, walls, loop);
-    }
-    else if (area < -least_hole)
+  loop.corner_reach = 3 * parameters.cell_size;
+  const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
+  const auto largest = std::max_element(
+      contours.begin(), contours.end(), [](const Contour& a, const Contour& b) {
+        return signedArea(a) < signedArea(b);
+      });
+  if (largest == contours.end() || !(signedArea(*largest) > 0))
+    return detail;
+  detail.boundary = fitLoop(*largest, risers, walls, loop);
+  for (const auto& contour : contours)
+    if (signedArea(contour) < -parameters.minimum_detail_area)
       detail.holes.push_back(fitLoop(contour, risers, walls, loop));
-  }
   return detail;
 }
 

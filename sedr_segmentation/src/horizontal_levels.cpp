@@ -142,6 +142,16 @@ standsOut(const PointView& points,
   return at_slab > around;
 }
 
+/** @brief Height of a level in the middle of its cells: far from there, a small one may be anywhere. */
+double
+heightOverOwnCells(const Level& level, const CellGrid& grid)
+{
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < level.cells.size(); ++i)
+    middle += grid.centre(level.cells[i]) / static_cast<double>(level.cells.size());
+  return level.slab.heightAt(middle);
+}
+
 /** @brief Takes `positions`, increasing, out of the candidates. */
 void
 erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positions)
@@ -172,132 +182,6 @@ slabOfWindow(const PointView& points,
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
   return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
-}
-
-/** @brief Square cells of the classification, coarse enough to bridge what furniture hides. */
-constexpr double coarse_cell = 0.2;
-
-CellSet
-coarsened(const CellSet& cells, double cell_size)
-{
-  const CellGrid fine(cell_size);
-  const CellGrid coarse(std::max(coarse_cell, cell_size));
-  std::vector<CellKey> keys;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Eigen::Vector2d c = fine.centre(cells[i]);
-    keys.push_back(keyOf(coarse.at(c.x(), c.y())));
-  }
-  return CellSet(std::move(keys));
-}
-
-/** @brief Height of a level above the middle of a coarse cell. */
-double
-heightAt(const Level& level, Cell cell, double cell_size)
-{
-  return level.slab.heightAt(CellGrid(std::max(coarse_cell, cell_size)).centre(cell));
-}
-
-/** @brief Share of the cells of `region` that level `f` covers at least a room's height below
- * `ceiling`. */
-double
-shareBelow(const std::vector<Level>& levels,
-           const CellSet& region,
-           std::size_t ceiling,
-           const CellSet& coarse_f,
-           std::size_t f,
-           const LevelParameters& parameters)
-{
-  std::size_t covered = 0;
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Cell cell = region[i];
-    const double gap = heightAt(levels[ceiling], cell, parameters.cell_size) -
-                       heightAt(levels[f], cell, parameters.cell_size);
-    if (gap >= parameters.minimum_room_height && coarse_f.contains(cell))
-      ++covered;
-  }
-  return region.empty() ? 0 : static_cast<double>(covered) / static_cast<double>(region.size());
-}
-
-/** @brief Share of a level's cells above which there is no other level. */
-double
-shareOnTop(const std::vector<Level>& levels,
-           const std::vector<CellSet>& coarse,
-           std::size_t of,
-           const LevelParameters& parameters)
-{
-  std::size_t topmost = 0;
-  for (std::size_t i = 0; i < coarse[of].size(); ++i) {
-    const Cell cell = coarse[of][i];
-    const double height = heightAt(levels[of], cell, parameters.cell_size);
-    bool is_top = true;
-    for (std::size_t other = 0; other < levels.size() && is_top; ++other)
-      is_top = other == of || !coarse[other].contains(cell) ||
-               heightAt(levels[other], cell, parameters.cell_size) <=
-                   height + 2 * parameters.tolerance;
-    topmost += is_top ? 1 : 0;
-  }
-  return static_cast<double>(topmost) / static_cast<double>(coarse[of].size());
-}
-
-/** @brief A connected part of all ceilings together: roughly a room, steps and soffits included. */
-struct CeilingRegion {
-  CellSet coarse;
-  std::size_t main_level = 0; ///< the one with most cells
-};
-
-std::vector<CeilingRegion>
-ceilingRegions(const std::vector<Level>& levels, const LevelParameters& parameters)
-{
-  CellSet all;
-  for (const auto& level : levels)
-    if (level.kind == LevelKind::Ceiling)
-      all = unite(all, level.cells);
-  const CellRegions regions = labelRegions(all);
-  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    keys[regions.label[i]].push_back(all.keys()[i]);
-
-  const double cell_area = parameters.cell_size * parameters.cell_size;
-  std::vector<CeilingRegion> result;
-  for (auto& k : keys) {
-    if (static_cast<double>(k.size()) * cell_area < parameters.minimum_area)
-      continue;
-    const CellSet cells(std::move(k));
-    CeilingRegion region;
-    region.coarse = coarsened(cells, parameters.cell_size);
-    std::size_t most = 0;
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-      const std::size_t shared =
-          levels[l].kind == LevelKind::Ceiling ? intersect(levels[l].cells, cells).size() : 0;
-      if (shared <= most)
-        continue;
-      most = shared;
-      region.main_level = l;
-    }
-    result.push_back(std::move(region));
-  }
-  return result;
-}
-
-/** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of the region,
- * and any other that has a third of it. */
-void
-markFloorsBelow(std::vector<Level>& levels,
-                const std::vector<CellSet>& coarse,
-                const CeilingRegion& region,
-                const LevelParameters& parameters)
-{
-  bool has_floor = false;
-  for (std::size_t f = 0; f < levels.size(); ++f) {
-    if (levels[f].kind == LevelKind::Ceiling)
-      continue;
-    const double share =
-        shareBelow(levels, region.coarse, region.main_level, coarse[f], f, parameters);
-    if (share < (has_floor ? 1.0 / 3 : 0.1))
-      continue;
-    levels[f].kind = LevelKind::Floor;
-    has_floor = true;
-  }
 }
 
 /** @brief The level nearest to each point, if within the tolerance; else the number of levels. */
@@ -376,15 +260,17 @@ findLevels(const PointView& points,
   const CellSet cells(grid, points, indices);
   std::vector<Candidate> candidates = withoutWalls(
       sortIntoColumns(points, indices, grid, cells), parameters.tolerance);
-  const auto minimum_cells = static_cast<std::size_t>(
-      std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9));
+  const auto minimum_cells = std::max<std::size_t>(
+      1,
+      static_cast<std::size_t>(
+          std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
   std::vector<Candidate> clutter;
   while (true) {
     const Window window =
         densestWindow(candidates, 2 * parameters.tolerance, cells.size());
-    if (window.cells < std::max<std::size_t>(minimum_cells, 1))
+    if (window.cells < minimum_cells)
       break;
     Level level;
     level.slab = slabOfWindow(
@@ -405,8 +291,10 @@ findLevels(const PointView& points,
     erase(candidates, own);
   }
 
+  for (auto& level : levels)
+    level.height = heightOverOwnCells(level, grid);
   std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
-    return a.slab.plane[3] / a.slab.plane[2] > b.slab.plane[3] / b.slab.plane[2];
+    return a.height < b.height;
   });
   return levels;
 }
@@ -445,27 +333,6 @@ collectInliers(std::vector<Level>& levels,
         level.inliers.push_back(columns[k].index);
     std::sort(level.inliers.begin(), level.inliers.end());
   }
-}
-
-void
-classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
-{
-  std::vector<CellSet> coarse;
-  for (auto& level : levels) {
-    coarse.push_back(coarsened(level.cells, parameters.cell_size));
-    level.kind = LevelKind::Other;
-  }
-  for (std::size_t c = 0; c < levels.size(); ++c) {
-    if (shareOnTop(levels, coarse, c, parameters) < 0.5)
-      continue;
-    double below = 0;
-    for (std::size_t f = 0; f < levels.size(); ++f)
-      below = std::max(below, shareBelow(levels, coarse[c], c, coarse[f], f, parameters));
-    if (below >= 0.1)
-      levels[c].kind = LevelKind::Ceiling;
-  }
-  for (const CeilingRegion& region : ceilingRegions(levels, parameters))
-    markFloorsBelow(levels, coarse, region, parameters);
 }
 
 } // namespace sedr

@@ -4,7 +4,6 @@
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
-#include <map>
 
 namespace pcl {
 namespace sedr {
@@ -55,7 +54,8 @@ fitPlan(const PointView& points,
   const CellGrid grid(parameters.cell_size);
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
   const auto labelled = [&](int i) -> std::int32_t {
-    if (!points.isFinite(static_cast<std::size_t>(i)))
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!points.isFinite(static_cast<std::size_t>(i)) || !grid.holds(p.x(), p.y()))
       return -1;
     if (evidence.room.empty())
       return 0;

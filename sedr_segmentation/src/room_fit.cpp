@@ -2,15 +2,31 @@
 #include <pcl/sedr_segmentation/room_fit.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/detail_fit.h>
 #include <pcl/sedr_segmentation/room_outline.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief How much more than the ceilings is looked at on each side, metres. */
+constexpr double margin = 0.7;
+
+/** @brief The parameters of a loop along an outline of cells: the wall runs half a cell outside. */
+LoopParameters
+loopOnCells(const RoomFitParameters& parameters)
+{
+  LoopParameters loop = parameters.loop;
+  loop.expected_offset = -parameters.cell_size / 2;
+  loop.reach = 1.2 * parameters.cell_size;
+  loop.corner_reach = 3 * parameters.cell_size;
+  return loop;
+}
 
 /** @brief The plane of a slab: RANSAC with the small tolerance first, as the detection's was wide. */
 PlanSlab
@@ -56,7 +72,7 @@ wallEvidence(const PointView& points,
   return {std::move(upper), 0.1};
 }
 
-/** @brief The longest contour that runs counter-clockwise (a region's) or clockwise (a hole's). */
+/** @brief The contour around the largest region. */
 Contour
 outerContour(const CellMask& mask, double cell_size)
 {
@@ -78,7 +94,7 @@ columnLoop(const CellMask& column, const PlanPoints& walls, const RoomFitParamet
   // The hole is up to a cell wider than the column on every side, so its contour is the hole's.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
-  return fitLoop(contour, walls, {}, parameters.loop);
+  return fitLoop(contour, walls, {}, loopOnCells(parameters));
 }
 
 } // namespace
@@ -94,7 +110,7 @@ fitRoom(const PointView& points,
   std::vector<int> slabs = evidence.ceiling;
   slabs.insert(slabs.end(), evidence.details.begin(), evidence.details.end());
   const CellSet seen(grid, points, slabs);
-  const CellBox box = grown(boxOf(seen), 14);
+  const CellBox box = grown(boxOf(seen), cellsFor(margin, parameters.cell_size, 3));
   problem = maskProblem(box);
   if (!problem.empty())
     return room;
@@ -107,7 +123,7 @@ fitRoom(const PointView& points,
   const PlanPoints walls = wallEvidence(points, evidence, room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
-  room.boundary = fitLoop(contour, walls, {}, parameters.loop);
+  room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters));
   if (room.boundary.elements.size() < 1 || !(room.boundary.area() > 0)) {
     problem = "no closed outline could be fitted to " + std::to_string(seen.size()) +
               " ceiling cells";

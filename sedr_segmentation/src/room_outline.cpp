@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/room_outline.h>
 
+#include <pcl/sedr_segmentation/cell_count.h>
+
 #include <algorithm>
 
 namespace pcl {
@@ -8,12 +10,15 @@ namespace sedr {
 
 namespace {
 
-/** @brief Radius in cells within which notches and protrusions are questioned. */
-constexpr double notch_radius = 8;
-constexpr double protrusion_radius = 3;
+/** @brief What was not hit is bridged up to this far, metres. */
+constexpr double gap_radius = 0.1;
 
-/** @brief Fewest cells of a column: 20 cm by 20 cm at 5 cm. */
-constexpr std::size_t least_column_cells = 12;
+/** @brief Radii within which notches and protrusions are questioned, metres. */
+constexpr double notch_radius = 0.4;
+constexpr double protrusion_radius = 0.15;
+
+/** @brief Smallest hole that may be a column, square metres: 17 cm by 17 cm. */
+constexpr double least_column_area = 0.03;
 
 class Outliner {
 public:
@@ -29,12 +34,15 @@ public:
   {
     RoomOutline result;
     // What was not hit: gaps of up to two cells each way.
-    CellMask room = eroded(dilated(seen, 2), 2);
+    const double gap = cellsFor(gap_radius, grid_.size());
+    CellMask room = eroded(dilated(seen, gap), gap);
     const CellMask holes = enclosedCells(room);
     const MaskRegions regions = labelRegions(holes, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
-      if (regions.sizes[r] >= least_column_cells && isColumn(hole))
+      if (static_cast<double>(regions.sizes[r]) * grid_.size() * grid_.size() >=
+              least_column_area &&
+          isColumn(hole))
         result.columns.push_back(hole);
     }
     room = unite(room, holes);
@@ -45,13 +53,28 @@ public:
   }
 
 private:
-  /** @brief Whether a wall goes up in the column or beside it. */
+  /** @brief Height of whatever ceiling was seen within two cells, a soffit's perhaps. */
+  double
+  topAround(Cell cell) const
+  {
+    double top = floor_.heightAt(grid_.centre(cell));
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        const Cell near{cell.x + dx, cell.y + dy};
+        if (columns_.begin(near) != columns_.end(near))
+          top = std::max<double>(top, (columns_.end(near) - 1)->z);
+      }
+    return std::min(top, ceiling_.heightAt(grid_.centre(cell)));
+  }
+
+  /** @brief Whether a wall goes up to the ceiling in the column or beside it: a cupboard does not. */
   bool
   isWall(Cell cell) const
   {
-    const double top = ceiling_.heightAt(grid_.centre(cell));
+    const double top = topAround(cell);
     const double floor = floor_.heightAt(grid_.centre(cell));
-    return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+    return columns_.share(cell, top - 0.3, top - 0.08, 1, 1) >= 1 &&
+           columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
   /** @brief Whether the hole is closed by a wall, from near the floor up to the ceiling. */
@@ -97,7 +120,8 @@ private:
   CellMask
   withoutFalseNotches(const CellMask& room) const
   {
-    CellMask closed = eroded(dilated(room, notch_radius), notch_radius);
+    const double radius = cellsFor(notch_radius, grid_.size());
+    CellMask closed = eroded(dilated(room, radius), radius);
     closed = unite(closed, enclosedCells(closed));
     const CellMask notches = subtract(closed, room);
     const MaskRegions regions = labelRegions(notches, false);
@@ -113,7 +137,8 @@ private:
   CellMask
   withoutFalseProtrusions(const CellMask& room) const
   {
-    const CellMask opened = dilated(eroded(room, protrusion_radius), protrusion_radius);
+    const double radius = cellsFor(protrusion_radius, grid_.size());
+    const CellMask opened = dilated(eroded(room, radius), radius);
     const CellMask parts = subtract(room, opened);
     const CellMask outside = inverted(room);
     const MaskRegions regions = labelRegions(parts, false);

@@ -2,6 +2,8 @@
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/box_clusters.h>
+#include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
@@ -57,17 +59,20 @@ piecesOf(const Storey& storey, std::size_t level)
 {
   const CellMask seen(storey.levels[level].cells, storey.box);
   // Closing bridges what was not hit; walls stay out.
-  CellMask closed = eroded(dilated(seen, 2), 2);
+  const double size = storey.grid.size();
+  const int gap = cellsFor(0.1, size);
+  CellMask closed = eroded(dilated(seen, gap), gap);
   for (std::size_t i = 0; i < closed.values().size(); ++i)
     if (closed.values()[i] && !seen.values()[i]) {
       const Cell cell = closed.cellAt(i);
       closed.values()[i] = storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
     }
-  const CellMask core = eroded(closed, 1.5);
+  const double neck = 1.5 * cellsFor(0.05, size);
+  const CellMask core = eroded(closed, neck);
   MaskRegions regions = labelRegions(core, true);
-  growLabels(closed, 3, regions.label);
+  growLabels(closed, static_cast<int>(2 * neck), regions.label);
 
-  const double cell_area = storey.grid.size() * storey.grid.size();
+  const double cell_area = size * size;
   std::vector<Piece> pieces;
   for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
     if (static_cast<double>(regions.sizes[r]) * cell_area < 0.25 * storey.parameters.minimum_area)
@@ -81,8 +86,7 @@ piecesOf(const Storey& storey, std::size_t level)
   return pieces;
 }
 
-/** @brief The lowest floor with a tenth of the piece, else the one with most of it; false where no
- * floor lies below at all. */
+/** @brief The lowest floor with enough of the piece; false where there is none. */
 bool
 findFloor(const Storey& storey, Piece& piece)
 {
@@ -94,7 +98,8 @@ findFloor(const Storey& storey, Piece& piece)
     const CellSet& cells = storey.levels[f].cells;
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (piece.cells.at(cells[i]) &&
-          storey.heightOf(f, cells[i]) < storey.heightOf(piece.level, cells[i]) - 1.5)
+          storey.heightOf(f, cells[i]) <
+              storey.heightOf(piece.level, cells[i]) - storey.parameters.minimum_height)
         ++covered;
     const double share = static_cast<double>(covered) / static_cast<double>(piece.size);
     if (share > best && best < storey.parameters.minimum_floor_share) {
@@ -102,7 +107,7 @@ findFloor(const Storey& storey, Piece& piece)
       piece.floor = f;
     }
   }
-  return best > 0;
+  return best >= storey.parameters.minimum_floor_share;
 }
 
 /** @brief How two pieces face each other, in cell edges. */
@@ -149,11 +154,11 @@ judgeMeeting(const Storey& storey,
     ++frontier.plain;
 }
 
-/** @brief Where pieces face each other across at most half a metre each. */
+/** @brief Where pieces face each other across at most 0.3 m each. */
 std::map<std::pair<std::size_t, std::size_t>, Frontier>
 frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
 {
-  constexpr int steps = 6;
+  const int steps = cellsFor(0.3, storey.grid.size());
   CellMask everywhere(storey.box);
   std::fill(everywhere.values().begin(), everywhere.values().end(), std::uint8_t{1});
   std::vector<std::int32_t> label(everywhere.values().size(), -1);
@@ -161,7 +166,7 @@ frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
     for (std::size_t i = 0; i < label.size(); ++i)
       if (pieces[p].cells.values()[i] && label[i] < 0)
         label[i] = static_cast<std::int32_t>(p);
-  const std::vector<std::size_t> parent = growLabels(everywhere, steps, label);
+  const std::vector<std::size_t> parent = growLabelsWithParents(everywhere, steps, label);
 
   std::map<std::pair<std::size_t, std::size_t>, Frontier> frontiers;
   for (std::size_t i = 0; i < label.size(); ++i) {
@@ -244,7 +249,8 @@ double
 wallShare(const Storey& storey, const CellMask& scope, const Piece& main)
 {
   // What was not seen within the room is no outline: gaps between its ceilings are closed.
-  const CellMask closed = eroded(dilated(scope, 8), 8);
+  const double gap = cellsFor(0.4, storey.grid.size());
+  const CellMask closed = eroded(dilated(scope, gap), gap);
   const CellMask solid = unite(closed, enclosedCells(closed));
   const CellMask rim = subtract(dilated(solid, 1), solid);
   std::size_t walls = 0;
@@ -260,22 +266,24 @@ wallShare(const Storey& storey, const CellMask& scope, const Piece& main)
   return all == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(all);
 }
 
-/** @brief A box around all ceilings that are large enough to be one. */
-CellBox
-boxOfCeilings(const std::vector<Level>& levels, const RoomParameters& parameters)
+/** @brief Boxes around the ceilings that are large enough to be one, what is far apart apart. */
+std::vector<CellBox>
+boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& parameters)
 {
-  std::vector<CellKey> keys;
+  std::vector<CellBox> boxes;
   const double cell_area = parameters.cell_size * parameters.cell_size;
   for (const auto& level : levels) {
     if (level.kind != LevelKind::Ceiling)
       continue;
     const CellRegions regions = labelRegions(level.cells);
+    std::vector<std::vector<CellKey>> keys(regions.sizes.size());
     for (std::size_t i = 0; i < level.cells.size(); ++i)
-      if (static_cast<double>(regions.sizes[regions.label[i]]) * cell_area >=
-          0.1 * parameters.minimum_area)
-        keys.push_back(level.cells.keys()[i]);
+      keys[regions.label[i]].push_back(level.cells.keys()[i]);
+    for (auto& k : keys)
+      if (static_cast<double>(k.size()) * cell_area >= 0.1 * parameters.minimum_area)
+        boxes.push_back(boxOf(CellSet(std::move(k))));
   }
-  return keys.empty() ? CellBox{{0, 0}, {-1, -1}} : grown(boxOf(CellSet(std::move(keys))), 12);
+  return clusterBoxes(boxes, cellsFor(0.6, parameters.cell_size));
 }
 
 /** @brief Makes a room of the pieces of one group, if it is one. */
@@ -304,6 +312,28 @@ makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomReg
   return true;
 }
 
+/** @brief Appends the rooms of one storey. */
+void
+roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
+{
+  std::vector<Piece> pieces;
+  for (std::size_t l = 0; l < storey.levels.size(); ++l)
+    if (storey.levels[l].kind == LevelKind::Ceiling)
+      for (auto& piece : piecesOf(storey, l))
+        if (findFloor(storey, piece))
+          pieces.push_back(std::move(piece));
+  const std::vector<std::size_t> group = groupPieces(storey, pieces);
+  for (std::size_t g = 0; g < pieces.size(); ++g) {
+    std::vector<const Piece*> members;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      if (group[p] == g)
+        members.push_back(&pieces[p]);
+    RoomRegion room;
+    if (!members.empty() && makeRoom(storey, members, room))
+      rooms.push_back(std::move(room));
+  }
+}
+
 } // namespace
 
 std::vector<RoomRegion>
@@ -313,30 +343,15 @@ segmentRooms(const PointView& points,
              const RoomParameters& parameters,
              std::string& problem)
 {
-  const CellBox box = boxOfCeilings(levels, parameters);
-  problem = maskProblem(box);
-  if (!problem.empty() || box.count() == 0)
-    return {};
+  problem.clear();
   const CellGrid grid(parameters.cell_size);
-  const Storey storey{levels, parameters, grid, box, ColumnTable(grid, box, points, indices)};
-
-  std::vector<Piece> pieces;
-  for (std::size_t l = 0; l < levels.size(); ++l)
-    if (levels[l].kind == LevelKind::Ceiling)
-      for (auto& piece : piecesOf(storey, l))
-        if (findFloor(storey, piece))
-          pieces.push_back(std::move(piece));
-  const std::vector<std::size_t> group = groupPieces(storey, pieces);
-
   std::vector<RoomRegion> rooms;
-  for (std::size_t g = 0; g < pieces.size(); ++g) {
-    std::vector<const Piece*> members;
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      if (group[p] == g)
-        members.push_back(&pieces[p]);
-    RoomRegion room;
-    if (!members.empty() && makeRoom(storey, members, room))
-      rooms.push_back(std::move(room));
+  for (const CellBox& box : boxesOfCeilings(levels, parameters)) {
+    problem = maskProblem(box);
+    if (!problem.empty())
+      return {};
+    roomsWithin(
+        {levels, parameters, grid, box, ColumnTable(grid, box, points, indices)}, rooms);
   }
   std::stable_sort(rooms.begin(), rooms.end(), [](const RoomRegion& a, const RoomRegion& b) {
     return a.scope.size() > b.scope.size();

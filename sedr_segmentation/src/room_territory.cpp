@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/room_territory.h>
 
+#include <pcl/sedr_segmentation/box_clusters.h>
+#include <pcl/sedr_segmentation/cell_count.h>
+
 #include <cmath>
 
 namespace pcl {
@@ -8,29 +11,34 @@ namespace sedr {
 
 namespace {
 
-/** @brief How far from a room's ceiling its walls may be, in cells. */
-constexpr int reach_in_cells = 14;
+/** @brief How far from a room's ceiling its walls may be, metres. */
+constexpr double farthest_wall = 0.7;
 
 } // namespace
 
 RoomTerritory::RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes)
 : grid_(grid)
 {
-  CellSet all;
+  const int steps = cellsFor(farthest_wall, grid.size(), 3);
+  std::vector<CellBox> boxes;
   for (const auto& scope : scopes)
-    all = unite(all, scope);
-  const CellBox box = grown(boxOf(all), reach_in_cells + 1);
-  problem_ = maskProblem(box);
-  if (!problem_.empty())
-    return;
-  frame_ = inverted(CellMask(box));
-  room_.assign(frame_.values().size(), -1);
-  for (std::size_t r = 0; r < scopes.size(); ++r)
-    for (std::size_t i = 0; i < scopes[r].size(); ++i) {
-      auto& room = room_[frame_.indexOf(scopes[r][i])];
-      room = room < 0 ? static_cast<std::int32_t>(r) : room;
-    }
-  growLabels(frame_, reach_in_cells, room_);
+    boxes.push_back(boxOf(scope));
+  for (const CellBox& box : clusterBoxes(boxes, steps + 1)) {
+    problem_ = maskProblem(box);
+    if (!problem_.empty())
+      return;
+    Quarter quarter{inverted(CellMask(box)), {}};
+    quarter.room.assign(quarter.frame.values().size(), -1);
+    for (std::size_t r = 0; r < scopes.size(); ++r)
+      for (std::size_t i = 0; i < scopes[r].size(); ++i) {
+        if (!quarter.frame.isInside(scopes[r][i]))
+          break; // a room lies in one quarter wholly
+        auto& room = quarter.room[quarter.frame.indexOf(scopes[r][i])];
+        room = room < 0 ? static_cast<std::int32_t>(r) : room;
+      }
+    growLabels(quarter.frame, steps, quarter.room);
+    quarters_.push_back(std::move(quarter));
+  }
 }
 
 std::int32_t
@@ -39,7 +47,10 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
   if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
     return -1;
   const Cell cell = grid_.at(p.x(), p.y());
-  return frame_.isInside(cell) ? room_[frame_.indexOf(cell)] : -1;
+  for (const auto& quarter : quarters_)
+    if (quarter.frame.isInside(cell))
+      return quarter.room[quarter.frame.indexOf(cell)];
+  return -1;
 }
 
 } // namespace sedr

@@ -72,8 +72,10 @@ bestPair(const PointView& points,
   for (std::size_t a = 0; a < sizes.size(); ++a)
     for (std::size_t b = a + 1; b < sizes.size(); ++b) {
       const double distance = static_cast<double>(sizes[b].first - sizes[a].first) * cell;
+      if (distance > farthest)
+        break;
       const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
-      if (distance >= nearest && distance <= farthest && cells > best.cells)
+      if (distance >= nearest && cells > best.cells)
         best = {cells, distance};
     }
   return best;
@@ -120,12 +122,13 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
 }
 
 std::string
-upProblem(const PointView& points, const std::vector<int>& indices)
+upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_rooms)
 {
   constexpr double lowest_room = 1.8;
   constexpr double highest_usual_room = 4.5;
-  const PlanePair up = bestPair(points, indices, 2, lowest_room, 1000);
-  if (up.cells == 0 || up.distance <= highest_usual_room)
+  constexpr double highest_room = 100;
+  const PlanePair up = bestPair(points, indices, 2, lowest_room, highest_room);
+  if (z_has_rooms && (up.cells == 0 || up.distance <= highest_usual_room))
     return {};
   for (const int axis : {1, 0}) {
     const PlanePair other = bestPair(points, indices, axis, lowest_room, highest_usual_room);

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 namespace pcl {
@@ -55,7 +55,7 @@ listOf(std::vector<pcl::HorizontalPlane> planes)
                   sizeof text,
                   "%s%.2f m %s %.1f m2",
                   i == 0 ? "" : ", ",
-                  -planes[i].slab.plane[3] / planes[i].slab.plane[2],
+                  planes[i].height,
                   kindName(planes[i].kind),
                   planes[i].area);
     list += text;
@@ -67,7 +67,8 @@ listOf(std::vector<pcl::HorizontalPlane> planes)
 
 StructureChain::StructureChain()
 {
-  // Wall points may lie a cell of ceiling plus a voxel away from the outermost ceiling point.
+  reset(Cloud::ConstPtr(new Cloud));
+  // A wall point may lie two cells and a voxel away from the outermost ceiling point.
   wall_growing.setDistanceThreshold(0.15);
 }
 
@@ -115,9 +116,17 @@ StructureChain::fail(const std::string& reason)
   return false;
 }
 
+void
+StructureChain::warn(std::uint32_t room, const std::string& reason)
+{
+  warnings.push_back("room " + std::to_string(room) + ": " + reason);
+}
+
 bool
 StructureChain::findStructure(const Cloud::ConstPtr& thinned)
 {
+  if (!thinned)
+    return fail("no cloud was given");
   reset(thinned);
   const std::size_t n = cloud->size();
   return checkScan() &&
@@ -152,11 +161,8 @@ bool
 StructureChain::checkScan()
 {
   failed_stage = "input";
-  const pcl::IndicesPtr all = allIndices(cloud->size());
-  const PointView points(*cloud);
-  std::string reason = scanProblem(points, *all);
-  if (reason.empty() && !trust_up)
-    reason = upProblem(points, *all);
+  const std::string reason =
+      trust_up ? std::string() : upProblem(PointView(*cloud), *allIndices(cloud->size()));
   return reason.empty() || fail(reason);
 }
 
@@ -185,7 +191,9 @@ StructureChain::findPlanes(StageReport& report)
                 ceilings,
                 floors,
                 plane_detection.getMinimumRoomHeight());
-  return fail(text + listOf(planes));
+  const std::string turned =
+      upProblem(PointView(*cloud), *allIndices(cloud->size()), false);
+  return fail(text + listOf(planes) + (turned.empty() ? "" : "; " + turned));
 }
 
 bool
@@ -223,8 +231,7 @@ StructureChain::removeOutliers(StageReport& report)
 bool
 StructureChain::partRooms(StageReport& report)
 {
-  RoomParameters parameters = room_segmentation;
-  parameters.cell_size = outlier_removal.getGridSize();
+  const RoomParameters& parameters = room_segmentation;
   const PointView points(*cloud);
   std::string reason;
   regions_ =
@@ -298,7 +305,7 @@ StructureChain::findDetails(StageReport& report)
     slice_detail.setFloorHeight(levels_[regions_[r].floor_level].slab.heightAt(middle));
     pcl::PointIndices details;
     if (!slice_detail.segment(details))
-      return fail(slice_detail.getErrorMessage());
+      warn(room, slice_detail.getErrorMessage());
     slice_height_.push_back(slice_detail.getSliceHeight());
     for (const int i : details.indices) {
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
@@ -331,8 +338,10 @@ StructureChain::recoverFloors(StageReport& report)
     floor_recovery.setFloorCoefficients(plane);
     Cloud whole;
     floor_recovery.filter(whole);
-    if (!floor_recovery.getErrorMessage().empty())
-      return fail(floor_recovery.getErrorMessage());
+    if (!floor_recovery.getErrorMessage().empty()) {
+      warn(room, floor_recovery.getErrorMessage());
+      continue;
+    }
     const std::size_t kept = whole.size() - floor_recovery.getNumberOfProjected();
     for (std::size_t k = 0; k < whole.size(); ++k) {
       std::size_t at = cloud->size();
@@ -363,8 +372,10 @@ StructureChain::growWalls(StageReport& report)
     wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
     wall_growing.setSliceHeight(slice_height_[r]);
     pcl::PointIndices walls;
-    if (!wall_growing.segment(walls))
-      return fail(wall_growing.getErrorMessage());
+    if (!wall_growing.segment(walls)) {
+      warn(room, wall_growing.getErrorMessage());
+      continue;
+    }
     for (const int i : wall_growing.getWallIndices()) {
       const auto at = static_cast<std::size_t>(i);
       if (labels[at] != 0)

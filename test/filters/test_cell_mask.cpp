@@ -76,10 +76,11 @@ TEST(CellBox, IsTheSmallestAroundASetAndGrowsOnAllSides)
 
 TEST(CellMask, TooManyCellsAreRefusedWithTheirNumber)
 {
-  EXPECT_EQ(maskProblem({{0, 0}, {32767, 32767}}), "");
-  const std::string problem = maskProblem({{0, 0}, {32767, 32768}});
-  EXPECT_NE(problem.find("1073774592"), std::string::npos) << problem;
-  EXPECT_NE(problem.find("1073741824"), std::string::npos) << problem;
+  EXPECT_EQ(maskProblem({{1, 1}, {16384, 8192}}), "");
+  const std::string problem = maskProblem({{1, 1}, {16384, 8193}});
+  EXPECT_NE(problem.find("spans 16384 x 8193 cells"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("134234112"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("134217728"), std::string::npos) << problem;
   const CellGrid grid(0.05);
   EXPECT_NE(maskProblem(grown(boxOf(CellSet({keyOf(grid.at(-1.073e8, -1.073e8)),
                                              keyOf(grid.at(1.073e8, 1.073e8))})),
@@ -249,7 +250,7 @@ TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
   for (std::size_t s = 0; s < seeds.size(); ++s)
     label[domain.indexOf(seeds[s])] = static_cast<std::int32_t>(s);
   const std::vector<std::size_t> parent =
-      growLabels(domain, std::numeric_limits<int>::max(), label);
+      growLabelsWithParents(domain, std::numeric_limits<int>::max(), label);
   const auto steps = [&](Cell c, std::size_t s) {
     return std::abs(c.x - seeds[s].x) + std::abs(c.y - seeds[s].y);
   };
@@ -268,6 +269,28 @@ TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
     ASSERT_EQ(steps(domain.cellAt(parent[i]), static_cast<std::size_t>(label[i])),
               own - 1);
   }
+}
+
+TEST(GrowLabels, GivesTheSameLabelsWithAndWithoutParents)
+{
+  const CellMask domain = randomMask(box, 0.7, 31);
+  std::vector<std::int32_t> label(domain.values().size(), -1);
+  label[0] = 1;
+  label[label.size() / 2] = 2;
+  std::vector<std::int32_t> other = label;
+  growLabels(domain, 9, label);
+  growLabelsWithParents(domain, 9, other);
+  EXPECT_EQ(label, other);
+}
+
+TEST(CellMask, ItsSetIsTheOneOfItsCellsInAnyOrder)
+{
+  const CellMask mask = randomMask(box, 0.4, 32);
+  std::vector<CellKey> keys;
+  for (std::size_t i = mask.values().size(); i-- > 0;)
+    if (mask.values()[i])
+      keys.push_back(keyOf(mask.cellAt(i)));
+  EXPECT_EQ(mask.toSet().keys(), CellSet(keys).keys());
 }
 
 TEST(EnclosedCells, AreThoseWithoutAFourConnectedWayOut)

@@ -170,6 +170,23 @@ TEST(OutlineRoom, ANotchWithAWallAroundStays)
   EXPECT_NEAR(areaOf(outline.room), 12 - 0.3, 0.06);
 }
 
+TEST(OutlineRoom, ANotchWithAWallAroundStaysUnderASoffitToo)
+{
+  // The soffit hangs 0.5 m below the ceiling along the wall; a pillar ends at it.
+  const double soffit = 2.0;
+  Scene scene([](double, double y) { return y > 0.81; });
+  const auto under = scene.points.slab(
+      rectangle(0.01, 0.01, 4.01, 0.81), soffit, [](double x, double y) {
+        return !within(x, y, 1.51, 0, 2.11, 0.51);
+      });
+  scene.points.wall(segment({4.01, 0.81}, {0.01, 0.81}), soffit, height);
+  scene.ceiling = joined(scene.ceiling, under);
+  scene.box(1.51, 0.01, 2.11, 0.51, 0, soffit);
+  const RoomOutline outline = scene.outline();
+  EXPECT_EQ(outline.room.at(CellGrid(0.05).at(1.8, 0.2)), 0);
+  EXPECT_NEAR(areaOf(outline.room), 12 - 0.3, 0.06);
+}
+
 TEST(OutlineRoom, WhatWasSeenThroughAnOpeningIsCutOff)
 {
   Scene scene;

@@ -124,6 +124,20 @@ TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
   EXPECT_TRUE(mentions(x, "x seems to be up")) << x;
 }
 
+TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
+{
+  // On its side, with 4 m between the walls that now are floor and ceiling: z might be
+  // right, unless no room was found along it.
+  const RoomPoints points = changed([](auto p) -> Eigen::Vector3d {
+    return {p.x(), p.z(), p.y()};
+  });
+  EXPECT_EQ(upProblemOf(points), "");
+  const std::string problem = upProblem(points.view(), points.all(), false);
+  EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
+  const RoomPoints standing = changed([](auto p) { return p; });
+  EXPECT_EQ(upProblem(standing.view(), standing.all(), false), "");
+}
+
 TEST(UpProblem, AHighHallIsNoReason)
 {
   RoomPoints points(0.1);

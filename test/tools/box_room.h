@@ -59,12 +59,12 @@ public:
       }
   }
 
-  /** Floor, ceiling and walls; a doorway in the wall at y, a cupboard that hides a part of
-   * the wall at y + depth, and a table. */
+  /** Floor, ceiling and walls; a doorway in the wall at y, a cupboard that hides a part
+   * of the wall at y + depth, and a table. */
   void addRoom(const BoxRoom& room)
   {
-    const auto add = [&](double x1, double y1, double z1, double x2, double y2, double z2,
-                         Label label) {
+    const auto add = [&](double x1, double y1, double z1, double x2, double y2,
+                         double z2, Label label) {
       addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2}, label,
                room.id);
     };
@@ -91,10 +91,11 @@ public:
   {
     const std::string n = std::to_string(points.size());
     std::string bytes =
-        with_labels ? "VERSION 0.7\nFIELDS x y z intensity label room\nSIZE 4 4 4 4 4 4\n"
-                      "TYPE F F F F U U\nCOUNT 1 1 1 1 1 1\n"
-                    : "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n"
-                      "COUNT 1 1 1 1\n";
+        with_labels
+            ? "VERSION 0.7\nFIELDS x y z intensity label room\nSIZE 4 4 4 4 4 4\n"
+              "TYPE F F F F U U\nCOUNT 1 1 1 1 1 1\n"
+            : "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n"
+              "COUNT 1 1 1 1\n";
     bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
              "\nDATA binary\n";
     const auto append = [&](const auto& value) {
@@ -139,8 +140,8 @@ private:
   void addWalls(const BoxRoom& room, double soffit)
   {
     const auto add = [&](double x1, double y, double z1, double x2, double z2) {
-      addPiece({room.x + x1, room.y + y, z1}, {room.x + x2, room.y + y, z2}, Label::Wall,
-               room.id);
+      addPiece({room.x + x1, room.y + y, z1}, {room.x + x2, room.y + y, z2},
+               Label::Wall, room.id);
     };
     const double w = room.width;
     const double h = room.height;
@@ -158,7 +159,8 @@ private:
 
   void addFurniture(const BoxRoom& room)
   {
-    const auto add = [&](double x1, double y1, double z1, double x2, double y2, double z2) {
+    const auto add = [&](double x1, double y1, double z1, double x2, double y2,
+                         double z2) {
       addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2},
                Label::Other, 0);
     };
@@ -188,9 +190,10 @@ planOf(const BoxRoom& room)
   pcl::sedr::PlanRoom plan;
   plan.id = room.id;
   const Eigen::Vector2d low(room.x, room.y);
-  const std::vector<Eigen::Vector2d> corners{low, low + Eigen::Vector2d(room.width, 0),
-                                             low + Eigen::Vector2d(room.width, room.depth),
-                                             low + Eigen::Vector2d(0, room.depth)};
+  const std::vector<Eigen::Vector2d> corners{
+      low, low + Eigen::Vector2d(room.width, 0),
+      low + Eigen::Vector2d(room.width, room.depth),
+      low + Eigen::Vector2d(0, room.depth)};
   for (std::size_t i = 0; i < 4; ++i) {
     pcl::sedr::PlanElement wall;
     wall.start = corners[i];

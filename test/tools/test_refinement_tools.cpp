@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace {
 
@@ -14,12 +17,11 @@ using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
 using Strings = std::vector<std::string>;
 
-INSTANTIATE_TEST_SUITE_P(RefinementTools,
-                         ToolContract,
-                         ::testing::Values(Tool(STRUCTURE_REFINEMENT, "output.pcd", true),
-                                           Tool(VERTICAL_HOLE_REPAIR,
-                                                "output.pcd",
-                                                true)));
+INSTANTIATE_TEST_SUITE_P(
+    RefinementTools,
+    ToolContract,
+    ::testing::Values(Tool(STRUCTURE_REFINEMENT, "output.pcd", true),
+                      Tool(VERTICAL_HOLE_REPAIR, "output.pcd", true)));
 
 class RefinementTools : public ::testing::Test {
 protected:
@@ -41,9 +43,8 @@ protected:
     return run(tool, arguments);
   }
 
-  void expectFailure(const ProgramRun& result,
-                     int exit_code,
-                     const std::string& words) const
+  void
+  expectFailure(const ProgramRun& result, int exit_code, const std::string& words) const
   {
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
     EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
@@ -85,9 +86,8 @@ errorOf(const BoxRoom& room,
       {std::abs(y), {0, 1, 0}},
       {std::abs(y - room.depth), {0, -1, 0}}};
   const auto nearest =
-      std::min_element(walls.begin(), walls.end(), [](const auto& a, const auto& b) {
-        return a.first < b.first;
-      });
+      std::min_element(walls.begin(), walls.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
   return {nearest->first, (normal - nearest->second).norm() < 1e-6f};
 }
 
@@ -96,8 +96,8 @@ expectOnSurfaces(const ToolCloud& cloud, const std::vector<Eigen::Vector3f>& nor
 {
   ASSERT_EQ(normals.size(), cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const auto error = errorOf(BoxRoom(), (*cloud.points)[i].getVector3fMap(), normals[i],
-                               static_cast<Label>(cloud.label[i]));
+    const auto error = errorOf(BoxRoom(), (*cloud.points)[i].getVector3fMap(),
+                               normals[i], static_cast<Label>(cloud.label[i]));
     ASSERT_LT(error.first, 1e-5) << "row " << i << ", label " << cloud.label[i];
     ASSERT_TRUE(error.second) << "row " << i << ", label " << cloud.label[i];
     ASSERT_EQ(cloud.room[i], 1u);
@@ -113,7 +113,8 @@ TEST_F(RefinementTools, RefinementMovesPointsOntoTheirSurfaces)
   const ToolCloud cloud = loadCloud(in("output.pcd"));
   expectOnSurfaces(cloud, normalsOf(cloud));
 
-  // Every labelled point is there, in order, with its fields and its place on the surface.
+  // Every labelled point is there, in order, with its fields and its place on the
+  // surface.
   const auto intensity = floatField(cloud.blob, "intensity");
   std::size_t next = 0;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -132,7 +133,8 @@ TEST_F(RefinementTools, RefinementMovesPointsOntoTheirSurfaces)
 
 TEST_F(RefinementTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
 {
-  RoomScan scan = scanOf().without([](const RoomPoint& p) { return p.label != Label::Wall; });
+  RoomScan scan =
+      scanOf().without([](const RoomPoint& p) { return p.label != Label::Wall; });
   const std::size_t walls = scan.points.size();
   const float y = static_cast<float>(BoxRoom().y);
   scan.points.push_back({1.5f, y + 0.1f, 1.f, Label::Wall, 1});
@@ -142,7 +144,8 @@ TEST_F(RefinementTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
   EXPECT_EQ(runOn(STRUCTURE_REFINEMENT, scan.pcd(true)).exit_code, 0);
   EXPECT_EQ(loadCloud(in("output.pcd")).size(), walls + 1);
   EXPECT_EQ(
-      runOn(STRUCTURE_REFINEMENT, scan.pcd(true), {"--max-distance", "0.05"}).exit_code, 0);
+      runOn(STRUCTURE_REFINEMENT, scan.pcd(true), {"--max-distance", "0.05"}).exit_code,
+      0);
   EXPECT_EQ(loadCloud(in("output.pcd")).size(), walls);
 }
 
@@ -158,8 +161,8 @@ TEST_F(RefinementTools, PointsWithoutRoomsTakeThatOfThePlan)
 
 TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
 {
-  ASSERT_EQ(runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code,
-            0);
+  ASSERT_EQ(
+      runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code, 0);
   const ProgramRun result = runOn(VERTICAL_HOLE_REPAIR, bytesOf(in("refined.pcd")));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
@@ -168,21 +171,23 @@ TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
   // 59 square metres of surface, 400 cells of each.
   EXPECT_NEAR(static_cast<double>(cloud.size()), 400 * (24 + 35), 300);
 
-  // Points that were seen come first and keep their fields, new ones have zeros in them.
+  // Points that were seen come first and keep their fields, new ones have zeros in
+  // them.
   const auto intensity = floatField(cloud.blob, "intensity");
-  const auto added =
-      std::find_if(intensity.rbegin(), intensity.rend(), [](float v) { return v != 0; }) -
-      intensity.rbegin();
+  const auto added = std::find_if(intensity.rbegin(), intensity.rend(),
+                                  [](float v) { return v != 0; }) -
+                     intensity.rbegin();
   EXPECT_LE(std::count(intensity.begin(), intensity.end() - added, 0.f), 1);
   // The doorway of 2 square metres, the wall of 1.8 and the floor of 2 at the cupboard.
   EXPECT_NEAR(static_cast<double>(added), 400 * 5.8, 250);
 
   const auto countNear = [&](float x, float y, float z) {
-    return std::count_if(cloud.points->begin(), cloud.points->end(), [&](const auto& p) {
-      const Eigen::Vector3f place(static_cast<float>(BoxRoom().x) + x,
-                                  static_cast<float>(BoxRoom().y) + y, z);
-      return (p.getVector3fMap() - place).norm() < 0.2f;
-    });
+    return std::count_if(
+        cloud.points->begin(), cloud.points->end(), [&](const auto& p) {
+          const Eigen::Vector3f place(static_cast<float>(BoxRoom().x) + x,
+                                      static_cast<float>(BoxRoom().y) + y, z);
+          return (p.getVector3fMap() - place).norm() < 0.2f;
+        });
   };
   for (const auto& [x, y, z] : {std::array{2.5f, 0.f, 1.f}, std::array{2.f, 3.f, 1.f},
                                 std::array{2.f, 2.75f, 0.f}, std::array{1.f, 0.f, 1.f}})
@@ -191,8 +196,8 @@ TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
 
 TEST_F(RefinementTools, RepairTakesItsGrid)
 {
-  ASSERT_EQ(runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code,
-            0);
+  ASSERT_EQ(
+      runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code, 0);
   const std::string refined = bytesOf(in("refined.pcd"));
   EXPECT_EQ(runOn(VERTICAL_HOLE_REPAIR, refined, {"--grid", "0.1"}).exit_code, 0);
   EXPECT_NEAR(static_cast<double>(loadCloud(in("output.pcd")).size()), 100 * 59, 100);
@@ -201,9 +206,9 @@ TEST_F(RefinementTools, RepairTakesItsGrid)
 TEST_F(RefinementTools, PlansThatAreNoneAreRefused)
 {
   const std::string good = pcl::sedr::floorplanToJson({{planOf(BoxRoom())}});
-  for (const std::string& bad : {std::string("no plan at all"), std::string(1000, '\0'),
-                                 std::string("{}"), std::string("[1, 2]"),
-                                 good.substr(0, good.size() / 2), std::string()}) {
+  for (const std::string& bad :
+       {std::string("no plan at all"), std::string(1000, '\0'), std::string("{}"),
+        std::string("[1, 2]"), good.substr(0, good.size() / 2), std::string()}) {
     writeFile(in("plan.json"), bad);
     for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
       expectFailure(runOn(tool, scanOf().pcd(true)), 1, "plan.json");

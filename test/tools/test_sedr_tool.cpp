@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
-#include "tools/tool_contract.h"
+#include "tools/box_room.h"
+#include "tools/option_help.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
 
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -68,7 +76,12 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   ASSERT_EQ(report.at("rooms").size(), 1u);
   EXPECT_NEAR(report.at("rooms")[0].at("volume").get<double>(), 30, 0.2);
   EXPECT_NEAR(report.at("rooms")[0].at("perimeter").get<double>(), 14, 0.05);
-  EXPECT_EQ(report.at("stages").size(), 11u);
+  EXPECT_EQ(report.at("parameters").at("voxel_size"), 0.05) << "as it was given";
+  for (const char* name : {"unit", "z_up", "threads", "widest_door", "slice_thickness"})
+    EXPECT_TRUE(report.at("parameters").contains(name)) << name;
+  ASSERT_EQ(report.at("stages").size(), 14u); // eleven of the chain
+  EXPECT_EQ(report.at("stages")[0].at("stage"), "reading");
+  EXPECT_EQ(report.at("stages")[12].at("stage"), "MeshEvaluation");
 
   const ProgramRun judged =
       run(MESH_EVALUATION, {in("model/mesh.ply"), "--json", in("figures.json")});
@@ -81,16 +94,28 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
 TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
 {
   RoomScan scan = scanOf();
-  for (auto& p : scan.points) { // and far enough that a metre would be too coarse
+  for (auto& p :
+       scan.points) { // 20 m off: as metres these would be too far for a float
     p.x = 1000 * p.x + 20000;
     p.y *= 1000;
     p.z *= 1000;
   }
+  expectFailure(onFile(scan.pcd(false)), 1, "--unit 0.001");
   const ProgramRun result =
       onFile(scan.pcd(false), {"--unit", "0.001", "--tree-depth", "6"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
+}
+
+TEST_F(SedrTool, ReportsAPathThatIsNoUtf8)
+{
+  const std::string path = in("scan\xff.pcd");
+  writeFile(path, scanOf().pcd(false));
+  const ProgramRun result = run(SEDR, {path, in("model"), "--tree-depth", "6"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  EXPECT_EQ(report.at("input").at("path"), in("scan\xef\xbf\xbd.pcd"));
 }
 
 TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
@@ -99,7 +124,8 @@ TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
   Strings results;
   for (const char* threads : {"1", "3"}) {
     ASSERT_EQ(onFile(bytes, {"--tree-depth", "6", "--threads", threads}).exit_code, 0);
-    results.push_back(bytesOf(in("model/mesh.ply")) + bytesOf(in("model/structure.pcd")) +
+    results.push_back(bytesOf(in("model/mesh.ply")) +
+                      bytesOf(in("model/structure.pcd")) +
                       bytesOf(in("model/floorplan.json")));
   }
   EXPECT_EQ(results[0], results[1]);
@@ -113,9 +139,7 @@ TEST_F(SedrTool, HelpTellsEveryOptionOfTableOneWithItsDefault)
   std::vector<std::string> names;
   for (const auto& option : optionsIn(result.out)) {
     names.push_back(option.name);
-    EXPECT_TRUE(!option.takesValue() ||
-                option.text.find("default ") != std::string::npos)
-        << option.name;
+    EXPECT_TRUE(option.tellsDefault()) << option.name;
   }
   for (const char* name :
        {"voxel-size", "plane-tolerance", "grid-size", "boundary-angle",
@@ -129,11 +153,13 @@ TEST_F(SedrTool, BadCommandLinesAreRefused)
   expectFailure(run(SEDR, {in("a.pcd")}), 1, "OUTPUT_DIR is missing");
   expectFailure(run(SEDR, {in("a.pcd"), in("b"), in("c")}), 1, "too many");
   expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--colour"}), 1, "--colour");
+  for (const char* value : {"many", "nan", "-1", ""})
+    expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--voxel-size", value}), 1,
+                  "--voxel-size");
   for (const auto& option : optionsIn(run(SEDR, {"-h"}).out))
     if (option.hasRange())
-      for (const char* value : {"-1", "many", "nan"})
-        expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--" + option.name, value}), 1,
-                      "--" + option.name);
+      expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--" + option.name, "-1"}), 1,
+                    "--" + option.name);
 }
 
 TEST_F(SedrTool, FilesThatAreNoCloudsAreRefused)
@@ -196,11 +222,14 @@ TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
 {
   const RoomScan scan = scanOf();
   const auto only = [&](Label label) {
-    return scan.without([&](const RoomPoint& p) { return p.label != label; }).pcd(false);
+    return scan.without([&](const RoomPoint& p) { return p.label != label; })
+        .pcd(false);
   };
   expectFailure(onFile(only(Label::Floor)), 2, "HorizontalPlaneDetection");
+  EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
   expectFailure(onFile(only(Label::Wall)), 2, "HorizontalPlaneDetection");
-  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2, "0 are ceilings");
+  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2,
+                "0 are ceilings");
   expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2, "0 floors");
   expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
 }

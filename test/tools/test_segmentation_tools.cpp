@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace {
 
 using namespace programs;
@@ -116,9 +120,9 @@ TEST_F(SegmentationTools, PlaneDetectionListsThePlanes)
     EXPECT_GT(plane.at("inliers").get<std::size_t>(), 4000u);
   }
   EXPECT_EQ(ceilings, 1u);
-  EXPECT_EQ(static_cast<std::size_t>(
-                std::count(result.out.begin(), result.out.end(), '\n')),
-            json.at("planes").size() + 1)
+  EXPECT_EQ(
+      static_cast<std::size_t>(std::count(result.out.begin(), result.out.end(), '\n')),
+      json.at("planes").size() + 1)
       << "a heading and a line a plane:\n"
       << result.out;
   EXPECT_NE(result.out.find("ceiling     2.500"), std::string::npos) << result.out;
@@ -129,9 +133,9 @@ TEST_F(SegmentationTools, PlaneDetectionForgetsRoomsUnlessTheyAreToStay)
   const std::string bytes = scanOf().pcd(true);
   EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd").exit_code, 0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 0u);
-  EXPECT_EQ(
-      runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--keep-rooms"}).exit_code,
-      0);
+  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--keep-rooms"})
+                .exit_code,
+            0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 1u);
 }
 
@@ -271,16 +275,16 @@ TEST_F(SegmentationTools, FloorplanFittingTakesAFileWithoutRoomsForOneRoom)
 
 TEST_F(SegmentationTools, FloorplanFittingSaysWhatIsMissing)
 {
-  for (const auto& [label, words] :
-       {std::pair{Label::Ceiling, "label 1, ceiling"},
-        std::pair{Label::Floor, "label 2, floor"}, std::pair{Label::Wall, "label 3, wall"}})
-    expectNothingFound(runOn(FLOORPLAN_FITTING, scanOf().withoutLabel(label).pcd(true),
-                             "output.json"),
-                       words);
-  EXPECT_EQ(
-      runOn(FLOORPLAN_FITTING, scanOf().pcd(true), "output.json", {"--max-radius", "0.1"})
-          .exit_code,
-      1);
+  for (const auto& [label, words] : {std::pair{Label::Ceiling, "label 1, ceiling"},
+                                     std::pair{Label::Floor, "label 2, floor"},
+                                     std::pair{Label::Wall, "label 3, wall"}})
+    expectNothingFound(
+        runOn(FLOORPLAN_FITTING, scanOf().withoutLabel(label).pcd(true), "output.json"),
+        words);
+  EXPECT_EQ(runOn(FLOORPLAN_FITTING, scanOf().pcd(true), "output.json",
+                  {"--max-radius", "0.1"})
+                .exit_code,
+            1);
 }
 
 } // namespace

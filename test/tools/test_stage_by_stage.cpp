@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
-#include "tools/tool_contract.h"
+#include "tools/box_room.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +17,7 @@ using pcl::sedr::tools::floatField;
 using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
 
-/** @brief The programs of all stages, one after the other, with their defaults. */
+/** The programs of all stages, one after the other, with their defaults. */
 TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
 {
   RoomScan scan;
@@ -48,7 +52,8 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   stage(STRUCTURAL_POISSON, {"structure.pcd", "mesh.ply"});
 
   std::string problem;
-  const auto plan = pcl::sedr::floorplanFromJson(bytesOf(in("floorplan.json")), problem);
+  const auto plan =
+      pcl::sedr::floorplanFromJson(bytesOf(in("floorplan.json")), problem);
   ASSERT_EQ(plan.rooms.size(), 2u) << problem;
   EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
   ASSERT_EQ(plan.rooms[0].details.size(), 1u);

@@ -33,7 +33,8 @@ checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
                       "', its fields are:" + names);
 }
 
-/** @brief Leaves out padding and turns x, y and z into FLOAT32 metres, scaled as doubles. */
+/** @brief Leaves out padding and turns x, y and z into FLOAT32 metres, scaled as
+ * doubles. */
 void
 tidyFields(pcl::PCLPointCloud2& blob, const std::string& path, double unit)
 {
@@ -45,8 +46,8 @@ tidyFields(pcl::PCLPointCloud2& blob, const std::string& path, double unit)
     const bool is_coordinate =
         field.name == "x" || field.name == "y" || field.name == "z";
     const bool converts =
-        is_coordinate &&
-        (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 || field.count != 1);
+        is_coordinate && (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 ||
+                          field.count != 1);
     is_tidy = is_tidy && field.name != "_" && !converts;
     if (field.name == "_")
       continue;
@@ -84,8 +85,8 @@ median(std::vector<double> values)
   return *middle;
 }
 
-/** @brief Whether heights spread, but for a hundredth at each end, over more metres than
- * any building has. */
+/** @brief Whether heights spread, but for a hundredth at each end, over more metres
+ * than any building has. */
 bool
 couldBeMillimetres(std::vector<double> heights)
 {
@@ -125,9 +126,10 @@ checkExtent(const pcl::PCLPointCloud2& blob, const std::string& path, double uni
   if (size * float_step <= coarsest)
     return;
   if (unit == 1 && couldBeMillimetres(values[2]))
-    throw ToolError("the coordinates of '" + path +
-                    "' are too large for metres; if the unit is the millimetre, scale by "
-                    "0.001 (--unit 0.001 in pcl_sedr)");
+    throw ToolError(
+        "the coordinates of '" + path +
+        "' are too large for metres; if the unit is the millimetre, scale by "
+        "0.001 (--unit 0.001 in pcl_sedr)");
   std::ostringstream sentence;
   sentence.precision(2);
   sentence << "the coordinates of '" << path << "' are too large: at "

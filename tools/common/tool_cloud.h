@@ -15,8 +15,8 @@ namespace tools {
  */
 struct ToolCloud {
   std::string path;
-  pcl::PCLPointCloud2
-      blob; ///< every field of the file; x, y, z as FLOAT32 metres, no padding, height 1
+  pcl::PCLPointCloud2 blob; ///< every field of the file; x, y, z as FLOAT32 metres, no
+                            ///< padding, height 1
   pcl::PointCloud<pcl::PointXYZ>::Ptr
       points; ///< x, y, z of the rows; carries the viewpoint
   std::vector<std::uint32_t>
@@ -36,8 +36,9 @@ struct ToolCloud {
  * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
  * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most
  * coordinates so large that a float resolves them no finer than 1 mm (above 8388 m).
- * @param unit metres that one unit of the file stands for: coordinates and viewpoint are
- * brought to metres, in double precision, before anything is checked or made a float */
+ * @param unit metres that one unit of the file stands for: coordinates and viewpoint
+ * are brought to metres, in double precision, before anything is checked or made a
+ * float */
 ToolCloud loadCloud(const std::string& path, double unit = 1);
 
 enum class PcdData { Binary, Compressed };

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <cstdlib>
+#include <map>
 #include <sstream>
 
 namespace pcl {
@@ -20,38 +22,77 @@ using Reconstruction = IndoorStructureReconstruction<pcl::PointXYZ>;
 constexpr const char* format_name = "sedr-report";
 constexpr int format_version = 1;
 
+/** @brief Real numbers to seven digits: those of a float, which as doubles would have
+ * more. */
+void
+roundNumbers(Json& json)
+{
+  if (json.is_number_float()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", json.get<double>());
+    json = std::strtod(text, nullptr);
+  }
+  else if (json.is_structured())
+    for (auto& part : json)
+      roundNumbers(part);
+}
+
+/** @brief Every parameter used, in the order of the stages. */
 Json
-parametersOf(const Reconstruction& chain)
+parametersOf(const RunRecord& run, const Reconstruction& chain)
 {
   const StructureChain& c = chain.getChain();
-  return {{"voxel_size", chain.getVoxelSize()},
+  return {{"unit", run.unit},
+          {"z_up", c.trust_up},
+          {"threads", chain.getNumberOfThreads()},
+          {"seed", chain.getSeed()},
+          {"voxel_size", chain.getVoxelSize()},
           {"plane_tolerance", chain.getPlaneTolerance()},
           {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
           {"minimum_plane_area", c.plane_detection.getMinimumArea()},
           {"minimum_room_height", c.plane_detection.getMinimumRoomHeight()},
           {"grid_size", chain.getGridSize()},
+          {"opening_radius", c.outlier_removal.getOpeningRadius()},
+          {"minimum_part", c.outlier_removal.getMinimumPart()},
+          {"minimum_support", c.outlier_removal.getMinimumSupport()},
+          {"minimum_supported_cells", c.outlier_removal.getMinimumSupportedCells()},
           {"minimum_room_area", c.room_segmentation.minimum_area},
           {"minimum_floor_share", c.room_segmentation.minimum_floor_share},
           {"minimum_wall_share", c.room_segmentation.minimum_wall_share},
+          {"minimum_open_share", c.room_segmentation.minimum_open_share},
+          {"widest_door", c.room_segmentation.widest_door},
+          {"detail_tolerance", c.slice_detail.getDistanceThreshold()},
           {"minimum_cells", chain.getMinimumDetailCells()},
           {"trials", c.slice_detail.getTrials()},
+          {"slice_thickness", c.slice_detail.getSliceThickness()},
+          {"minimum_island_area", c.slice_detail.getMinimumIslandArea()},
           {"boundary_angle_degrees", pcl::rad2deg(chain.getBoundaryAngle())},
           {"boundary_neighbors", chain.getBoundaryNeighbors()},
           {"wall_distance", c.wall_growing.getDistanceThreshold()},
+          {"minimum_wall_support", c.wall_growing.getMinimumSupport()},
           {"boundary_tolerance", chain.getBoundaryTolerance()},
           {"minimum_element_length", c.floorplan_fitting.getMinimumLength()},
+          {"minimum_radius", c.floorplan_fitting.getMinimumRadius()},
+          {"maximum_radius", c.floorplan_fitting.getMaximumRadius()},
           {"refinement_distance", c.refinement.getMaximumDistance()},
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"tree_depth", chain.getTreeDepth()},
+          {"minimum_tree_depth", c.poisson.getMinDepth()},
+          {"cell_ratio", c.poisson.getCellRatio()},
           {"point_weight", c.poisson.getPointWeight()},
-          {"seed", chain.getSeed()}};
+          {"poisson_scale", c.poisson.getScale()},
+          {"samples_per_node", c.poisson.getSamplesPerNode()},
+          {"minimum_points", c.poisson.getMinimumPoints()},
+          {"maximum_hole_edges", c.poisson.getMaxHoleEdges()},
+          {"support_distance", c.poisson.getSupportDistance()},
+          {"solver_threads", c.poisson.getSolverThreads()}};
 }
 
 Json
-stagesOf(const Reconstruction& chain)
+stagesOf(const RunRecord& run)
 {
   Json stages = Json::array();
-  for (const auto& stage : chain.getStageReports())
+  for (const auto& stage : run.stages)
     stages.push_back({{"stage", stage.name},
                       {"points_in", stage.points_in},
                       {"points_out", stage.points_out},
@@ -59,11 +100,11 @@ stagesOf(const Reconstruction& chain)
   return stages;
 }
 
-/** @brief Mean height of a room: its volume, column by column over its cells, by its area. */
+/** @brief Mean height of a room, over samples of its floor every 10 cm. */
 double
 meanHeight(const PlanRoom& room)
 {
-  constexpr double step = 0.05;
+  constexpr double step = 0.1;
   Eigen::AlignedBox2d box;
   for (const auto& corner : room.boundary.polygon(0.01))
     box.extend(corner);
@@ -80,17 +121,20 @@ meanHeight(const PlanRoom& room)
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-/** @brief Share of a room's points that hole repair had to add. */
-double
-repairedShare(const StructureChain& chain, std::uint32_t room)
+/** @brief Share of each room's points that hole repair had to add. */
+std::map<std::uint32_t, double>
+repairedShares(const StructureChain& chain)
 {
-  std::size_t all = 0;
-  std::size_t repaired = 0;
+  std::map<std::uint32_t, std::size_t> all;
+  std::map<std::uint32_t, std::size_t> repaired;
   for (const auto& p : *chain.structure)
-    all += p.room == room ? 1 : 0;
+    ++all[p.room];
   for (const int i : chain.hole_repair.getRepairedIndices())
-    repaired += (*chain.structure)[i].room == room ? 1 : 0;
-  return all == 0 ? 0 : static_cast<double>(repaired) / static_cast<double>(all);
+    ++repaired[(*chain.structure)[i].room];
+  std::map<std::uint32_t, double> shares;
+  for (const auto& [room, points] : all)
+    shares[room] = static_cast<double>(repaired[room]) / static_cast<double>(points);
+  return shares;
 }
 
 Json
@@ -98,12 +142,9 @@ meshOf(const StructureChain& chain, std::uint32_t room)
 {
   for (const auto& report : chain.poisson.getReports())
     if (report.room == room)
-      return {{"closed_manifold", report.closed},
-              {"area", report.area},
-              {"volume", report.volume},
-              {"depth", report.depth},
-              {"attempts", report.attempts},
-              {"problem", report.problem}};
+      return {{"closed_manifold", report.closed}, {"area", report.area},
+              {"volume", report.volume},          {"depth", report.depth},
+              {"attempts", report.attempts},      {"problem", report.problem}};
   return nullptr;
 }
 
@@ -111,6 +152,7 @@ Json
 roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
+  std::map<std::uint32_t, double> repaired = repairedShares(chain.getChain());
   for (const auto& room : chain.getFloorplan()->rooms) {
     const double height = meanHeight(room);
     rooms.push_back({{"id", room.id},
@@ -121,7 +163,7 @@ roomsOf(const Reconstruction& chain)
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
-                     {"repaired_share", repairedShare(chain.getChain(), room.id)},
+                     {"repaired_share", repaired[room.id]},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
   return rooms;
@@ -130,43 +172,39 @@ roomsOf(const Reconstruction& chain)
 } // namespace
 
 std::string
-makeReport(const ReportInput& input,
-           const Reconstruction& chain,
-           const MeshEvaluationResult& figures)
+makeReport(const RunRecord& run, const Reconstruction& chain)
 {
   std::ostringstream evaluation;
-  writeJson(evaluation, figures);
-  const Json json{{"format", format_name},
-                  {"version", format_version},
-                  {"input", {{"path", input.path}, {"points", input.points}, {"unit", input.unit}}},
-                  {"parameters", parametersOf(chain)},
-                  {"stages", stagesOf(chain)},
-                  {"rooms", roomsOf(chain)},
-                  {"evaluation", Json::parse(evaluation.str())},
-                  {"warnings", chain.getChain().warnings}};
-  return json.dump(1) + "\n";
+  writeJson(evaluation, run.figures);
+  Json json{{"format", format_name},
+            {"version", format_version},
+            {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
+            {"parameters", parametersOf(run, chain)},
+            {"stages", stagesOf(run)},
+            {"rooms", roomsOf(chain)},
+            {"evaluation", Json::parse(evaluation.str())},
+            {"warnings", chain.getChain().warnings}};
+  roundNumbers(json);
+  // A path may hold any bytes: what is no UTF-8 becomes U+FFFD.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string
-summaryOf(const Reconstruction& chain)
+summaryOf(const RunRecord& run, const Reconstruction& chain)
 {
   double area = 0;
   double seconds = 0;
   for (const auto& room : chain.getFloorplan()->rooms)
     area += room.area();
-  for (const auto& stage : chain.getStageReports())
+  for (const auto& stage : run.stages)
     seconds += stage.seconds;
   std::size_t closed = 0;
   for (const auto& report : chain.getChain().poisson.getReports())
     closed += report.closed ? 1 : 0;
   char text[160];
-  std::snprintf(text,
-                sizeof text,
+  std::snprintf(text, sizeof text,
                 "%zu rooms, %.1f square metres, %zu closed meshes, %.1f s",
-                chain.getFloorplan()->rooms.size(),
-                area,
-                closed,
-                seconds);
+                chain.getFloorplan()->rooms.size(), area, closed, seconds);
   return text;
 }
 

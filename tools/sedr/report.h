@@ -6,27 +6,30 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a run started from. */
-struct ReportInput {
+/** @brief What a run of pcl_sedr started from and did. */
+struct RunRecord {
   std::string path;
   std::size_t points = 0;
-  double unit = 1; ///< length of one unit of the file, metres
+  double unit = 1;                 ///< length of one unit of the file, metres
+  std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
+  MeshEvaluationResult figures;
 };
 
-/** @brief report.json: input, parameters, stages, rooms, mesh, distances, warnings. */
-std::string
-makeReport(const ReportInput& input,
-           const IndoorStructureReconstruction<pcl::PointXYZ>& chain,
-           const MeshEvaluationResult& figures);
+/** @brief report.json: input, parameters, stages, rooms, mesh, distances, warnings.
+ * Real numbers have seven significant digits. The same input and options give the same
+ * text, but for the `seconds` of the stages, which differ from run to run. */
+std::string makeReport(const RunRecord& run,
+                       const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
 
-/** @brief "4 rooms, 98.8 square metres, mesh closed", one line. */
-std::string
-summaryOf(const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
+/** @brief "4 rooms, 98.8 square metres, 4 closed meshes, 12.3 s", one line. */
+std::string summaryOf(const RunRecord& run,
+                      const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
 
 } // namespace tools
 } // namespace sedr

@@ -62,7 +62,7 @@ public:
   bool
   holds(double x, double y) const;
 
-  /** @brief The cell of (x, y), for which holds() must be true. */
+  /** @brief The cell of (x, y), for which holds() must be true: asserted. */
   Cell
   at(double x, double y) const;
 
@@ -86,6 +86,10 @@ public:
 
   /** @brief The cells of `keys`, in any order, repetitions allowed. O(n log n). */
   explicit CellSet(std::vector<CellKey> keys);
+
+  /** @brief The cells of `keys`, which must be increasing, each once. O(1). */
+  static CellSet
+  fromSorted(std::vector<CellKey> keys);
 
   /** @brief The cells that hold at least one finite point of `points[indices]`. */
   template <typename IndicesT>

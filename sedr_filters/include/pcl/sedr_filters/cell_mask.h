@@ -28,8 +28,9 @@ boxOf(const CellSet& cells);
 CellBox
 grown(const CellBox& box, int margin);
 
-/** @brief The most cells a mask may have: a room of 1.6 km by 1.6 km at 5 cm. */
-constexpr std::uint64_t most_mask_cells = std::uint64_t{1} << 30;
+/** @brief The most cells a mask may have: a region of 579 m by 579 m at 5 cm. What works on masks
+ * (distances, labels, fronts) takes 20 bytes a cell and more: this keeps it at a few GiB. */
+constexpr std::uint64_t most_mask_cells = std::uint64_t{1} << 27;
 
 /** @brief What is wrong with a mask of that box, a sentence; empty if nothing is. */
 std::string
@@ -136,8 +137,9 @@ eroded(const CellMask& mask, double radius);
 CellMask
 inverted(const CellMask& mask);
 
-/** @brief Squared distance, in cells, of each cell of the box from the nearest set cell (exact,
- * Felzenszwalb and Huttenlocher 2012); infinity where nothing is set. O(cells). */
+/** @brief Squared distance, in cells, of each cell of the box from the nearest set cell
+ * (Felzenszwalb and Huttenlocher 2012); infinity where nothing is set. Exact up to distances of
+ * 4096 cells, whose square a float still holds; rounded to a float beyond. O(cells). */
 std::vector<float>
 squaredDistances(const CellMask& mask);
 
@@ -157,11 +159,15 @@ CellMask
 regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region);
 
 /** @brief Takes labels (-1: none) outwards through the cells of `domain`, step by step to the four
- * neighbours, at most `steps` steps: each cell gets the label that reaches it first.
- * @return for each cell the index of the one it was reached from, CellSet::npos for seeds and for
- * cells not reached. O(cells). */
-std::vector<std::size_t>
+ * neighbours, at most `steps` steps: each cell gets the label that reaches it first. O(cells). */
+void
 growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label);
+
+/** @brief As growLabels(), but tells the ways too, at 8 bytes a cell.
+ * @return for each cell the index of the one it was reached from, CellSet::npos for seeds and for
+ * cells not reached */
+std::vector<std::size_t>
+growLabelsWithParents(const CellMask& domain, int steps, std::vector<std::int32_t>& label);
 
 /** @brief The cells that are not set from which no four-connected way of such cells leads to the
  * edge of the box: the holes of the mask. O(cells). */

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <pcl/ModelCoefficients.h>
-#include <pcl/filters/filter.h>
 #include <pcl/sedr_filters/floor_recovery.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/stage_filter.h>
 
 #include <Eigen/Core>
 
@@ -36,7 +35,7 @@ namespace pcl {
  * recovery.filter(*whole_floor);
  * @endcode */
 template <typename PointT>
-class FloorProjectionRecovery : public Filter<PointT>, public sedr::StageError {
+class FloorProjectionRecovery : public sedr::StageFilter<PointT> {
 public:
   using Ptr = shared_ptr<FloorProjectionRecovery<PointT>>;
   using ConstPtr = shared_ptr<const FloorProjectionRecovery<PointT>>;
@@ -44,7 +43,7 @@ public:
 
   /** @param extract_removed_indices whether getRemovedIndices() is filled */
   explicit FloorProjectionRecovery(bool extract_removed_indices = false)
-      : Filter<PointT>(extract_removed_indices)
+      : sedr::StageFilter<PointT>(extract_removed_indices)
   {
     filter_name_ = "FloorProjectionRecovery";
   }
@@ -74,9 +73,6 @@ public:
 
   ModelCoefficients::ConstPtr getFloorCoefficients() const { return plane_; }
 
-  /** @brief Writes the completed floor to `output`, which may be the input. */
-  void filter(PointCloud& output);
-
   /** @brief Of each output point of the last run the point of the input that it comes
    * from: first the floor points kept, then the sources of those projected. */
   const Indices& getProjectedIndices() const { return source_indices_; }
@@ -89,13 +85,13 @@ protected:
   using Filter<PointT>::input_;
   using Filter<PointT>::indices_;
   using Filter<PointT>::removed_indices_;
-  using Filter<PointT>::extract_removed_indices_;
+  using sedr::StageFilter<PointT>::fail;
 
   void applyFilter(PointCloud& output) override;
 
-private:
-  void clearResults();
+  void clearResults() override;
 
+private:
   bool validate();
 
   bool recover(sedr::FloorRecovery& recovery, Eigen::Vector4d& plane);

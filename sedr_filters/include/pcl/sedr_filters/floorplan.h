@@ -29,8 +29,12 @@ struct PlanElement {
     return radius > 0;
   }
 
-  /** @brief Signed angle an arc runs through, radians, positive counter-clockwise. An arc whose
-   * ends coincide is a whole circle. */
+  /** @brief Signed angle an arc runs through, radians, positive counter-clockwise: above 0 and at
+   * most 2 pi in size.
+   *
+   * By design an arc whose ends coincide (to 1e-9 m, or 1e-9 of a radius above 1 m) is a whole
+   * circle, never nothing: a round column or a rotunda is a loop of one such arc. An arc that has
+   * shrunk to a point therefore has to be taken out of its loop by whoever made it. */
   double
   sweep() const;
 
@@ -86,7 +90,8 @@ struct PlanLoop {
   std::size_t
   nearest(const Eigen::Vector2d& p) const;
 
-  /** @brief Corners in order, arcs replaced by chords that stay within `tolerance` metres. */
+  /** @brief Corners in order, arcs replaced by chords that stay within `tolerance` metres (at
+   * least 1e-6), but by no more than 10000 chords each. */
   std::vector<Eigen::Vector2d>
   polygon(double tolerance) const;
 };
@@ -135,6 +140,13 @@ struct PlanRoom {
   /** @brief Index of the detail above `p`, or -1 below the main ceiling. */
   int
   detailAt(const Eigen::Vector2d& p) const;
+
+  /** @brief The slab of detail `detail`; of -1 the main ceiling. */
+  const PlanSlab&
+  ceilingSlab(int detail) const
+  {
+    return detail < 0 ? ceiling : details[static_cast<std::size_t>(detail)].slab;
+  }
 
   /** @brief Height of whatever ceiling is above `p`. */
   double

@@ -17,6 +17,12 @@ std::string
 floorplanToJson(const Floorplan& plan);
 
 /** @brief Reads what floorplanToJson() wrote.
+ *
+ * Refused are: coordinates beyond 1e6 m; arcs of a radius beyond 1e5 m or with an end more than
+ * 1 mm off their circle; loops that are open; boundaries of rooms and details that do not run
+ * counter-clockwise around some area; floors and ceilings whose normal is not of unit length (within
+ * 1e-3: then it is brought to it) or leans by more than 45 degrees; ids of rooms that are 0 or occur
+ * twice. An arc whose ends coincide is a whole circle.
  * @param[out] problem what is wrong, a sentence; empty if nothing is
  * @return an empty plan if there is a problem */
 Floorplan

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/filters/filter.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/stage_filter.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <vector>
@@ -33,9 +33,8 @@ namespace pcl {
  * grid.filter(*thinned);
  * @endcode */
 template <typename PointT>
-class ParallelVoxelGrid : public Filter<PointT>,
-                          public sedr::VoxelGridSettings,
-                          public sedr::StageError {
+class ParallelVoxelGrid : public sedr::StageFilter<PointT>,
+                          public sedr::VoxelGridSettings {
 public:
   using Ptr = shared_ptr<ParallelVoxelGrid<PointT>>;
   using ConstPtr = shared_ptr<const ParallelVoxelGrid<PointT>>;
@@ -43,13 +42,10 @@ public:
 
   /** @param extract_removed_indices whether getRemovedIndices() is filled */
   explicit ParallelVoxelGrid(bool extract_removed_indices = false)
-      : Filter<PointT>(extract_removed_indices)
+      : sedr::StageFilter<PointT>(extract_removed_indices)
   {
     filter_name_ = "ParallelVoxelGrid";
   }
-
-  /** @brief Writes one point a voxel to `output`, which may be the input. */
-  void filter(PointCloud& output);
 
   /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there
    * is none or the layout was not saved. */
@@ -69,9 +65,11 @@ protected:
   using Filter<PointT>::input_;
   using Filter<PointT>::indices_;
   using Filter<PointT>::removed_indices_;
-  using Filter<PointT>::extract_removed_indices_;
+  using sedr::StageFilter<PointT>::fail;
 
   void applyFilter(PointCloud& output) override;
+
+  void clearResults() override;
 
 private:
   /** @brief Checks the parameters; selects the points within the limits of the filter

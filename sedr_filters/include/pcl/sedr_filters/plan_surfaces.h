@@ -47,6 +47,11 @@ struct SurfacePoint {
   std::uint32_t room = 0;
 };
 
+/** @brief The point at a place in plan of the floor, or of whatever ceiling or detail is above the
+ * place; whether the place is in the room is not asked. */
+SurfacePoint
+slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor);
+
 /** @brief The point of the room's structure that a scanned point with a label stands for (paper,
  * section 2.4): ceiling and floor points move to the plane, wall and column points to their line or
  * circle in x and y while z stays, detail points to the underside or the riser, whichever is

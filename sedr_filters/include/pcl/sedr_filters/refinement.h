@@ -36,7 +36,8 @@ struct RepairedPoint {
 };
 
 /** @brief One point for every cell of every room's surfaces (SurfaceCells): the refined point of
- * the cell, or a new one at its centre. Rooms in the order of the plan. */
+ * the cell, or a new one at its centre. Rooms in the order of the plan. surfaceCellsProblem() must
+ * be empty. */
 std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined, const Floorplan& plan, double cell_size);
 

@@ -3,11 +3,13 @@
 
 #include <pcl/sedr_filters/plan_surfaces.h>
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/type_traits.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -39,6 +41,34 @@ roomsOf(const pcl::PointCloud<PointT>& cloud)
     for (const auto& p : cloud)
       rooms.push_back(p.room);
   return rooms;
+}
+
+/** @brief What a stage that works with labelled points and a plan lacks, a sentence; empty if it
+ * lacks nothing.
+ * @param[in,out] labels of every point of the cloud; empty: filled from its point type
+ * @param[in,out] rooms likewise */
+template <typename PointT>
+std::string
+structureProblem(const Floorplan* plan,
+                 const pcl::PointCloud<PointT>& cloud,
+                 const pcl::Indices& indices,
+                 std::vector<std::uint32_t>& labels,
+                 std::vector<std::uint32_t>& rooms)
+{
+  if (!plan || plan->rooms.empty())
+    return "no floor plan with rooms was set";
+  std::string problem = indicesProblem(indices, cloud.size());
+  if (!problem.empty())
+    return problem;
+  if (labels.empty())
+    labels = labelsOf(cloud);
+  if (rooms.empty())
+    rooms = roomsOf(cloud);
+  if (labels.size() != cloud.size() || rooms.size() != cloud.size())
+    problem = "the cloud has " + std::to_string(cloud.size()) + " points, but " +
+              std::to_string(labels.size()) + " labels and " +
+              std::to_string(rooms.size()) + " rooms are known";
+  return problem;
 }
 
 /** @brief Moves a point to the structure, and sets its normal, label and room where its type has

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/plan_surfaces.h>
-#include <pcl/sedr_filters/stage_error.h>
-
-#include <pcl/filters/filter.h>
+#include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
 #include <memory>
@@ -21,6 +19,10 @@ namespace pcl {
  * the exact normal into the room, label and room where the point type has such fields; all other
  * points (label 0, no room, farther than the maximum distance, not finite) are removed. O(n e) for
  * n points and e elements of a room.
+ *
+ * No input, no plan, a distance that is not above 0, an index beyond the cloud, labels or rooms of
+ * another number than the points: PCL_ERROR, an empty output, all indices removed, and
+ * getErrorMessage() says why.
  * @code
  * pcl::StructureRefinement<pcl::PointStructure> refinement;
  * refinement.setInputCloud(labelled);
@@ -28,7 +30,7 @@ namespace pcl {
  * refinement.filter(*refined);
  * @endcode */
 template <typename PointT>
-class StructureRefinement : public Filter<PointT>, public sedr::StageError {
+class StructureRefinement : public sedr::StageFilter<PointT> {
 public:
   using Ptr = shared_ptr<StructureRefinement<PointT>>;
   using ConstPtr = shared_ptr<const StructureRefinement<PointT>>;
@@ -36,7 +38,7 @@ public:
 
   /** @param extract_removed_indices whether getRemovedIndices() is filled */
   explicit StructureRefinement(bool extract_removed_indices = false)
-  : Filter<PointT>(extract_removed_indices)
+  : sedr::StageFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "StructureRefinement";
   }
@@ -110,12 +112,17 @@ protected:
   void
   applyFilter(PointCloud& output) override;
 
+  void
+  clearResults() override;
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using Filter<PointT>::removed_indices_;
   using Filter<PointT>::extract_removed_indices_;
+  using sedr::StageFilter<PointT>::fail;
 
+  /** @brief Checks all that was set, and fills labels and rooms where none were. */
   bool
   validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/plan_surfaces.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -17,13 +18,21 @@ struct SurfaceCell {
   double distance = 0;      ///< of it from the centre, metres
 };
 
+/** @brief The most cells that the surfaces of a plan may be cut into: 16 GB of them. */
+constexpr double most_surface_cells = 2e8;
+
+/** @brief Why the surfaces of a plan cannot be cut into cells of `size` metres, a sentence with the
+ * estimated number of cells; empty if they can. `size` must be above 0. O(elements). */
+std::string
+surfaceCellsProblem(const Floorplan& plan, double size);
+
 /** @brief The surfaces of a room cut into cells of nearly one size: upright surfaces along their
  * elements and up their heights, each into equal parts; floor and ceilings by a grid in plan. The
  * cells cover the whole room without gaps, so the empty ones are its holes (paper, section 2.4). */
 class SurfaceCells {
 public:
   /** @param room must stay where it is
-   * @param size edge of a cell, metres, > 0 */
+   * @param size edge of a cell, metres, > 0; surfaceCellsProblem() of the plan must be empty */
   SurfaceCells(const PlanRoom& room, double size);
 
   /** @brief Says that point `source` of the scan, on the structure already, lies in its cell.

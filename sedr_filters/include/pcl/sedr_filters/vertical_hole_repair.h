@@ -2,9 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/plan_surfaces.h>
-#include <pcl/sedr_filters/stage_error.h>
-
-#include <pcl/filters/filter.h>
+#include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +20,10 @@ namespace pcl {
  * new one there, so that it covers the structure evenly and wholly. Normals, labels and rooms are
  * set where the point type has them; other fields of new points are zero. Non-finite points and
  * points on no surface are removed. O(n e + c) for n points, e elements and c cells.
+ *
+ * No input, no plan, a grid size that is not above 0 or so small that the plan would have more than
+ * sedr::most_surface_cells cells, an index beyond the cloud, labels or rooms of another number than
+ * the points: PCL_ERROR, an empty output, all indices removed, and getErrorMessage() says why.
  * @code
  * pcl::VerticalHoleRepair<pcl::PointStructure> repair;
  * repair.setInputCloud(refined);
@@ -29,7 +31,7 @@ namespace pcl {
  * repair.filter(*whole);
  * @endcode */
 template <typename PointT>
-class VerticalHoleRepair : public Filter<PointT>, public sedr::StageError {
+class VerticalHoleRepair : public sedr::StageFilter<PointT> {
 public:
   using Ptr = shared_ptr<VerticalHoleRepair<PointT>>;
   using ConstPtr = shared_ptr<const VerticalHoleRepair<PointT>>;
@@ -38,7 +40,7 @@ public:
   /** @param extract_removed_indices whether getRemovedIndices() is filled: with the points that are
    * in no cell, and those that share their cell with one nearer to its middle */
   explicit VerticalHoleRepair(bool extract_removed_indices = false)
-  : Filter<PointT>(extract_removed_indices)
+  : sedr::StageFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "VerticalHoleRepair";
   }
@@ -106,12 +108,17 @@ protected:
   void
   applyFilter(PointCloud& output) override;
 
+  void
+  clearResults() override;
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using Filter<PointT>::removed_indices_;
   using Filter<PointT>::extract_removed_indices_;
+  using sedr::StageFilter<PointT>::fail;
 
+  /** @brief Checks all that was set, and fills labels and rooms where none were. */
   bool
   validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 

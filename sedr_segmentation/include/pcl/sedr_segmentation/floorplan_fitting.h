@@ -90,8 +90,8 @@ public:
     rooms_ = std::move(rooms);
   }
 
-  /** @brief Distance of an inlier from its line or circle, metres, > 0. Default 0.05 (paper, Table
-   * 1). */
+  /** @brief Distance of an inlier from its line or circle, metres, above 0 and at most 1. Default
+   * 0.05 (paper, Table 1). */
   void
   setDistanceThreshold(double threshold)
   {
@@ -144,6 +144,18 @@ public:
   getMaximumRadius() const
   {
     return parameters_.loop.maximum_radius;
+  }
+
+  /** @brief Smallest detail that becomes part of the plan, square metres, > 0. Default 0.25. */
+  void
+  setMinimumDetailArea(double area)
+  {
+    parameters_.minimum_detail_area = area;
+  }
+  double
+  getMinimumDetailArea() const
+  {
+    return parameters_.minimum_detail_area;
   }
 
   /** @brief Seed of the random samples. Default 1. */

@@ -14,7 +14,9 @@ namespace pcl {
 /** @brief Finds structural details of a ceiling (soffits, beams, recesses) by grid-slices analysis
  * (paper, section 2.3.1): horizontal slices at a quarter and a half, then at an eighth and three
  * eighths of the room's height below the ceiling show where walls stand; cells that slice and
- * ceiling enclose together, and the ceiling alone does not, are detail. Frame: z up, metres.
+ * ceiling enclose together, and the ceiling alone does not, may be detail. Beyond the paper, so are
+ * regions of undersides of one height that join the ceiling, and heads of doors and windows are
+ * left out: see sedr::findSliceDetails(). Frame: z up, metres.
  *
  * Works on one room: give its points by setIndices() and those of its main ceiling by
  * setCeilingIndices(). The planes of ceiling and floor are fitted to the indices unless they are
@@ -143,6 +145,18 @@ public:
     return parameters_.minimum_island_area;
   }
 
+  /** @brief Seed of the random samples of the ceiling's plane. Default 1. */
+  void
+  setSeed(std::uint64_t seed)
+  {
+    seed_ = seed;
+  }
+  std::uint64_t
+  getSeed() const
+  {
+    return seed_;
+  }
+
   /** @brief Finds the points of the details.
    * @param[out] details increasing indices; empty where the ceiling has no details
    * @return false, with a reason in getErrorMessage(), for bad input or parameters */
@@ -171,7 +185,8 @@ public:
     return result_.slice_height;
   }
 
-  /** @brief The trial whose slice enclosed a detail, 1 to 3; 0 if none did. */
+  /** @brief The trial whose slice enclosed a detail, 1 to 3; 0 if none did, as where an opening breaks
+   * the outline of every slice. */
   int
   getTrial() const
   {
@@ -191,6 +206,7 @@ private:
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
   double floor_height_ = std::numeric_limits<double>::quiet_NaN();
+  std::uint64_t seed_ = 1;
   sedr::SliceParameters parameters_;
   sedr::SliceDetails result_;
 };

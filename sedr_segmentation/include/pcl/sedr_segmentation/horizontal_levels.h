@@ -28,6 +28,7 @@ struct LevelParameters {
 /** @brief A horizontal plane of a scan, with all points within the tolerance. */
 struct Level {
   PlanSlab slab;
+  double height = 0;        ///< of the slab in the middle of its cells, metres
   CellSet cells;            ///< cells where the plane was seen, walls left out
   std::vector<int> inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
@@ -38,7 +39,7 @@ struct Level {
  * Points of walls are set aside first: those with neighbours both above and below in their own
  * grid column. The density of the others' heights, counted in distinct cells, says where a level
  * is; RANSAC finds the plane there, and the search goes on without its points until the best level
- * left is smaller than the minimum area. O(n log n). */
+ * left is smaller than the minimum area. O(n log n) plus O(n) for each level. */
 std::vector<Level>
 findLevels(const PointView& points,
            const std::vector<int>& indices,

@@ -17,6 +17,7 @@ struct HorizontalPlane {
   pcl::PointIndices inliers;           ///< points within the distance threshold, increasing; not those of walls
   pcl::ModelCoefficients coefficients; ///< a, b, c, d of a x + b y + c z + d = 0, unit normal up
   sedr::LevelKind kind = sedr::LevelKind::Other;
+  double height = 0;     ///< z in the middle of its cells, metres
   std::size_t cells = 0; ///< occupied grid cells, those of walls left out
   double area = 0;       ///< of these cells, square metres
   double residual = 0;   ///< root mean square distance of the points it was fitted to, metres
@@ -29,7 +30,7 @@ struct HorizontalPlane {
  *
  * A scan may hold several ceilings and floors at different heights; a table top is neither. Size
  * counts in occupied cells, so that the density of the scan does not matter. Time O(n log n) for n
- * points; input thinned to the grid size is enough.
+ * points plus O(n) a plane; input thinned to the grid size is enough.
  * @code
  * pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
  * detection.setInputCloud(thinned);

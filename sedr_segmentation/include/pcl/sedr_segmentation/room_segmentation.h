@@ -14,6 +14,7 @@ namespace sedr {
 struct RoomParameters {
   double cell_size = 0.05;
   double minimum_area = 1.0;        ///< of a room, square metres
+  double minimum_height = 1.5;      ///< of a room, from floor to ceiling
   double minimum_floor_share = 0.1; ///< of a room's cells that have its floor below
   double minimum_wall_share = 0.5;  ///< of a room's outline that has a wall below
   double minimum_open_share = 0.15; ///< of the outline of a piece that is open to what it belongs to

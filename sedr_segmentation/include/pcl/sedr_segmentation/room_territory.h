@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Which room a place belongs to: rooms grow from the cells of their ceilings outwards until
- * they meet or have gone as far as walls can be, 0.7 m at cells of 5 cm. So each face of a thin
+ * they meet or have gone as far as walls can be, 0.7 m. So each face of a thin
  * partition lies in its own room. O(cells of the box around all rooms). */
 class RoomTerritory {
 public:
@@ -30,9 +30,14 @@ public:
   roomAt(const Eigen::Vector3f& p) const;
 
 private:
+  /** @brief Rooms near each other. */
+  struct Quarter {
+    CellMask frame;
+    std::vector<std::int32_t> room; ///< of each cell of the frame
+  };
+
   CellGrid grid_;
-  CellMask frame_;
-  std::vector<std::int32_t> room_;
+  std::vector<Quarter> quarters_;
   std::string problem_;
 };
 

@@ -16,10 +16,11 @@ std::string
 scanProblem(const PointView& points, const std::vector<int>& indices);
 
 /** @brief Whether the scan looks as if another axis than z were up: a sentence, else empty. Then z
- * gives rooms higher than 4.5 m, while across another axis there are two planes at the distance of
- * a floor and a ceiling that are half as large again. For thinned points. */
+ * gives rooms higher than 4.5 m, or none (`z_has_rooms` is false), while across another axis there
+ * are two planes at the distance of a floor and a ceiling that are half as large again. For thinned
+ * points. */
 std::string
-upProblem(const PointView& points, const std::vector<int>& indices);
+upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_rooms = true);
 
 } // namespace sedr
 } // namespace pcl

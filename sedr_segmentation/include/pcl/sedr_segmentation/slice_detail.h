@@ -41,9 +41,11 @@ struct SliceDetails {
  * Slices of the points at a quarter and a half, then at an eighth and three eighths of the room's
  * height below the ceiling are laid over the ceiling's cells; empty cells that ceiling and slice
  * enclose together, and the ceiling alone does not, are structural detail if points are seen there
- * between slice and ceiling. Beyond the paper, a door or window that breaks the slice's outline
- * does no harm: cells whose column ends, above half the room's height, in an underside of its own
- * (or above the ceiling in a recess) belong to a detail as well where they join the ceiling.
+ * between slice and ceiling. Beyond the paper, what those points are is looked at: regions of
+ * undersides of one height, above half the room's height, that join the ceiling, have floor below
+ * and are not the head of a door or window are detail, whether or not an opening breaks the slice's
+ * outline; empty cells that a slice encloses with them belong to them. Nothing farther than 5 m
+ * beyond the ceiling's bounding box is looked at.
  *
  * @param points the scan
  * @param indices the points of the room

@@ -43,7 +43,7 @@ public:
 
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
   pcl::GridRegionOutlierRemoval<pcl::PointXYZ> outlier_removal;
-  RoomParameters room_segmentation;
+  RoomParameters room_segmentation; ///< of segmentRooms(), which has no class of its own
   pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
   pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery;
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
@@ -91,6 +91,10 @@ private:
 
   bool
   fail(const std::string& reason);
+
+  /** @brief Notes that a stage could not do one room; the others go on. */
+  void
+  warn(std::uint32_t room, const std::string& reason);
 
   bool
   checkScan();

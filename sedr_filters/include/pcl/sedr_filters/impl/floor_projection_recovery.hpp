@@ -32,23 +32,9 @@ projectOntoFloor(const Eigen::Vector4d& plane, PointT& p)
 
 template <typename PointT>
 void
-FloorProjectionRecovery<PointT>::filter(PointCloud& output)
-{
-  if (input_) {
-    Filter<PointT>::filter(output);
-    return;
-  }
-  clearResults();
-  fail("FloorProjectionRecovery", "no input cloud was set");
-  output.clear();
-}
-
-template <typename PointT>
-void
 FloorProjectionRecovery<PointT>::clearResults()
 {
-  clearError();
-  removed_indices_->clear();
+  sedr::StageFilter<PointT>::clearResults();
   source_indices_.clear();
   number_of_projected_ = 0;
 }
@@ -120,15 +106,11 @@ template <typename PointT>
 void
 FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
 {
-  clearResults();
-  output.clear();
-  output.height = 1;
-  output.is_dense = true;
+  this->startRun(output);
   sedr::FloorRecovery recovery;
   Eigen::Vector4d plane;
   if (!validate() || !recover(recovery, plane)) {
-    if (extract_removed_indices_)
-      *removed_indices_ = sedr::indicesInRange(*indices_, input_->size());
+    this->removeAll();
     return;
   }
   source_indices_ = recovery.kept;
@@ -140,7 +122,7 @@ FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
     output.push_back((*input_)[i]);
   for (std::size_t i = recovery.kept.size(); i < output.size(); ++i)
     sedr::projectOntoFloor(plane, output[i]);
-  if (extract_removed_indices_)
+  if (this->extract_removed_indices_)
     *removed_indices_ = recovery.removed;
 }
 

@@ -43,17 +43,10 @@ majorityRoom(const pcl::PointCloud<PointT>& cloud,
 
 template <typename PointT>
 void
-ParallelVoxelGrid<PointT>::filter(PointCloud& output)
+ParallelVoxelGrid<PointT>::clearResults()
 {
-  clearError();
-  if (!input_) {
-    fail("ParallelVoxelGrid", "no input cloud was set");
-    clearLayout();
-    removed_indices_->clear();
-    output.clear();
-    return;
-  }
-  Filter<PointT>::filter(output);
+  sedr::StageFilter<PointT>::clearResults();
+  clearLayout();
 }
 
 template <typename PointT>
@@ -113,17 +106,10 @@ template <typename PointT>
 void
 ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
 {
-  clearError();
-  clearLayout();
-  removed_indices_->clear();
-  output.clear();
-  output.height = 1;
-  output.is_dense = true;
-
+  this->startRun(output);
   pcl::Indices selected;
   if (!selectPoints(selected)) {
-    if (extract_removed_indices_)
-      *removed_indices_ = sedr::indicesInRange(*indices_, input_->size());
+    this->removeAll();
     return;
   }
   const sedr::PointView points(*input_);
@@ -141,7 +127,7 @@ ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
                                meanOf(partition.order.data() + partition.begin[v],
                                       partition.order.data() + partition.begin[v + 1]);
                        });
-  if (extract_removed_indices_)
+  if (this->extract_removed_indices_)
     *removed_indices_ = removedIndices(*indices_, partition, input_->size());
 }
 

@@ -16,40 +16,35 @@ StructureRefinement<PointT>::validate(std::vector<std::uint32_t>& labels,
                                       std::vector<std::uint32_t>& rooms)
 {
   constexpr const char* name = "StructureRefinement";
-  if (!plan_ || plan_->rooms.empty())
-    return fail(name, "no floor plan with rooms was set");
   if (!(maximum_distance_ > 0) || !std::isfinite(maximum_distance_))
     return fail(name,
                 "the maximum distance must be above 0 m, it is " +
                     std::to_string(maximum_distance_));
-  const std::string problem = sedr::indicesProblem(*indices_, input_->size());
-  if (!problem.empty())
-    return fail(name, problem);
-  labels = labels_.empty() ? sedr::labelsOf(*input_) : labels_;
-  rooms = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
-  if (labels.size() != input_->size() || rooms.size() != input_->size())
-    return fail(name,
-                "the cloud has " + std::to_string(input_->size()) + " points, but " +
-                    std::to_string(labels.size()) + " labels and " +
-                    std::to_string(rooms.size()) + " rooms are known");
-  return true;
+  std::string problem =
+      sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
+  return problem.empty() || fail(name, problem);
+}
+
+template <typename PointT>
+void
+StructureRefinement<PointT>::clearResults()
+{
+  sedr::StageFilter<PointT>::clearResults();
+  sources_.clear();
+  surface_points_.clear();
 }
 
 template <typename PointT>
 void
 StructureRefinement<PointT>::applyFilter(PointCloud& output)
 {
-  this->clearError();
-  removed_indices_->clear();
-  sources_.clear();
-  surface_points_.clear();
-  output.clear();
-  output.height = 1;
-  output.is_dense = true;
-  std::vector<std::uint32_t> labels;
-  std::vector<std::uint32_t> rooms;
-  if (!validate(labels, rooms))
+  this->startRun(output);
+  std::vector<std::uint32_t> labels = labels_;
+  std::vector<std::uint32_t> rooms = rooms_;
+  if (!validate(labels, rooms)) {
+    this->removeAll();
     return;
+  }
 
   sedr::Refinement refinement = sedr::refineToPlan(sedr::PointView(*input_),
                                                    *indices_,

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/refinement.h>
 #include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/surface_cells.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <cmath>
@@ -16,39 +17,36 @@ VerticalHoleRepair<PointT>::validate(std::vector<std::uint32_t>& labels,
                                      std::vector<std::uint32_t>& rooms)
 {
   constexpr const char* name = "VerticalHoleRepair";
-  if (!plan_ || plan_->rooms.empty())
-    return fail(name, "no floor plan with rooms was set");
   if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
     return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
-  const std::string problem = sedr::indicesProblem(*indices_, input_->size());
-  if (!problem.empty())
-    return fail(name, problem);
-  labels = labels_.empty() ? sedr::labelsOf(*input_) : labels_;
-  rooms = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
-  if (labels.size() != input_->size() || rooms.size() != input_->size())
-    return fail(name,
-                "the cloud has " + std::to_string(input_->size()) + " points, but " +
-                    std::to_string(labels.size()) + " labels and " +
-                    std::to_string(rooms.size()) + " rooms are known");
-  return true;
+  std::string problem =
+      sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
+  if (problem.empty())
+    problem = sedr::surfaceCellsProblem(*plan_, grid_size_);
+  return problem.empty() || fail(name, problem);
+}
+
+template <typename PointT>
+void
+VerticalHoleRepair<PointT>::clearResults()
+{
+  sedr::StageFilter<PointT>::clearResults();
+  sources_.clear();
+  repaired_.clear();
+  surface_points_.clear();
 }
 
 template <typename PointT>
 void
 VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
 {
-  this->clearError();
-  removed_indices_->clear();
-  sources_.clear();
-  repaired_.clear();
-  surface_points_.clear();
-  output.clear();
-  output.height = 1;
-  output.is_dense = true;
-  std::vector<std::uint32_t> labels;
-  std::vector<std::uint32_t> rooms;
-  if (!validate(labels, rooms))
+  this->startRun(output);
+  std::vector<std::uint32_t> labels = labels_;
+  std::vector<std::uint32_t> rooms = rooms_;
+  if (!validate(labels, rooms)) {
+    this->removeAll();
     return;
+  }
 
   // Points that were refined lie on the plan already: this finds their surface and its normal.
   constexpr double on_surface = 0.01;

@@ -38,6 +38,14 @@ FloorplanFitting<PointT>::validate()
       !isPositive("the minimum length", p.loop.minimum_length) ||
       !isPositive("the minimum radius", p.loop.minimum_radius))
     return false;
+  if (!(p.minimum_detail_area > 0))
+    return fail(name,
+                "the minimum detail area must be above 0 square metres, it is " +
+                    std::to_string(p.minimum_detail_area));
+  if (p.loop.tolerance > 1)
+    return fail(name,
+                "the distance threshold must be at most 1 m, it is " +
+                    std::to_string(p.loop.tolerance));
   if (!(p.loop.maximum_radius > p.loop.minimum_radius))
     return fail(name,
                 "the maximum radius " + std::to_string(p.loop.maximum_radius) +

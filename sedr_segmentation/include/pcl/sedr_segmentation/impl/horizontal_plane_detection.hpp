@@ -57,6 +57,7 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
     for (int k = 0; k < 4; ++k)
       plane.coefficients.values.push_back(static_cast<float>(level.slab.plane[k]));
     plane.kind = level.kind;
+    plane.height = level.height;
     plane.cells = level.cells.size();
     plane.area =
         static_cast<double>(plane.cells) * parameters_.cell_size * parameters_.cell_size;

@@ -23,6 +23,7 @@ void
 IndoorStructureReconstruction<PointT>::setVoxelSize(float size)
 {
   voxel_grid_.setLeafSize(size, size, size);
+  chain_.wall_growing.setDistanceThreshold(2 * getGridSize() + size);
 }
 
 template <typename PointT>
@@ -39,6 +40,8 @@ IndoorStructureReconstruction<PointT>::setGridSize(double size)
 {
   chain_.plane_detection.setGridSize(size);
   chain_.outlier_removal.setGridSize(size);
+  chain_.room_segmentation.cell_size = size;
+  chain_.wall_growing.setDistanceThreshold(2 * size + getVoxelSize());
   chain_.slice_detail.setGridSize(size);
   chain_.floor_recovery.setGridSize(size);
   chain_.floorplan_fitting.setGridSize(size);
@@ -69,6 +72,7 @@ void
 IndoorStructureReconstruction<PointT>::setSeed(std::uint64_t seed)
 {
   chain_.plane_detection.setSeed(seed);
+  chain_.slice_detail.setSeed(seed);
   chain_.floorplan_fitting.setSeed(seed);
 }
 
@@ -81,9 +85,13 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
   // Before thinning: a scan in millimetres would not get any smaller.
   if (problem.empty())
     problem = sedr::scanProblem(sedr::PointView(*input_), *indices_);
+  if (problem.empty() && getVoxelSize() > 1.001 * getGridSize())
+    problem = "the voxel size " + std::to_string(getVoxelSize()) +
+              " m must not be above the grid size " + std::to_string(getGridSize()) +
+              " m, or cells stay empty";
   if (!problem.empty()) {
     chain_.failed_stage = "input";
-    return fail(name, problem);
+    return fail(name, "input: " + problem);
   }
   if (chain_.on_stage)
     chain_.on_stage("ParallelVoxelGrid");
@@ -94,7 +102,7 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
   voxel_grid_.filter(means);
   if (!voxel_grid_.getErrorMessage().empty()) {
     chain_.failed_stage = "ParallelVoxelGrid";
-    return fail(name, voxel_grid_.getErrorMessage());
+    return fail(name, "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
   pcl::copyPointCloud(means, thinned);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -142,10 +150,14 @@ void
 IndoorStructureReconstruction<PointT>::reconstruct(PointCloud& points,
                                                    std::vector<pcl::Vertices>& polygons)
 {
-  points.clear();
+  // The points may be the input cloud.
+  PointCloud vertices;
   polygons.clear();
   if (findStructure())
-    performReconstruction(points, polygons);
+    performReconstruction(vertices, polygons);
+  if (input_)
+    vertices.header = input_->header;
+  points = vertices;
 }
 
 template <typename PointT>

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief So many cells make up a length, rounded, at least `least`: what is meant in metres stays
+ * the same for any cell size. */
+inline int
+cellsFor(double metres, double cell_size, int least = 1)
+{
+  return std::max(least, static_cast<int>(std::lround(metres / cell_size)));
+}
+
+} // namespace sedr
+} // namespace pcl

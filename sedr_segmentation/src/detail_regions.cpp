@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slice_scene.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+bool
+hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top)
+{
+  if (scene.ceiling.at(cell))
+    return false;
+  const std::vector<ColumnRun> runs = scene.columns.runs(cell, run_gap);
+  if (runs.empty())
+    return false;
+  top = runs.back();
+  return top.low > scene.sliceAt(cell, 0.5);
+}
+
+namespace {
+
+/** @brief Cells around a region that its judgement looks at. */
+constexpr int region_margin = 6;
+
+/** @brief The tops of the columns that are not ceiling: undersides (short runs) in regions of one
+ * height, and risers (long runs). */
+struct Tops {
+  CellMask undersides;
+  CellMask risers;
+  std::vector<float> height; ///< lower end of the uppermost run of each cell
+};
+
+/** @brief Strips of undersides narrower than three cells are left out: the wall above a window or a
+ * door ends in such a strip. */
+Tops
+findTops(const SliceScene& scene)
+{
+  Tops tops{CellMask(scene.ceiling.box()), CellMask(scene.ceiling.box()), {}};
+  tops.height.assign(tops.undersides.values().size(), 0.f);
+  ColumnRun top;
+  for (std::size_t i = 0; i < tops.height.size(); ++i) {
+    if (!hasOwnTop(scene, tops.undersides.cellAt(i), top))
+      continue;
+    const bool is_short = top.high - top.low < 2 * scene.parameters.tolerance;
+    (is_short ? tops.undersides : tops.risers).values()[i] = 1;
+    tops.height[i] = top.low;
+  }
+  tops.undersides = intersect(tops.undersides, dilated(eroded(tops.undersides, 1), 2));
+  return tops;
+}
+
+/** @brief Regions of undersides in which neighbours differ by less than the tolerance in height,
+ * each in a box of its own. */
+std::vector<CellMask>
+regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
+{
+  const CellMask& mask = tops.undersides;
+  std::vector<CellMask> regions;
+  CellMask seen(mask.box());
+  for (std::size_t start = 0; start < mask.values().size(); ++start) {
+    const Cell first = mask.cellAt(start);
+    if (!mask.at(first) || seen.at(first))
+      continue;
+    std::vector<CellKey> keys{keyOf(first)};
+    seen.set(first, 1);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const Cell cell = cellOf(keys[k]);
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell to{cell.x + dx, cell.y + dy};
+          if (!mask.at(to) || seen.at(to) ||
+              std::abs(tops.height[mask.indexOf(to)] - tops.height[mask.indexOf(cell)]) >
+                  scene.parameters.tolerance)
+            continue;
+          seen.set(to, 1);
+          keys.push_back(keyOf(to));
+        }
+    }
+    if (keys.size() < scene.parameters.minimum_cells)
+      continue;
+    const CellSet cells(std::move(keys));
+    regions.push_back(CellMask(cells, grown(boxOf(cells), region_margin)));
+  }
+  return regions;
+}
+
+/** @brief Whether the floor goes on below a quarter of a region or more. Below the head of a window
+ * there is a sill. */
+bool
+hasFloorBelow(const SliceScene& scene, const CellMask& region)
+{
+  std::size_t above_floor = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i)
+    if (region.values()[i] && scene.columns.hasWithin(region.cellAt(i),
+                                                      scene.floor_height - 0.1,
+                                                      scene.floor_height + 0.1))
+      ++above_floor;
+  return 4 * above_floor >= region.count();
+}
+
+/** @brief A strip of cells along a line. */
+struct Strip {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
+  double length = 0; ///< metres
+  double width = 0;
+};
+
+/** @brief The straight strip that cells spread along: one of length l has the variance l^2 / 12. */
+Strip
+stripOf(const CellMask& cells, const CellGrid& grid)
+{
+  Strip strip;
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    if (cells.values()[i]) {
+      places.push_back(grid.centre(cells.cellAt(i)));
+      strip.middle += places.back();
+    }
+  if (places.empty())
+    return strip;
+  const auto count = static_cast<double>(places.size());
+  strip.middle /= count;
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const auto& p : places)
+    scatter += (p - strip.middle) * (p - strip.middle).transpose() / count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
+  strip.direction = solver.eigenvectors().col(1);
+  strip.length = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[1]));
+  strip.width = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[0]));
+  return strip;
+}
+
+/** @brief Whether a wall stands on the strip's line beyond one of its ends. */
+bool
+goesOnAsWall(const SliceScene& scene, const Strip& strip, double top)
+{
+  for (const double side : {-1.0, 1.0}) {
+    int walls = 0;
+    for (const double beyond : {0.15, 0.2, 0.25, 0.3}) {
+      const Eigen::Vector2d p =
+          strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
+      const Cell cell = scene.grid.at(p.x(), p.y());
+      walls += scene.columns.share(cell, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+    }
+    if (walls >= 3)
+      return true;
+  }
+  return false;
+}
+
+/** @brief Whether a region is the head of a door or a window rather than a soffit: shallow, it meets
+ * the rest of the ceiling along one straight line, on which the wall goes on beside it; or that
+ * line is as short as a door is wide. */
+bool
+isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
+{
+  constexpr double deepest = 0.55;
+  const double cell = scene.parameters.cell_size;
+  const CellMask nowhere(region.box());
+  const CellMask others = subtract(
+      unite(unite(nowhere, scene.ceiling), tops.undersides), dilated(region, 1.5));
+  const CellMask front = intersect(dilated(region, 4), others);
+  const Strip strip = stripOf(front, scene.grid);
+  if (strip.length == 0)
+    return true;
+  if (strip.width > 6 * cell)
+    return false;
+  const auto count = static_cast<double>(region.count());
+  const double depth = count * cell * cell / strip.length;
+  double top = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i)
+    if (region.values()[i])
+      top += tops.height[tops.undersides.indexOf(region.cellAt(i))] / count;
+  return strip.length < scene.parameters.widest_niche ||
+         (depth < deepest && goesOnAsWall(scene, strip, top));
+}
+
+/** @brief Whether the rim of an island is closed up to the ceiling: then it is built, not hung. */
+bool
+hasRisers(const SliceScene& scene, const CellMask& island)
+{
+  const CellMask rim = subtract(island, eroded(island, 1));
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i < rim.values().size(); ++i) {
+    if (!rim.values()[i])
+      continue;
+    const Cell cell = rim.cellAt(i);
+    const double top = scene.ceilingAt(cell);
+    const std::vector<ColumnRun> runs = scene.columns.runs(cell, run_gap);
+    const double end = runs.empty() ? top : runs.back().high > top + 0.02 ? runs.back().high
+                                                                          : runs.back().low;
+    const double low = std::min(top, end) + 0.02;
+    const double high = std::max(top, end) - 0.02;
+    if (high - low < 0.05 || scene.columns.share(cell, low, high, 2, 1) >= 1)
+      ++closed;
+  }
+  return 2 * closed >= rim.count();
+}
+
+/** @brief Whether a region of one height is a part of the ceiling. What the ceiling encloses all
+ * around is an island: small or unattached ones are lamps. */
+bool
+isDetail(const SliceScene& scene, const Tops& tops, const CellMask& enclosed, const CellMask& region)
+{
+  const SliceParameters& p = scene.parameters;
+  if (intersect(region, enclosed).count() == region.count()) {
+    const double area = static_cast<double>(region.count()) * p.cell_size * p.cell_size;
+    return area >= p.minimum_island_area && hasRisers(scene, region);
+  }
+  return hasFloorBelow(scene, region) && !isNiche(scene, tops, region);
+}
+
+/** @brief The regions of `cells` that come within two cells of `ceiling`, or of one that does. */
+CellMask
+joinedWith(const CellMask& ceiling, const CellMask& cells)
+{
+  const CellMask both = unite(ceiling, cells);
+  const CellMask bridged = eroded(dilated(both, 2), 1);
+  const MaskRegions regions = labelRegions(bridged, true);
+  std::vector<std::uint8_t> has_ceiling(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < ceiling.values().size(); ++i)
+    if (ceiling.values()[i] && regions.label[i] >= 0)
+      has_ceiling[static_cast<std::size_t>(regions.label[i])] = 1;
+  CellMask joined(cells.box());
+  for (std::size_t i = 0; i < joined.values().size(); ++i)
+    joined.values()[i] = cells.values()[i] && regions.label[i] >= 0 &&
+                                 has_ceiling[static_cast<std::size_t>(regions.label[i])]
+                             ? 1
+                             : 0;
+  return joined;
+}
+
+/** @brief The risers that join a kept underside: they do not reach below it and the ceiling, as the
+ * wall above a window under a soffit does. */
+CellMask
+risersBeside(const SliceScene& scene, const Tops& tops, const CellMask& kept)
+{
+  const CellMask near = intersect(tops.risers, dilated(kept, 2));
+  CellMask risers(near.box());
+  for (std::size_t i = 0; i < near.values().size(); ++i) {
+    if (!near.values()[i])
+      continue;
+    const Cell cell = near.cellAt(i);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        const Cell to{cell.x + dx, cell.y + dy};
+        if (kept.at(to) && tops.undersides.at(to))
+          lowest = std::min<double>(lowest, tops.height[kept.indexOf(to)]);
+        if (scene.ceiling.at(to))
+          lowest = std::min(lowest, scene.ceilingAt(to));
+      }
+    risers.values()[i] = tops.height[i] >= lowest - scene.parameters.tolerance ? 1 : 0;
+  }
+  return risers;
+}
+
+/** @brief `seeds` and what can be reached from them through `domain`. */
+CellMask
+grownInto(const CellMask& seeds, const CellMask& domain)
+{
+  std::vector<std::int32_t> label(seeds.values().size(), -1);
+  for (std::size_t i = 0; i < label.size(); ++i)
+    label[i] = seeds.values()[i] ? 0 : -1;
+  growLabels(domain, std::numeric_limits<int>::max(), label);
+  CellMask grown_mask(seeds.box());
+  for (std::size_t i = 0; i < label.size(); ++i)
+    grown_mask.values()[i] = label[i] == 0 ? 1 : 0;
+  return grown_mask;
+}
+
+} // namespace
+
+CellMask
+detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices)
+{
+  const Tops tops = findTops(scene);
+  const CellMask enclosed = enclosedCells(scene.ceiling);
+  CellMask kept(scene.ceiling.box());
+  CellMask refused(scene.ceiling.box());
+  for (const CellMask& region : regionsOfOneHeight(scene, tops)) {
+    CellMask& side = isDetail(scene, tops, enclosed, region) ? kept : refused;
+    for (std::size_t i = 0; i < region.values().size(); ++i)
+      if (region.values()[i])
+        side.set(region.cellAt(i), 1);
+  }
+  kept = joinedWith(scene.ceiling, kept);
+  const CellMask risers = risersBeside(scene, tops, kept);
+  kept = unite(kept, risers);
+  // What was not seen of a detail, the slices' outline encloses with it; walls and heads of windows
+  // bound it.
+  const CellMask bounds = unite(refused, subtract(tops.risers, risers));
+  const MaskRegions outlined = labelRegions(enclosed_by_slices, true);
+  for (std::size_t r = 0; r < outlined.sizes.size(); ++r) {
+    const CellMask region = regionMask(enclosed_by_slices, outlined, static_cast<std::int32_t>(r));
+    if (2 * intersect(region, kept).count() >= region.count())
+      kept = grownInto(kept, subtract(region, bounds));
+  }
+  return kept;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/column_table.h>
+#include <pcl/sedr_segmentation/slice_detail.h>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A gap of more than this parts the runs of a column, metres: thrice a usual voxel. */
+constexpr double run_gap = 0.15;
+
+/** @brief One room on the grid. */
+struct SliceScene {
+  const SliceParameters& parameters;
+  const PlanSlab& slab;
+  double floor_height;
+  CellGrid grid;
+  CellMask ceiling;
+  ColumnTable columns;
+
+  double
+  ceilingAt(Cell cell) const
+  {
+    return slab.heightAt(grid.centre(cell));
+  }
+
+  /** @brief Height of the slice at `fraction` of the room's height below the ceiling. */
+  double
+  sliceAt(Cell cell, double fraction) const
+  {
+    const double top = ceilingAt(cell);
+    return top - fraction * (top - floor_height);
+  }
+};
+
+/** @brief The uppermost run of a column if it starts above half the room's height and is not the
+ * ceiling: an underside, or a riser between two heights. */
+bool
+hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top);
+
+/** @brief The cells of all details: regions of one height that join the ceiling, directly or through
+ * each other, their risers, and what else the slices enclosed with them. */
+CellMask
+detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/structure_refinement.h>
+#include <pcl/sedr_filters/surface_cells.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Structure = pcl::PointCloud<pcl::PointStructure>;
+
+/** Four points of a floor of 4 m by 3 m. */
+Structure::Ptr
+floorPoints()
+{
+  auto cloud = std::make_shared<Structure>();
+  for (const float x : {0.5f, 1.5f, 2.5f, 3.5f}) {
+    pcl::PointStructure p{};
+    p.x = x;
+    p.y = 1;
+    p.label = static_cast<std::uint32_t>(StructureLabel::Floor);
+    p.room = 1;
+    cloud->push_back(p);
+  }
+  return cloud;
+}
+
+std::shared_ptr<Floorplan>
+planOf(const PlanLoop& boundary)
+{
+  auto plan = std::make_shared<Floorplan>();
+  plan->rooms.push_back(roomOf(boundary, 2.5));
+  return plan;
+}
+
+template <typename Stage>
+struct StructureStage : ::testing::Test {
+  Stage stage{true};
+  Structure output;
+
+  void run(const Structure::Ptr& input, const std::shared_ptr<Floorplan>& plan)
+  {
+    stage.setInputCloud(input);
+    stage.setFloorplan(plan);
+    stage.filter(output);
+  }
+};
+
+using Stages = ::testing::Types<pcl::StructureRefinement<pcl::PointStructure>,
+                                pcl::VerticalHoleRepair<pcl::PointStructure>>;
+TYPED_TEST_SUITE(StructureStage, Stages);
+
+TYPED_TEST(StructureStage, WithoutInputItFailsWithAReasonAndForgetsTheLastRun)
+{
+  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
+  ASSERT_EQ(this->stage.getErrorMessage(), "");
+  ASSERT_FALSE(this->output.empty());
+  this->run(nullptr, planOf(rectangle(0, 0, 4, 3)));
+  EXPECT_EQ(this->stage.getErrorMessage(), "no input cloud was set");
+  EXPECT_TRUE(this->output.empty());
+  EXPECT_TRUE(this->stage.getSourceIndices().empty());
+  EXPECT_TRUE(this->stage.getSurfacePoints().empty());
+  EXPECT_TRUE(this->stage.getRemovedIndices()->empty());
+}
+
+TYPED_TEST(StructureStage, AFailedRunRemovesAllIndicesThatTheCloudHas)
+{
+  this->run(floorPoints(), nullptr);
+  EXPECT_NE(this->stage.getErrorMessage(), "");
+  EXPECT_EQ(*this->stage.getRemovedIndices(), (pcl::Indices{0, 1, 2, 3}));
+  this->stage.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{3, 9, 1, -1}));
+  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
+  EXPECT_NE(this->stage.getErrorMessage().find("index 9"), std::string::npos);
+  EXPECT_EQ(*this->stage.getRemovedIndices(), (pcl::Indices{3, 1}));
+  EXPECT_TRUE(this->output.empty());
+}
+
+TYPED_TEST(StructureStage, LabelsOfAnotherNumberThanThePointsAreRefused)
+{
+  this->stage.setLabels({2, 2, 2});
+  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
+  EXPECT_NE(this->stage.getErrorMessage().find("3 labels"), std::string::npos)
+      << this->stage.getErrorMessage();
+  EXPECT_EQ(this->stage.getRemovedIndices()->size(), 4u);
+}
+
+TEST(VerticalHoleRepair, TooManyCellsAreRefusedBeforeTheyAreMade)
+{
+  pcl::VerticalHoleRepair<pcl::PointStructure> repair(true);
+  repair.setInputCloud(floorPoints());
+  repair.setFloorplan(planOf(rectangle(0, 0, 4, 3)));
+  Structure whole;
+  for (const double size : {1e-4, 1e-12, 1e-300, 5e-324}) {
+    repair.setGridSize(size);
+    repair.filter(whole);
+    EXPECT_NE(repair.getErrorMessage().find("at most 2e+08"), std::string::npos)
+        << size << ": " << repair.getErrorMessage();
+    EXPECT_TRUE(whole.empty());
+    EXPECT_EQ(repair.getRemovedIndices()->size(), 4u);
+  }
+  repair.setGridSize(0.5);
+  repair.filter(whole);
+  EXPECT_EQ(repair.getErrorMessage(), "");
+  EXPECT_FALSE(whole.empty());
+}
+
+TEST(SurfaceCellsProblem, CountsWallsFloorAndCeiling)
+{
+  // 2 x 120 m2 of floor and ceiling, 44 m x 2.5 m of walls: 350 m2 in all.
+  const auto plan = planOf(rectangle(0, 0, 12, 10));
+  const double just = std::sqrt(350 / most_surface_cells);
+  EXPECT_EQ(surfaceCellsProblem(*plan, just * 1.01), "");
+  const std::string problem = surfaceCellsProblem(*plan, just * 0.99);
+  EXPECT_NE(problem.find("about 2.04"), std::string::npos) << problem;
+}
+
+TEST(SurfaceCellsProblem, WallsThatAreNotNumbersAreRefused)
+{
+  auto plan = planOf(rectangle(0, 0, 12, 10));
+  plan->rooms[0].boundary.elements[1].end.x() = std::nan("");
+  EXPECT_NE(surfaceCellsProblem(*plan, 0.05), "");
+}
+
+} // namespace

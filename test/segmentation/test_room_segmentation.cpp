@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/room_segmentation.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector3d;
+
+/** The levels of a scan and the rooms that they are parted into. */
+struct Rooms {
+  std::vector<Level> levels;
+  std::vector<RoomRegion> regions;
+  std::string problem;
+
+  explicit Rooms(const RoomPoints& points, const RoomParameters& parameters = {})
+  {
+    const LevelParameters level_parameters;
+    levels = findLevels(points.view(), points.all(), level_parameters);
+    classifyLevels(levels, level_parameters);
+    collectInliers(levels, points.view(), points.all(), level_parameters);
+    regions = segmentRooms(points.view(), points.all(), levels, parameters, problem);
+  }
+
+  double
+  area(std::size_t room) const
+  {
+    return static_cast<double>(regions.at(room).scope.size()) * 0.0025;
+  }
+
+  double
+  ceilingOf(std::size_t room) const
+  {
+    return levels[regions.at(room).ceiling_level].slab.heightAt({0, 0});
+  }
+
+  double
+  floorOf(std::size_t room) const
+  {
+    return levels[regions.at(room).floor_level].slab.heightAt({0, 0});
+  }
+
+  /** Position of the room above a place, -1 for none. */
+  int
+  at(double x, double y) const
+  {
+    for (std::size_t r = 0; r < regions.size(); ++r)
+      if (regions[r].scope.contains(CellGrid(0.05).at(x, y)))
+        return static_cast<int>(r);
+    return -1;
+  }
+};
+
+/** Whether a point of the partition between x = 4 and 4.2 belongs to no opening of it,
+ * from y = 1 to 1 + width, up to z = head. */
+RoomPoints::InSpace
+opening(double width, double head)
+{
+  return [=](const Vector3d& p) {
+    return p.x() < 3.9 || p.x() > 4.3 || p.y() < 1 || p.y() > 1 + width || p.z() > head;
+  };
+}
+
+/** Two rooms of 4 m x 3 m and 3 m x 3 m, 10 cm of wall between, an opening in it. */
+RoomPoints
+twoRooms(double width, double head, double noise = 0)
+{
+  RoomPoints points(0.05, noise);
+  points.room(roomOf(rectangle(0.01, 0.01, 4.01, 3.01), 2.5), opening(width, head));
+  points.room(roomOf(rectangle(4.11, 0.01, 7.11, 3.01), 2.5), opening(width, head));
+  const PlanLoop reveal = rectangle(4.01, 1, 4.11, 1 + width);
+  points.slab(reveal, 0);
+  points.slab(reveal, head);
+  points.wall(reveal.elements[0], 0, head);
+  points.wall(reveal.elements[2], 0, head);
+  return points;
+}
+
+TEST(SegmentRooms, ABoxIsOneRoom)
+{
+  for (const double noise : {0.0, 0.02}) {
+    RoomPoints points(0.05, noise);
+    points.room(rectangle(0.01, 0.01, 4.01, 3.01), -0.2, 2.5);
+    const Rooms rooms(points);
+    EXPECT_EQ(rooms.problem, "");
+    ASSERT_EQ(rooms.regions.size(), 1u);
+    EXPECT_NEAR(rooms.area(0), 12, 0.7) << "but for a row of cells at the walls";
+    EXPECT_NEAR(rooms.ceilingOf(0), 2.5, 0.003);
+    EXPECT_NEAR(rooms.floorOf(0), -0.2, 0.003);
+  }
+}
+
+TEST(SegmentRooms, AnOpenDoorInAThinPartitionDoesNotJoinTwoRooms)
+{
+  for (const double noise : {0.0, 0.01}) {
+    const Rooms rooms(twoRooms(0.9, 2.0, noise));
+    ASSERT_EQ(rooms.regions.size(), 2u);
+    EXPECT_NEAR(rooms.area(0), 12, 0.9);
+    EXPECT_NEAR(rooms.area(1), 9, 0.9);
+    EXPECT_EQ(rooms.at(2, 1.5), 0);
+    EXPECT_EQ(rooms.at(5.5, 1.5), 1);
+  }
+}
+
+TEST(SegmentRooms, LargestFirst)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 2.01, 2.01), 0, 2.5);
+  points.room(rectangle(2.31, 0.01, 7.31, 4.01), 0, 2.5);
+  points.room(rectangle(7.61, 0.01, 10.61, 3.01), 0, 2.5);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 3u);
+  EXPECT_EQ(rooms.at(5, 2), 0);
+  EXPECT_EQ(rooms.at(9, 1.5), 1);
+  EXPECT_EQ(rooms.at(1, 1), 2);
+}
+
+TEST(SegmentRooms, AWallThatIsOpenAlmostWhollyJoins)
+{
+  const Rooms rooms(twoRooms(1.9, 2.2)); // a pass, wider than a door
+  EXPECT_EQ(rooms.regions.size(), 1u);
+}
+
+TEST(SegmentRooms, AStepInTheCeilingIsOneRoom)
+{
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  room.details = {detailOf(rectangle(4.01, 0.01, 6.01, 4.01), 2.4)};
+  points.room(room);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 1u);
+  EXPECT_NEAR(rooms.ceilingOf(0), 2.7, 1e-4) << "the larger part is the main ceiling";
+  EXPECT_NEAR(rooms.area(0), 24, 1.2);
+  EXPECT_EQ(rooms.at(5, 2), 0);
+  EXPECT_FALSE(rooms.regions[0].ceiling.contains(CellGrid(0.05).at(5, 2)));
+  EXPECT_TRUE(rooms.regions[0].ceiling.contains(CellGrid(0.05).at(2, 2)));
+}
+
+TEST(SegmentRooms, ABeamDoesNotPartARoom)
+{
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  room.details = {detailOf(rectangle(2.81, 0.01, 3.21, 4.01), 2.3)};
+  points.room(room);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 1u);
+  const CellGrid grid(0.05);
+  EXPECT_TRUE(rooms.regions[0].ceiling.contains(grid.at(1, 2)));
+  EXPECT_TRUE(rooms.regions[0].ceiling.contains(grid.at(5, 2)));
+}
+
+TEST(SegmentRooms, RoomsOfOtherHeightsHaveTheirOwnCeilingAndFloor)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  points.room(rectangle(4.11, 0.01, 7.11, 3.01), -0.4, 3.1);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 2u);
+  EXPECT_NEAR(rooms.ceilingOf(0), 2.5, 1e-4);
+  EXPECT_NEAR(rooms.floorOf(0), 0, 1e-4);
+  EXPECT_NEAR(rooms.ceilingOf(1), 3.1, 1e-4);
+  EXPECT_NEAR(rooms.floorOf(1), -0.4, 1e-4);
+}
+
+TEST(SegmentRooms, WithoutWallsAroundItIsNoRoom)
+{
+  RoomPoints points;
+  points.slab(rectangle(0, 0, 4, 3), 0);
+  points.slab(rectangle(0, 0, 4, 3), 2.5); // a canopy
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.levels.size(), 2u);
+  EXPECT_EQ(rooms.levels[1].kind, LevelKind::Ceiling);
+  EXPECT_EQ(rooms.problem, "");
+  EXPECT_TRUE(rooms.regions.empty());
+}
+
+TEST(SegmentRooms, WithoutAFloorBelowItIsNoRoom)
+{
+  // Two rooms side by side; of the second only ceiling and walls were seen.
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  const PlanLoop other = rectangle(4.31, 0.01, 7.31, 3.01);
+  points.slab(other, 2.5);
+  for (const auto& e : other.elements)
+    points.wall(e, 0, 2.5);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 1u);
+  EXPECT_EQ(rooms.at(2, 1.5), 0);
+}
+
+TEST(SegmentRooms, SmallerThanTheMinimumItIsNoRoom)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  points.room(rectangle(4.31, 0.01, 5.51, 1.51), 0, 2.5); // 1.8 square metres
+  EXPECT_EQ(Rooms(points).regions.size(), 2u);
+  RoomParameters parameters;
+  parameters.minimum_area = 2;
+  EXPECT_EQ(Rooms(points, parameters).regions.size(), 1u);
+}
+
+TEST(SegmentRooms, WithoutCeilingsThereAreNone)
+{
+  std::string problem = "none yet";
+  EXPECT_TRUE(segmentRooms(PointView(), {}, {}, {}, problem).empty());
+  EXPECT_EQ(problem, "");
+}
+
+TEST(SegmentRooms, RoomsTenKilometresApartAreNoBurden)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  points.room(rectangle(8192.01, -8192.01, 8196.01, -8189.01), 0, 2.5);
+  const Rooms rooms(points);
+  EXPECT_EQ(rooms.problem, "");
+  ASSERT_EQ(rooms.regions.size(), 2u);
+  EXPECT_NEAR(rooms.area(0), 12, 0.9);
+  EXPECT_NEAR(rooms.area(1), 12, 0.9);
+}
+
+TEST(SegmentRooms, CellsTooSmallForACeilingAreRefusedWithTheirNumber)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  Level level;
+  level.kind = LevelKind::Ceiling;
+  std::vector<CellKey> diagonal; // one region from corner to corner of 50,000 x 50,000
+  for (int i = 0; i < 50000; ++i)
+    diagonal.push_back(keyOf({i, i}));
+  level.cells = CellSet(diagonal);
+  std::string problem;
+  EXPECT_TRUE(
+      segmentRooms(points.view(), points.all(), {level}, {}, problem).empty());
+  EXPECT_NE(problem.find("cells"), std::string::npos) << problem;
+}
+
+} // namespace
