@@ -93,9 +93,11 @@ surfaceCellsProblem(const Floorplan& plan, double size)
     cells += estimatedCells(room, size);
   if (cells <= most_surface_cells)
     return {};
-  const std::string count = std::isfinite(cells) ? "about " + numberText(cells) : "countless";
-  return "the surfaces of the floor plan would have " + count + " cells of " + numberText(size) + " m, at most " +
-         numberText(most_surface_cells) + " can be held: take larger cells";
+  const std::string count =
+      std::isfinite(cells) ? "about " + numberText(cells) : "countless";
+  return "the surfaces of the floor plan would have " + count + " cells of " +
+         numberText(size) + " m, at most " + numberText(most_surface_cells) +
+         " can be held: take larger cells";
 }
 
 SurfaceCells::SurfaceCells(const PlanRoom& room, double size) : room_(room), size_(size)

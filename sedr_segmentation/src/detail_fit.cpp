@@ -283,6 +283,7 @@ fitDetail(const HeightMap& map,
   LoopParameters loop = parameters.loop;
   loop.expected_offset = (is_low ? 0.5 : -0.5) * parameters.cell_size;
   loop.reach = 2 * parameters.cell_size;
+  loop.evidence_span = 2 * parameters.cell_size; // a riser has few points above each other
   loop.corner_reach = 3 * parameters.cell_size;
   const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
   const auto largest = std::max_element(

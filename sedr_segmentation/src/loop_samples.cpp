@@ -124,10 +124,11 @@ sampleContour(const Contour& contour,
     const Eigen::Vector2d middle = sample.position;
     evidence.forEachWithin(
         middle,
-        std::hypot(std::abs(parameters.expected_offset) + parameters.reach, edge),
+        std::hypot(std::abs(parameters.expected_offset) + parameters.reach,
+                   parameters.evidence_span),
         [&](const Eigen::Vector2d& p) {
           const Eigen::Vector2d d = p - middle;
-          if (std::abs(d.dot(sample.tangent)) <= edge)
+          if (std::abs(d.dot(sample.tangent)) <= parameters.evidence_span)
             offsets.push_back(d.dot(across));
         });
     const WallStretch wall =

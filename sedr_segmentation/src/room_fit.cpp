@@ -24,6 +24,7 @@ loopOnCells(const RoomFitParameters& parameters)
   LoopParameters loop = parameters.loop;
   loop.expected_offset = -parameters.cell_size / 2;
   loop.reach = 1.2 * parameters.cell_size;
+  loop.evidence_span = parameters.cell_size;
   loop.corner_reach = 3 * parameters.cell_size;
   return loop;
 }

@@ -152,6 +152,8 @@ struct AdaptorDefaults {
   static constexpr bool finds_in_one_point = true; ///< one point gives a result
   static constexpr bool far_rooms_add_up =
       true; ///< two rooms 10 km apart give twice as much
+  static constexpr bool takes_one_room =
+      false; ///< works on one room: two of them are no input for it
 
   void setThreads(unsigned) {}
 };

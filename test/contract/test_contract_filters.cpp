@@ -2,6 +2,8 @@
 #include "contract/adaptors/floor_projection_recovery.h"
 #include "contract/adaptors/grid_region_outlier_removal.h"
 #include "contract/adaptors/parallel_voxel_grid.h"
+#include "contract/adaptors/structure_refinement.h"
+#include "contract/adaptors/vertical_hole_repair.h"
 #include "contract/contract_suite.h"
 
 namespace contract {
@@ -9,7 +11,9 @@ namespace contract {
 using FilterAdaptors = ::testing::Types<ParallelVoxelGridAdaptor,
                                         GridRegionOutlierRemovalAdaptor,
                                         OpenedGridRegionOutlierRemovalAdaptor,
-                                        FloorProjectionRecoveryAdaptor>;
+                                        FloorProjectionRecoveryAdaptor,
+                                        StructureRefinementAdaptor,
+                                        VerticalHoleRepairAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Filters, Contract, FilterAdaptors);
 
 } // namespace contract

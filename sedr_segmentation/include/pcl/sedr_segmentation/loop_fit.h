@@ -18,6 +18,7 @@ struct LoopParameters {
   double tolerance = 0.05;      ///< distance of an inlier from its curve (paper, Table 1)
   double expected_offset = -0.025; ///< where the wall is looked for, from the contour, inside > 0
   double reach = 0.06;          ///< how far from there it may be: a farther one is another wall
+  double evidence_span = 0.05;  ///< how far along the contour a sample looks for it to each side
   double corner_reach = 0.15;   ///< how far from the contour two curves meet in a corner
   double minimum_length = 0.2;  ///< of an element that has a curve of its own
   double minimum_radius = 0.15; ///< of an arc

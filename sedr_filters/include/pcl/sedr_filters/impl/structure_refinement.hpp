@@ -20,7 +20,7 @@ StructureRefinement<PointT>::validate(std::vector<std::uint32_t>& labels,
     return fail(name,
                 "the maximum distance must be above 0 m, it is " +
                     std::to_string(maximum_distance_));
-  std::string problem =
+  const std::string problem =
       sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   return problem.empty() || fail(name, problem);
 }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contract/contract.h"
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/plan_surfaces.h>
+
+#include <cstdint>
+
+namespace contract {
+
+/** What the stages before would say of a cloud of sample rooms: which point is ceiling,
+ * floor or wall of which room, and the plan. A room far away is room 2; where there are
+ * no walls the plan is of a room of 6 m x 6 m about the origin. */
+struct SampleStructure {
+  std::shared_ptr<pcl::sedr::Floorplan> plan = std::make_shared<pcl::sedr::Floorplan>();
+  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> rooms;
+
+  SampleStructure() = default;
+
+  /** @param indices the points that the plan is made from */
+  SampleStructure(const Cloud& cloud, const pcl::Indices& indices)
+  {
+    for (const auto& p : cloud) {
+      labels.push_back(p.z > 2.45f ? 1 : p.z < 0.05f ? 2 : 3);
+      rooms.push_back(p.x > 4096.f ? 2 : 1);
+    }
+    for (const std::uint32_t room : {1u, 2u})
+      addRoom(cloud, indices, room);
+  }
+
+private:
+  void addRoom(const Cloud& cloud, const pcl::Indices& indices, std::uint32_t room)
+  {
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9);
+    Eigen::Vector2d high = -low;
+    for (const auto i : indices) {
+      const auto at = static_cast<std::size_t>(i);
+      if (i < 0 || at >= cloud.size() || rooms[at] != room || !isFinite(cloud[at]))
+        continue;
+      const Eigen::Vector2d place(cloud[at].x, cloud[at].y);
+      low = low.cwiseMin(place);
+      high = high.cwiseMax(place);
+    }
+    const bool has_walls = (high - low).minCoeff() > 1;
+    if (!has_walls && room == 2)
+      return;
+    if (!has_walls)
+      low = -(high = Eigen::Vector2d(3, 3));
+    plan->rooms.push_back(sedr_test::roomOf(
+        sedr_test::rectangle(low.x(), low.y(), high.x(), high.y()), 2.5, room));
+  }
+};
+
+inline void
+append(std::string& bytes, const std::vector<pcl::sedr::SurfacePoint>& points)
+{
+  for (const auto& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      append(bytes, p.position[k]);
+      append(bytes, p.normal[k]);
+    }
+    append(bytes, static_cast<std::uint32_t>(p.label));
+    append(bytes, p.room);
+  }
+}
+
+} // namespace contract
