@@ -244,26 +244,37 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   return group;
 }
 
-/** @brief Share of the outline of a room below which a wall stands within three cells. */
-double
-wallShare(const Storey& storey, const CellMask& scope, const Piece& main)
+/** @brief The cells just outside of a room. What was not seen within it is no outline: gaps between
+ * its ceilings are closed. */
+CellMask
+outlineOf(const Storey& storey, const CellMask& scope)
 {
-  // What was not seen within the room is no outline: gaps between its ceilings are closed.
   const double gap = cellsFor(0.4, storey.grid.size());
   const CellMask closed = eroded(dilated(scope, gap), gap);
   const CellMask solid = unite(closed, enclosedCells(closed));
-  const CellMask rim = subtract(dilated(solid, 1), solid);
-  std::size_t walls = 0;
-  for (std::size_t i = 0; i < rim.values().size(); ++i) {
-    if (!rim.values()[i])
+  return subtract(dilated(solid, 1), solid);
+}
+
+/** @brief Whether the outline of a room has walls in its upper half along enough of it, and none
+ * below its floor: a floor that walls go through is a table or a shelf. */
+bool
+isWalled(const Storey& storey, const CellMask& scope, const Piece& main)
+{
+  const CellMask outline = outlineOf(storey, scope);
+  double all = 0;
+  double walls = 0;
+  double below = 0;
+  for (std::size_t i = 0; i < outline.values().size(); ++i) {
+    if (!outline.values()[i])
       continue;
-    const Cell cell = rim.cellAt(i);
+    const Cell cell = outline.cellAt(i);
     const double top = storey.heightOf(main.level, cell);
     const double floor = storey.heightOf(main.floor, cell);
+    all += 1;
     walls += storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+    below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 1, 2) > 0 ? 1 : 0;
   }
-  const std::size_t all = rim.count();
-  return all == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(all);
+  return walls >= storey.parameters.minimum_wall_share * all && below <= 0.6 * all;
 }
 
 /** @brief Boxes around the ceilings that are large enough to be one, what is far apart apart. */
@@ -302,8 +313,7 @@ makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomReg
       ceiling = unite(ceiling, piece->cells);
   }
   const double area = static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
-  if (area < storey.parameters.minimum_area ||
-      wallShare(storey, scope, main) < storey.parameters.minimum_wall_share)
+  if (area < storey.parameters.minimum_area || !isWalled(storey, scope, main))
     return false;
   room.ceiling_level = main.level;
   room.floor_level = main.floor;
