@@ -65,24 +65,19 @@ circle(const Eigen::Vector2d& centre, double radius)
 inline pcl::sedr::PlanLoop
 roundedRectangle(double width, double height, double r)
 {
-  return {{segment({r, 0}, {width - r, 0}),
-           arc({width - r, r}, r, -90, 0),
+  return {{segment({r, 0}, {width - r, 0}), arc({width - r, r}, r, -90, 0),
            segment({width, r}, {width, height - r}),
            arc({width - r, height - r}, r, 0, 90),
-           segment({width - r, height}, {r, height}),
-           arc({r, height - r}, r, 90, 180),
-           segment({0, height - r}, {0, r}),
-           arc({r, r}, r, 180, 270)}};
+           segment({width - r, height}, {r, height}), arc({r, height - r}, r, 90, 180),
+           segment({0, height - r}, {0, r}), arc({r, r}, r, 180, 270)}};
 }
 
 /** A rectangle [0, length] x [-radius, radius] with a half circle at either end. */
 inline pcl::sedr::PlanLoop
 stadium(double length, double radius)
 {
-  return {{segment({0, -radius}, {length, -radius}),
-           arc({length, 0}, radius, -90, 90),
-           segment({length, radius}, {0, radius}),
-           arc({0, 0}, radius, 90, 270)}};
+  return {{segment({0, -radius}, {length, -radius}), arc({length, 0}, radius, -90, 90),
+           segment({length, radius}, {0, radius}), arc({0, 0}, radius, 90, 270)}};
 }
 
 /** A rectangle from the origin into whose lower side a half circle bulges: an arc that
@@ -91,11 +86,9 @@ inline pcl::sedr::PlanLoop
 bittenRectangle(double width, double height, double radius)
 {
   const double middle = width / 2;
-  return {{segment({0, 0}, {middle - radius, 0}),
-           arc({middle, 0}, radius, 180, 0),
+  return {{segment({0, 0}, {middle - radius, 0}), arc({middle, 0}, radius, 180, 0),
            segment({middle + radius, 0}, {width, 0}),
-           segment({width, 0}, {width, height}),
-           segment({width, height}, {0, height}),
+           segment({width, 0}, {width, height}), segment({width, height}, {0, height}),
            segment({0, height}, {0, 0})}};
 }
 

@@ -36,14 +36,16 @@ public:
   using InSpace = std::function<bool(const Eigen::Vector3d&)>;
 
   explicit RoomPoints(double spacing = 0.05, double noise = 0, unsigned seed = 1)
-  : spacing_(spacing), noise_(noise), random_(seed)
+      : spacing_(spacing)
+      , noise_(noise)
+      , random_(seed)
   {}
 
   /** Points of a plane above the inside of a loop, where `keep` says so. */
-  std::vector<int>
-  slab(const pcl::sedr::PlanLoop& loop,
-       const pcl::sedr::PlanSlab& plane,
-       const InPlan& keep = [](double, double) { return true; })
+  std::vector<int> slab(
+      const pcl::sedr::PlanLoop& loop,
+      const pcl::sedr::PlanSlab& plane,
+      const InPlan& keep = [](double, double) { return true; })
   {
     Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9);
     Eigen::Vector2d high = -low;
@@ -60,20 +62,20 @@ public:
   }
 
   /** Points of a horizontal plane. */
-  std::vector<int>
-  slab(const pcl::sedr::PlanLoop& loop,
-       double height,
-       const InPlan& keep = [](double, double) { return true; })
+  std::vector<int> slab(
+      const pcl::sedr::PlanLoop& loop,
+      double height,
+      const InPlan& keep = [](double, double) { return true; })
   {
     return slab(loop, slabAt(height), keep);
   }
 
   /** Points upright above an element, where `keep` says so. */
-  std::vector<int>
-  wall(const pcl::sedr::PlanElement& element,
-       double low,
-       double high,
-       const OnWall& keep = [](double, double) { return true; })
+  std::vector<int> wall(
+      const pcl::sedr::PlanElement& element,
+      double low,
+      double high,
+      const OnWall& keep = [](double, double) { return true; })
   {
     const std::size_t first = points_.size();
     const double columns = parts(element.length());
@@ -83,9 +85,9 @@ public:
   }
 
   /** All surfaces of a room; of its walls, columns and risers what `keep` leaves. */
-  RoomParts
-  room(const pcl::sedr::PlanRoom& room,
-       const InSpace& keep = [](const Eigen::Vector3d&) { return true; })
+  RoomParts room(
+      const pcl::sedr::PlanRoom& room,
+      const InSpace& keep = [](const Eigen::Vector3d&) { return true; })
   {
     const auto isBelow = [&](int detail) {
       return [&room, detail](double x, double y) {
@@ -99,7 +101,8 @@ public:
     parts.ceiling = slab(room.boundary, room.ceiling, isBelow(-1));
     const std::size_t details = points_.size();
     for (std::size_t d = 0; d < room.details.size(); ++d)
-      slab(room.details[d].boundary, room.details[d].slab, isBelow(static_cast<int>(d)));
+      slab(room.details[d].boundary, room.details[d].slab,
+           isBelow(static_cast<int>(d)));
     const auto uprights = pcl::sedr::uprightSurfaces(room);
     const auto addUprights = [&](bool are_risers) {
       for (const auto& surface : uprights)
@@ -115,8 +118,7 @@ public:
   }
 
   /** All surfaces of a room without details. */
-  RoomParts
-  room(const pcl::sedr::PlanLoop& boundary, double floor, double ceiling)
+  RoomParts room(const pcl::sedr::PlanLoop& boundary, double floor, double ceiling)
   {
     pcl::sedr::PlanRoom plan = roomOf(boundary, ceiling);
     plan.floor = slabAt(floor);
@@ -124,44 +126,32 @@ public:
   }
 
   /** One point as it is. */
-  int
-  point(double x, double y, double z)
+  int point(double x, double y, double z)
   {
-    points_.emplace_back(
-        static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    points_.emplace_back(static_cast<float>(x), static_cast<float>(y),
+                         static_cast<float>(z));
     return static_cast<int>(points_.size()) - 1;
   }
 
-  std::size_t
-  size() const
-  {
-    return points_.size();
-  }
+  std::size_t size() const { return points_.size(); }
 
-  const Eigen::Vector3f&
-  operator[](int i) const
+  const Eigen::Vector3f& operator[](int i) const
   {
     return points_[static_cast<std::size_t>(i)];
   }
 
-  std::vector<int>
-  all() const
-  {
-    return from(0);
-  }
+  std::vector<int> all() const { return from(0); }
 
-  pcl::sedr::PointView
-  view() const
+  pcl::sedr::PointView view() const
   {
     return points_.empty()
                ? pcl::sedr::PointView()
-               : pcl::sedr::PointView(
-                     points_[0].data(), sizeof(Eigen::Vector3f), points_.size());
+               : pcl::sedr::PointView(points_[0].data(), sizeof(Eigen::Vector3f),
+                                      points_.size());
   }
 
   template <typename PointT = pcl::PointXYZ>
-  typename pcl::PointCloud<PointT>::Ptr
-  cloud() const
+  typename pcl::PointCloud<PointT>::Ptr cloud() const
   {
     auto result = std::make_shared<pcl::PointCloud<PointT>>();
     for (const auto& p : points_) {
@@ -173,8 +163,7 @@ public:
   }
 
 private:
-  std::vector<int>
-  from(std::size_t first) const
+  std::vector<int> from(std::size_t first) const
   {
     std::vector<int> indices(points_.size() - first);
     std::iota(indices.begin(), indices.end(), static_cast<int>(first));
@@ -182,18 +171,16 @@ private:
   }
 
   /** Number of equal parts of about the spacing. */
-  double
-  parts(double length) const
+  double parts(double length) const
   {
     return std::max(1.0, std::round(length / spacing_));
   }
 
-  void
-  column(const pcl::sedr::PlanElement& element,
-         double s,
-         double low,
-         double high,
-         const OnWall& keep)
+  void column(const pcl::sedr::PlanElement& element,
+              double s,
+              double low,
+              double high,
+              const OnWall& keep)
   {
     const double rows = parts(high - low);
     const Eigen::Vector2d n = element.normalAt(s);
@@ -205,8 +192,7 @@ private:
     }
   }
 
-  void
-  upright(const pcl::sedr::UprightSurface& surface, const InSpace& keep)
+  void upright(const pcl::sedr::UprightSurface& surface, const InSpace& keep)
   {
     const pcl::sedr::PlanElement& element = *surface.element;
     const double columns = parts(element.length());
@@ -221,11 +207,11 @@ private:
     }
   }
 
-  void
-  add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal)
+  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal)
   {
     std::normal_distribution<double> off(0, 1);
-    points_.push_back((p + (noise_ > 0 ? noise_ * off(random_) : 0) * normal).cast<float>());
+    points_.push_back(
+        (p + (noise_ > 0 ? noise_ * off(random_) : 0) * normal).cast<float>());
   }
 
   double spacing_;

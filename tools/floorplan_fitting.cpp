@@ -106,7 +106,7 @@ main(int argc, char** argv)
   options.number("distance", distance, "m",
                  "farthest a point is from its line or circle", Range::above(0));
   options.number("grid", grid, "m", "edge of a cell of the outline",
-                 Range::between(0.001, 10));
+                 Range::between(0.01, 1));
   options.number("min-length", length, "m",
                  "shortest wall with a line or circle of its own", Range::above(0));
   options.number("min-radius", least_radius, "m", "of an arc", Range::above(0));

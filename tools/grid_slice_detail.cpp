@@ -258,7 +258,7 @@ main(int argc, char** argv)
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("grid", grid, "m", "edge of a cell", Range::between(0.001, 10));
+  options.number("grid", grid, "m", "edge of a cell", Range::between(0.01, 1));
   options.number("distance", distance, "m",
                  "farthest a point is from the plane of the ceiling", Range::above(0));
   options.number("min-cells", cells, "cells", "smallest detail");

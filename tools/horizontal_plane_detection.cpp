@@ -214,7 +214,7 @@ main(int argc, char** argv)
   options.number("distance", distance, "m", "farthest a point is from its plane",
                  Range::above(0));
   options.number("grid", grid, "m", "edge of the cells that areas are counted in",
-                 Range::between(0.001, 10));
+                 Range::between(0.01, 1));
   options.number("max-tilt", tilt, "degrees",
                  "largest angle of a plane with the horizontal", Range::between(0, 45));
   options.number("min-area", area, "m2", "smallest plane", Range::above(0));

@@ -92,7 +92,7 @@ main(int argc, char** argv)
                "PCD or PLY file, as pcl_structure_refinement writes it");
   options.file("PLAN.json", settings.plan, "the floor plan it was refined to");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("grid", grid, "m", "edge of a cell", Range::between(0.001, 10));
+  options.number("grid", grid, "m", "edge of a cell", Range::between(0.01, 1));
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     repair.setGridSize(grid);

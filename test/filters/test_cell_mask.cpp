@@ -33,16 +33,17 @@ drawn(const std::vector<std::string>& rows)
   CellMask mask(CellBox{{0, 0}, {static_cast<int>(rows[0].size()) - 1, height - 1}});
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < mask.width(); ++x)
-      mask.set({x, y},
-               rows[static_cast<std::size_t>(height - 1 - y)]
-                   [static_cast<std::size_t>(x)] == '#'
-                   ? 1
-                   : 0);
+      mask.set(
+          {x, y},
+          rows[static_cast<std::size_t>(height - 1 - y)][static_cast<std::size_t>(x)] ==
+                  '#'
+              ? 1
+              : 0);
   return mask;
 }
 
-/** Squared distance of a cell from the nearest one that is set (or, with `outside`, that
- * is not set or not in the box), found by looking at all. */
+/** Squared distance of a cell from the nearest one that is set (or, with `outside`,
+ * that is not set or not in the box), found by looking at all. */
 double
 nearestSquared(const CellMask& mask, Cell cell, bool outside)
 {
@@ -67,7 +68,8 @@ TEST(CellBox, CountsItsCells)
 TEST(CellBox, IsTheSmallestAroundASetAndGrowsOnAllSides)
 {
   EXPECT_EQ(boxOf(CellSet()).count(), 0u);
-  const CellBox around = boxOf(CellSet({keyOf({3, -8}), keyOf({-2, 5}), keyOf({0, 9})}));
+  const CellBox around =
+      boxOf(CellSet({keyOf({3, -8}), keyOf({-2, 5}), keyOf({0, 9})}));
   EXPECT_TRUE(around.low == (Cell{-2, -8}));
   EXPECT_TRUE(around.high == (Cell{3, 9}));
   EXPECT_TRUE(grown(around, 2).low == (Cell{-4, -10}));
@@ -117,7 +119,8 @@ TEST(CellMask, TakesFromASetWhatLiesInTheBoxAndGivesItBack)
   const CellSet cells({keyOf({-7, 3}), keyOf({0, 10}), keyOf({17, 10}), keyOf({0, 2})});
   const CellMask mask(cells, box);
   EXPECT_EQ(mask.count(), 2u);
-  EXPECT_EQ(mask.toSet().keys(), (std::vector<CellKey>{keyOf({-7, 3}), keyOf({0, 10})}));
+  EXPECT_EQ(mask.toSet().keys(),
+            (std::vector<CellKey>{keyOf({-7, 3}), keyOf({0, 10})}));
 }
 
 TEST(SquaredDistances, AreThoseFoundByLookingAtAllCells)
@@ -183,8 +186,8 @@ TEST(Erosion, KeepsWhatIsFartherThanTheRadiusFromTheOutside)
   for (const double radius : {0.0, 1.0, 1.5, 2.0, 3.7}) {
     const CellMask result = eroded(mask, radius);
     for (std::size_t i = 0; i < result.values().size(); ++i) {
-      const bool is_deep = mask.values()[i] && nearestSquared(mask, mask.cellAt(i), true) >
-                                                   radius * radius;
+      const bool is_deep = mask.values()[i] &&
+                           nearestSquared(mask, mask.cellAt(i), true) > radius * radius;
       ASSERT_EQ(result.values()[i], is_deep ? 1 : 0) << "radius " << radius;
     }
   }

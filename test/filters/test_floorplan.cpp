@@ -64,14 +64,12 @@ TEST(PlanElement, PointAtGoesFromStartToEndAtUnitSpeed)
     for (double s = 0; s + step <= length; s += length / 17)
       ASSERT_NEAR((e.pointAt(s + step) - e.pointAt(s)).norm() / step, 1, 1e-6);
   }
-  EXPECT_NEAR((arc({0, 0}, 1, 0, 90).pointAt(M_PI / 4) - Vector2d(1, 1).normalized())
-                  .norm(),
-              0,
-              1e-12);
-  EXPECT_NEAR((arc({0, 0}, 1, 0, -90).pointAt(M_PI / 4) - Vector2d(1, -1).normalized())
-                  .norm(),
-              0,
-              1e-12);
+  EXPECT_NEAR(
+      (arc({0, 0}, 1, 0, 90).pointAt(M_PI / 4) - Vector2d(1, 1).normalized()).norm(), 0,
+      1e-12);
+  EXPECT_NEAR(
+      (arc({0, 0}, 1, 0, -90).pointAt(M_PI / 4) - Vector2d(1, -1).normalized()).norm(),
+      0, 1e-12);
   EXPECT_EQ(segment({1, 2}, {1, 2}).pointAt(0), Vector2d(1, 2));
 }
 
@@ -151,11 +149,9 @@ TEST(PlanLoop, AreaDoesNotDependOnThePlace)
 {
   for (const double degrees : {0.0, 33.0, 200.0}) {
     EXPECT_NEAR(placed(roundedRectangle(6, 4, 1), degrees, {5000, -7000}).area(),
-                24 - (4 - M_PI),
-                1e-6);
+                24 - (4 - M_PI), 1e-6);
     EXPECT_NEAR(placed(bittenRectangle(6, 4, 1), degrees, {5000, -7000}).area(),
-                24 - M_PI / 2,
-                1e-6);
+                24 - M_PI / 2, 1e-6);
   }
 }
 
@@ -180,25 +176,23 @@ expectContains(const PlanLoop& loop, Inside inside)
 
 TEST(PlanLoop, ContainsWhatIsWithinARectangle)
 {
-  expectContains(rectangle(0, 0, 6, 4), [](double x, double y) {
-    return x > 0 && x < 6 && y > 0 && y < 4;
-  });
+  expectContains(rectangle(0, 0, 6, 4),
+                 [](double x, double y) { return x > 0 && x < 6 && y > 0 && y < 4; });
 }
 
 TEST(PlanLoop, ContainsWhatIsWithinANonConvexPolygon)
 {
-  expectContains(polygon({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}),
-                 [](double x, double y) {
-                   return x > 0 && x < 6 && y > 0 && y < 4 &&
-                          !(y > 2 && x > 2 && x < 4);
-                 });
+  expectContains(
+      polygon({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}),
+      [](double x, double y) {
+        return x > 0 && x < 6 && y > 0 && y < 4 && !(y > 2 && x > 2 && x < 4);
+      });
 }
 
 TEST(PlanLoop, ContainsWhatIsWithinACircle)
 {
-  expectContains(circle({2, 1}, 1.7), [](double x, double y) {
-    return std::hypot(x - 2, y - 1) < 1.7;
-  });
+  expectContains(circle({2, 1}, 1.7),
+                 [](double x, double y) { return std::hypot(x - 2, y - 1) < 1.7; });
 }
 
 TEST(PlanLoop, ContainsWhatArcsBulgingOutEnclose)
@@ -227,8 +221,7 @@ TEST(PlanLoop, ContainsWhatAnArcOfMoreThanHalfACircleEncloses)
   const double a = M_PI / 6;
   const Vector2d left(-2 * std::sin(a), -2 * std::cos(a));
   const Vector2d right(2 * std::sin(a), -2 * std::cos(a));
-  const PlanLoop keyhole{{arc({0, 0}, 2, -60, 240),
-                          segment(left, {left.x(), -2.8}),
+  const PlanLoop keyhole{{arc({0, 0}, 2, -60, 240), segment(left, {left.x(), -2.8}),
                           segment({left.x(), -2.8}, {right.x(), -2.8}),
                           segment({right.x(), -2.8}, right)}};
   expectContains(keyhole, [](double x, double y) {
@@ -250,8 +243,7 @@ TEST(PlanLoop, ReversedIsTheSamePlaceTheOtherWay)
       const PlanElement& next = back.elements[(i + 1) % back.elements.size()];
       EXPECT_NEAR((e.end - next.start).norm(), 0, 1e-12);
       EXPECT_NEAR(
-          (e.pointAt(e.length() / 3) - same.pointAt(same.length() * 2 / 3)).norm(),
-          0,
+          (e.pointAt(e.length() / 3) - same.pointAt(same.length() * 2 / 3)).norm(), 0,
           1e-12);
       EXPECT_NEAR((e.normalAt(0) + same.normalAt(same.length())).norm(), 0, 1e-12);
     }
@@ -271,11 +263,9 @@ TEST(PlanLoop, DistanceAndNearestAreThoseOfTheNearestElement)
 
 TEST(PlanLoop, PolygonStaysWithinTheToleranceOfTheLoop)
 {
-  for (const auto& loop : {rectangle(1, 2, 5, 5),
-                           circle({3, -2}, 0.7),
-                           reversed(circle({3, -2}, 5)),
-                           bittenRectangle(6, 4, 1),
-                           stadium(5, 20)})
+  for (const auto& loop :
+       {rectangle(1, 2, 5, 5), circle({3, -2}, 0.7), reversed(circle({3, -2}, 5)),
+        bittenRectangle(6, 4, 1), stadium(5, 20)})
     for (const double tolerance : {0.1, 0.005, 0.0001}) {
       const std::vector<Vector2d> corners = loop.polygon(tolerance);
       for (std::size_t i = 0; i < corners.size(); ++i) {

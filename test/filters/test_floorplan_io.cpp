@@ -21,8 +21,7 @@ samplePlan()
   PlanRoom room = roomOf(placed(bittenRectangle(6, 4, 1), 10, {1e4 / 3, -0.1}), 2.5, 3);
   room.boundary.elements[0].inliers = 123456789;
   room.boundary.elements[0].residual = 1.0 / 3;
-  room.floor.plane =
-      Eigen::Vector4d(1e-300, -1.0 / 7, std::sqrt(1 - 1.0 / 49), -0.1);
+  room.floor.plane = Eigen::Vector4d(1e-300, -1.0 / 7, std::sqrt(1 - 1.0 / 49), -0.1);
   room.floor.inliers = 17;
   room.floor.residual = 0.1 + 0.2;
   room.columns = {reversed(circle({M_PI, M_E}, 0.2)), reversed(rectangle(1, 1, 2, 2))};
@@ -30,7 +29,8 @@ samplePlan()
   room.details[0].holes = {reversed(circle({1, 0}, 0.1)),
                            reversed(rectangle(0, 0, 0.1, 0.1))};
   plan.rooms.push_back(room);
-  plan.rooms.push_back(roomOf(rectangle(-1.0 / 3, 5e-324, 0.1, 1.0 / 7), 3, 4294967295u));
+  plan.rooms.push_back(
+      roomOf(rectangle(-1.0 / 3, 5e-324, 0.1, 1.0 / 7), 3, 4294967295u));
   return plan;
 }
 
@@ -191,9 +191,9 @@ TEST(FloorplanJson, BadNumbersAreRefusedWithThem)
 TEST(FloorplanJson, MissingAndForeignMembersAreRefused)
 {
   for (const char* member :
-       {"\"id\"", "\"floor\"", "\"boundary\"", "\"columns\"", "\"details\"", "\"start\"",
-        "\"centre\"", "\"counter_clockwise\"", "\"plane\"", "\"holes\"", "\"inliers\"",
-        "\"residual\"", "\"rooms\"", "\"type\""})
+       {"\"id\"", "\"floor\"", "\"boundary\"", "\"columns\"", "\"details\"",
+        "\"start\"", "\"centre\"", "\"counter_clockwise\"", "\"plane\"", "\"holes\"",
+        "\"inliers\"", "\"residual\"", "\"rooms\"", "\"type\""})
     EXPECT_NE(problemOf(spoiled(member, "\"elsewhere\"")), "") << member;
   EXPECT_NE(problemOf(spoiled("\"arc\"", "\"spline\"")), "");
 }

@@ -19,8 +19,8 @@ box()
   return roomOf(rectangle(0, 0, 4, 3), 2.5, 7);
 }
 
-/** The upright surface that passes through a place of the plan, of a label; the one with
- * a span if there are several. */
+/** The upright surface that passes through a place of the plan, of a label; the one
+ * with a span if there are several. */
 const UprightSurface*
 through(const std::vector<UprightSurface>& surfaces,
         const Vector2d& place,
@@ -75,7 +75,10 @@ snapped(const PlanRoom& room, const Vector3d& p, StructureLabel label, double fa
 }
 
 bool
-isRefused(const PlanRoom& room, const Vector3d& p, StructureLabel label, double farthest)
+isRefused(const PlanRoom& room,
+          const Vector3d& p,
+          StructureLabel label,
+          double farthest)
 {
   SurfacePoint point;
   return !snapToRoom(room, uprightSurfaces(room), p, label, farthest, point);
@@ -133,7 +136,8 @@ TEST(WallSpan, EndsAtTheSoffitAboveAndReachesIntoARecess)
 TEST(WallSpan, OfAColumnFacesAwayFromIt)
 {
   PlanRoom room = box();
-  room.columns = {reversed(circle({2, 1.5}, 0.25)), reversed(rectangle(3, 1, 3.4, 1.4))};
+  room.columns = {reversed(circle({2, 1.5}, 0.25)),
+                  reversed(rectangle(3, 1, 3.4, 1.4))};
   room.details = {detailOf(rectangle(2.5, 0, 4, 3), 2.2)};
   expectSpan(room, {2.25, 1.5}, Column, 0, 2.5, {1, 0, 0});
   expectSpan(room, {2, 1.25}, Column, 0, 2.5, {0, -1, 0});
@@ -193,8 +197,7 @@ TEST(RiserSpan, BetweenTwoDetailsThereIsOneAndItFacesTheHigher)
     room.details = {detailOf(rectangle(2, 0, 3, 3), lower_first ? 1.9 : 2.2),
                     detailOf(rectangle(3, 0, 4, 3), lower_first ? 2.2 : 1.9)};
     // through() fails the test where both details have a riser there.
-    expectSpan(
-        room, {3, 1.5}, Detail, 1.9, 2.2, {lower_first ? 1.0 : -1.0, 0.0, 0.0});
+    expectSpan(room, {3, 1.5}, Detail, 1.9, 2.2, {lower_first ? 1.0 : -1.0, 0.0, 0.0});
     expectSpan(room, {2, 1.5}, Detail, lower_first ? 1.9 : 2.2, 2.5, {-1, 0, 0});
   }
 }
@@ -227,8 +230,7 @@ TEST(SnapToRoom, PointsOfACurvedWallMoveAlongItsRadius)
   const PlanRoom room = roomOf(stadium(3, 1), 2.5);
   const double angle = 0.3;
   const Vector3d way(std::cos(angle), std::sin(angle), 0);
-  const SurfacePoint p =
-      snapped(room, Vector3d(3, 0, 1.1) + 0.95 * way, Wall, 0.1);
+  const SurfacePoint p = snapped(room, Vector3d(3, 0, 1.1) + 0.95 * way, Wall, 0.1);
   EXPECT_NEAR((p.position - Vector3d(3, 0, 1.1) - way).norm(), 0, 1e-12);
   EXPECT_NEAR((p.normal + way).norm(), 0, 1e-12);
 }

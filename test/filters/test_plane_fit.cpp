@@ -18,25 +18,22 @@ struct Points {
   std::vector<Eigen::Vector3f> points;
 
   /** A lattice of 5 cm over [x0, x0 + width] x [0, 3], `offset` above a plane. */
-  void
-  add(const PlanSlab& plane, double x0, double width, double offset = 0)
+  void add(const PlanSlab& plane, double x0, double width, double offset = 0)
   {
     for (double x = x0 + 0.025; x < x0 + width; x += 0.05)
       for (double y = 0.025; y < 3; y += 0.05)
-        points.emplace_back(static_cast<float>(x),
-                            static_cast<float>(y),
+        points.emplace_back(static_cast<float>(x), static_cast<float>(y),
                             static_cast<float>(plane.heightAt({x, y}) + offset));
   }
 
-  PointView
-  view() const
+  PointView view() const
   {
-    return points.empty() ? PointView()
-                          : PointView(points[0].data(), sizeof points[0], points.size());
+    return points.empty()
+               ? PointView()
+               : PointView(points[0].data(), sizeof points[0], points.size());
   }
 
-  std::vector<int>
-  all() const
+  std::vector<int> all() const
   {
     std::vector<int> indices(points.size());
     std::iota(indices.begin(), indices.end(), 0);
@@ -108,17 +105,15 @@ TEST(FitSlab, PointsOnALineOrAWallGiveTheHorizontalPlaneThroughTheirMean)
   for (int i = 0; i <= 10; ++i)
     line.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
                              0.05f * static_cast<float>(i));
-  EXPECT_TRUE(
-      fitSlab(line.view(), line.all()).plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.25),
-                                                      1e-6));
+  EXPECT_TRUE(fitSlab(line.view(), line.all())
+                  .plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.25), 1e-6));
   Points wall;
   for (int i = 0; i <= 10; ++i)
     for (int k = 0; k <= 10; ++k)
       wall.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
                                0.1f * static_cast<float>(k));
-  EXPECT_TRUE(
-      fitSlab(wall.view(), wall.all()).plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.5),
-                                                      1e-6));
+  EXPECT_TRUE(fitSlab(wall.view(), wall.all())
+                  .plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.5), 1e-6));
 }
 
 TEST(FitSlabRobustly, IsNotPulledByWhatHangsBelow)
@@ -141,6 +136,31 @@ TEST(FitSlabRobustly, LeavesTheStartWhereItHoldsNothing)
   cloud.add(slabAt(2.4), 0, 4);
   const PlanSlab start = slabAt(1);
   EXPECT_EQ(fitSlabRobustly(cloud.view(), cloud.all(), start, 0.07).plane, start.plane);
+}
+
+TEST(FitParallel, KeepsTheDirectionAndFindsTheHeight)
+{
+  const PlanSlab direction = slabAt(5, 0.02, 0.01);
+  Points cloud;
+  cloud.add(slabAt(2.4, 0.02, 0.01), 0, 4);
+  cloud.add(slabAt(2.4, 0.02, 0.01), 0, 0.5, -0.045);
+  const PlanSlab slab =
+      fitParallel(cloud.view(), cloud.all(), direction, slabAt(2.43, 0.02, 0.01), 0.07);
+  EXPECT_EQ(slab.plane.head<3>(), direction.plane.head<3>());
+  EXPECT_NEAR(slab.heightAt({0, 0}), 2.4, 1e-5);
+  EXPECT_EQ(slab.inliers, 80u * 60u);
+  EXPECT_NEAR(slab.residual, 0, 1e-5);
+}
+
+TEST(FitParallel, OfAPlaneThatLeansOtherwiseHasItsDeviationForResidual)
+{
+  // Over 4 m it is off by up to 2 cm each way, evenly: 4 cm / sqrt(12).
+  Points cloud;
+  cloud.add(slabAt(2.4, 0.01), 0, 4);
+  const PlanSlab slab =
+      fitParallel(cloud.view(), cloud.all(), slabAt(0), slabAt(2.42), 0.07);
+  EXPECT_NEAR(slab.heightAt({0, 0}), 2.42, 1e-4);
+  EXPECT_NEAR(slab.residual, 0.04 / std::sqrt(12), 1e-4);
 }
 
 TEST(FindSlab, FindsTheLargerOfTwoPlanesAmongClutter)
@@ -198,7 +218,8 @@ TEST(FindSlab, OfHardlyAnythingIsHorizontal)
   cloud.points = {{1, 1, 2.5f}};
   EXPECT_EQ(findSlab(cloud.view(), {0}, 0.05, 0.05, 1).plane, slabAt(2.5).plane);
   cloud.points.assign(50, {1, 1, 2.5f});
-  EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1).plane, slabAt(2.5).plane);
+  EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1).plane,
+            slabAt(2.5).plane);
 }
 
 } // namespace

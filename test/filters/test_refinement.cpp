@@ -32,8 +32,7 @@ struct TwoRooms {
   }
 
 private:
-  void
-  add(const PlanLoop& loop, double height, std::uint32_t id)
+  void add(const PlanLoop& loop, double height, std::uint32_t id)
   {
     const RoomParts parts = points.room(loop, 0, height);
     plan.rooms.push_back(roomOf(loop, height, id));
@@ -51,8 +50,8 @@ private:
 Refinement
 refine(const TwoRooms& scene, double farthest = 0.1, unsigned threads = 1)
 {
-  return refineToPlan(scene.points.view(), scene.points.all(), scene.labels, scene.rooms,
-                      scene.plan, farthest, threads);
+  return refineToPlan(scene.points.view(), scene.points.all(), scene.labels,
+                      scene.rooms, scene.plan, farthest, threads);
 }
 
 TEST(RefineToPlan, PutsEveryPointOnItsRoomExactly)
@@ -87,8 +86,8 @@ TEST(RefineToPlan, KeepsThePartitionsTwoFacesApart)
   const TwoRooms scene;
   std::set<double> faces;
   for (const auto& p : refine(scene).points)
-    if (p.label == StructureLabel::Wall && p.position.x() > 1.9 && p.position.x() < 2.2 &&
-        p.position.y() > 0.01 && p.position.y() < 1.49)
+    if (p.label == StructureLabel::Wall && p.position.x() > 1.9 &&
+        p.position.x() < 2.2 && p.position.y() > 0.01 && p.position.y() < 1.49)
       faces.insert(p.position.x());
   EXPECT_EQ(faces, (std::set<double>{2, 2.1}));
 }
@@ -117,8 +116,8 @@ TEST(RefineToPlan, TakesTheIndexedPointsInTheirOrder)
 {
   const TwoRooms scene;
   const std::vector<int> indices{500, 3, 1700, 4};
-  const Refinement result = refineToPlan(
-      scene.points.view(), indices, scene.labels, scene.rooms, scene.plan, 0.1, 1);
+  const Refinement result = refineToPlan(scene.points.view(), indices, scene.labels,
+                                         scene.rooms, scene.plan, 0.1, 1);
   EXPECT_EQ(result.sources, indices);
 }
 

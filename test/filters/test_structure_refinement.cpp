@@ -34,23 +34,19 @@ struct FurnishedRoom {
   std::vector<int> table;
   Structure::Ptr cloud;
 
-  static bool
-  inDoor(double x, double z)
-  {
-    return x > 1 && x < 2 && z < 2;
-  }
+  static bool inDoor(double x, double z) { return x > 1 && x < 2 && z < 2; }
 
-  explicit FurnishedRoom(double noise = 0.01) : points(0.05, noise)
+  explicit FurnishedRoom(double noise = 0.01)
+      : points(0.05, noise)
   {
     PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
     room.columns = {reversed(circle({3, 1.5}, 0.3))};
     const auto isFree = [&](double x, double y) { return room.contains({x, y}); };
     const auto floor = points.slab(room.boundary, 0, isFree);
     const auto ceiling = points.slab(room.boundary, 2.5, isFree);
-    std::vector<int> walls = points.wall(
-        room.boundary.elements[0], 0, 2.5, [](double s, double z) {
-          return !inDoor(s, z);
-        });
+    std::vector<int> walls =
+        points.wall(room.boundary.elements[0], 0, 2.5,
+                    [](double s, double z) { return !inDoor(s, z); });
     for (std::size_t e = 1; e < 4; ++e)
       walls = joined(walls, points.wall(room.boundary.elements[e], 0, 2.5));
     const auto column = points.wall(room.columns[0].elements[0], 0, 2.5);
@@ -130,8 +126,8 @@ TEST(StructureRefinement, RemovedPointsAreTheComplementTheTableAmongThem)
   refinement.filter(refined);
   EXPECT_EQ(allOf(refinement), room.points.all());
   const auto removed = *refinement.getRemovedIndices();
-  EXPECT_TRUE(std::includes(
-      removed.begin(), removed.end(), room.table.begin(), room.table.end()));
+  EXPECT_TRUE(std::includes(removed.begin(), removed.end(), room.table.begin(),
+                            room.table.end()));
   EXPECT_LT(removed.size(), room.table.size() + room.points.size() / 100);
 }
 
@@ -178,9 +174,8 @@ TEST(StructureRefinement, AShorterDistanceRemovesMore)
   refinement.setMaximumDistance(0.02); // one standard deviation
   Structure refined;
   refinement.filter(refined);
-  const double share =
-      static_cast<double>(refined.size()) /
-      static_cast<double>(room.points.size() - room.table.size());
+  const double share = static_cast<double>(refined.size()) /
+                       static_cast<double>(room.points.size() - room.table.size());
   EXPECT_NEAR(share, 0.683, 0.02);
 }
 

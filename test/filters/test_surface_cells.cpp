@@ -15,20 +15,18 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
-/** An L with a curved wall, two columns, a soffit around with a beam on it, and a recess:
- * every kind of surface there is. */
+/** An L with a curved wall, two columns, a soffit around with a beam on it, and a
+ * recess: every kind of surface there is. */
 PlanRoom
 richRoom()
 {
-  PlanRoom room = roomOf({{segment({0, 0}, {5, 0}),
-                           segment({5, 0}, {5, 2}),
-                           arc({4, 2}, 1, 0, 90),
-                           segment({4, 3}, {2, 3}),
-                           segment({2, 3}, {2, 4.5}),
-                           segment({2, 4.5}, {0, 4.5}),
-                           segment({0, 4.5}, {0, 0})}},
-                         2.6);
-  room.columns = {reversed(rectangle(1, 2, 1.3, 2.3)), reversed(circle({3.5, 1}, 0.25))};
+  PlanRoom room =
+      roomOf({{segment({0, 0}, {5, 0}), segment({5, 0}, {5, 2}), arc({4, 2}, 1, 0, 90),
+               segment({4, 3}, {2, 3}), segment({2, 3}, {2, 4.5}),
+               segment({2, 4.5}, {0, 4.5}), segment({0, 4.5}, {0, 0})}},
+             2.6);
+  room.columns = {reversed(rectangle(1, 2, 1.3, 2.3)),
+                  reversed(circle({3.5, 1}, 0.25))};
   room.details = {detailOf(rectangle(0, 0, 5, 0.8), 2.3),
                   detailOf(rectangle(2.2, 0, 2.6, 3), 2.0),
                   detailOf(rectangle(0.4, 3.2, 1.6, 4.1), 2.9)};
@@ -76,12 +74,10 @@ TEST(SurfaceCells, OfAnyRoomAreNearlyAsManyAsItsAreaHolds)
   const double size = 0.05;
   auto counts = countsOf(SurfaceCells(room, size));
   EXPECT_NEAR(static_cast<double>(counts[StructureLabel::Floor]) * size * size,
-              room.area(),
-              0.01 * room.area());
+              room.area(), 0.01 * room.area());
   const double around = 4 * 0.3 * 2.6 + M_PI / 2 * (2.6 + 2.3) / 2;
   // The round column stands half below the soffit: its lower edge is at y = 0.75.
-  EXPECT_NEAR(static_cast<double>(counts[StructureLabel::Column]) * size * size,
-              around,
+  EXPECT_NEAR(static_cast<double>(counts[StructureLabel::Column]) * size * size, around,
               0.08 * around);
 }
 

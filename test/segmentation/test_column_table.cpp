@@ -88,14 +88,14 @@ TEST(ColumnTable, HasWithinIsWhatLookingAtAllSays)
   std::mt19937 random(4);
   std::uniform_real_distribution<double> height(-0.1, 3.1);
   for (int trial = 0; trial < 300; ++trial) {
-    const Cell cell{static_cast<int>(random() % 8) - 3, static_cast<int>(random() % 8) - 2};
+    const Cell cell{static_cast<int>(random() % 8) - 3,
+                    static_cast<int>(random() % 8) - 2};
     const double low = height(random);
     const double high = low + 0.2;
     const auto heights = heightsIn(points, points.all(), cell);
     ASSERT_EQ(table.hasWithin(cell, low, high),
-              std::any_of(heights.begin(), heights.end(), [&](float z) {
-                return z >= low && z <= high;
-              }));
+              std::any_of(heights.begin(), heights.end(),
+                          [&](float z) { return z >= low && z <= high; }));
   }
 }
 
@@ -182,7 +182,8 @@ TEST(ClusterBoxes, LeaveNoOverlapHoweverTheBoxesLie)
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<CellBox> boxes;
     for (int k = 0; k < 12; ++k) {
-      const Cell low{static_cast<int>(random() % 100), static_cast<int>(random() % 100)};
+      const Cell low{static_cast<int>(random() % 100),
+                     static_cast<int>(random() % 100)};
       boxes.push_back({low,
                        {low.x + static_cast<int>(random() % 15),
                         low.y + static_cast<int>(random() % 15)}});
@@ -193,8 +194,7 @@ TEST(ClusterBoxes, LeaveNoOverlapHoweverTheBoxesLie)
              a.high.y <= b.high.y;
     };
     for (const auto& b : boxes)
-      EXPECT_EQ(std::count_if(clusters.begin(),
-                              clusters.end(),
+      EXPECT_EQ(std::count_if(clusters.begin(), clusters.end(),
                               [&](const auto& c) { return isIn(grown(b, 2), c); }),
                 1);
     for (std::size_t i = 0; i < clusters.size(); ++i)
@@ -222,9 +222,8 @@ cellsOf(const PlanLoop& loop)
 
 TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
 {
-  const RoomTerritory territory(
-      CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))});
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),
+                                                 cellsOf(rectangle(4.1, 0, 7, 3))});
   ASSERT_EQ(territory.problem(), "");
   EXPECT_EQ(territory.roomAt({2, 1, 9}), 0);
   EXPECT_EQ(territory.roomAt({5, 1, -9}), 1);

@@ -97,8 +97,8 @@ TEST(TraceContours, StepOneCellEdgeAndUseEveryEdgeOnce)
     }
   }
   EXPECT_EQ(steps, edges);
-  EXPECT_NEAR(
-      sumOfAreas(contours), static_cast<double>(mask.count()) * size * size, 1e-9);
+  EXPECT_NEAR(sumOfAreas(contours), static_cast<double>(mask.count()) * size * size,
+              1e-9);
 }
 
 TEST(TraceContours, PartCellsThatTouchByACornerOnly)
@@ -150,9 +150,8 @@ TEST(CrossesItself, SaysWhetherEdgesThatAreNotNeighboursMeet)
 
 TEST(Simplified, KeepsTheCornersOfAStaircaseFreeOutline)
 {
-  const CellMask mask = maskOf({{0, 0}, {39, 29}}, [](int x, int y) {
-    return x < 20 || y < 10;
-  });
+  const CellMask mask =
+      maskOf({{0, 0}, {39, 29}}, [](int x, int y) { return x < 20 || y < 10; });
   Corners corners = simplified(traceContours(mask, size)[0], 1e-9);
   const auto before = [](const auto& a, const auto& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();

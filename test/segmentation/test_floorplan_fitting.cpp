@@ -13,8 +13,8 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector2d;
 
-/** A room's points as the stages before find them: what a wall's column holds is not the
- * ceiling's. */
+/** A room's points as the stages before find them: what a wall's column holds is not
+ * the ceiling's. */
 RoomEvidence
 evidenceOf(const RoomPoints& points, const RoomParts& parts)
 {
@@ -45,7 +45,8 @@ fitted(const RoomPoints& points, const RoomParts& parts)
   return room;
 }
 
-/** The largest distance of an end of an element of `truth` from the nearest of `loop`. */
+/** The largest distance of an end of an element of `truth` from the nearest of `loop`.
+ */
 double
 cornerError(const PlanLoop& loop, const PlanLoop& truth)
 {
@@ -121,8 +122,7 @@ TEST(FitRoom, CurvedWallsAreArcs)
   RoomPoints points(0.05, 0.003);
   const RoomParts parts = points.room(truth, 0, 2.5);
   const PlanRoom room = fitted(points, parts);
-  EXPECT_EQ(std::count_if(room.boundary.elements.begin(),
-                          room.boundary.elements.end(),
+  EXPECT_EQ(std::count_if(room.boundary.elements.begin(), room.boundary.elements.end(),
                           [](const auto& e) { return e.isArc(); }),
             1);
   EXPECT_LT(outlineError(room.boundary, truth), 0.008);
@@ -210,8 +210,7 @@ TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
   RoomParts parts = points.room(truth);
   const PlanLoop shelf = rectangle(3.91, 0.01, 5.01, 4.01);
   // The ceiling above it was not seen.
-  parts.ceiling.erase(std::remove_if(parts.ceiling.begin(),
-                                     parts.ceiling.end(),
+  parts.ceiling.erase(std::remove_if(parts.ceiling.begin(), parts.ceiling.end(),
                                      [&](int i) { return points[i].x() > 3.91f; }),
                       parts.ceiling.end());
   parts.details = points.slab(shelf, 1.9);
@@ -233,8 +232,7 @@ struct TwoRooms {
   }
 
 private:
-  void
-  add(const PlanLoop& loop, double height, std::uint32_t number)
+  void add(const PlanLoop& loop, double height, std::uint32_t number)
   {
     const RoomParts parts = points.room(loop, 0, height);
     evidence.room.resize(points.size(), number);
@@ -275,8 +273,7 @@ TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
 {
   TwoRooms scene;
   auto& floor = scene.evidence.floor;
-  floor.erase(std::remove_if(floor.begin(),
-                             floor.end(),
+  floor.erase(std::remove_if(floor.begin(), floor.end(),
                              [&](int i) { return scene.points[i].x() > 4; }),
               floor.end());
   std::string problem;
@@ -297,12 +294,12 @@ TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
   scene.evidence.floor.clear();
   std::string problem;
   std::vector<std::string> warnings;
-  EXPECT_TRUE(
-      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings).rooms.empty());
+  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
+                  .rooms.empty());
   EXPECT_NE(problem, "");
   std::fill(scene.evidence.room.begin(), scene.evidence.room.end(), 0u);
-  EXPECT_TRUE(
-      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings).rooms.empty());
+  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
+                  .rooms.empty());
   EXPECT_NE(problem, "");
 }
 

@@ -45,7 +45,8 @@ struct Scene {
   RoomPoints points;
   RoomParts parts;
 
-  explicit Scene(const PlanRoom& room, double noise = 0) : points(0.05, noise)
+  explicit Scene(const PlanRoom& room, double noise = 0)
+      : points(0.05, noise)
   {
     parts = points.room(room);
   }
@@ -55,19 +56,18 @@ struct Scene {
     parts = points.room(room, keep);
   }
 
-  SliceDetails
-  find(const SliceParameters& parameters = {}) const
+  SliceDetails find(const SliceParameters& parameters = {}) const
   {
     std::string problem;
-    const SliceDetails details = findSliceDetails(
-        points.view(), points.all(), parts.ceiling, slabAt(height), 0, parameters, problem);
+    const SliceDetails details =
+        findSliceDetails(points.view(), points.all(), parts.ceiling, slabAt(height), 0,
+                         parameters, problem);
     EXPECT_EQ(problem, "");
     return details;
   }
 
   /** The points of details in whose cell neither wall nor main ceiling is. */
-  std::vector<int>
-  clearDetails() const
+  std::vector<int> clearDetails() const
   {
     const CellGrid grid(0.05);
     const CellSet others =
@@ -80,20 +80,18 @@ struct Scene {
   }
 };
 
-/** That all clear detail points but a share were found, and nothing but details and what
- * of a wall is above the room's middle. */
+/** That all clear detail points but a share were found, and nothing but details and
+ * what of a wall is above the room's middle. */
 void
 expectFound(const Scene& scene, const SliceDetails& details, double missing = 0.005)
 {
   const auto clear = scene.clearDetails();
   ASSERT_GT(clear.size(), 1000u);
   std::vector<int> missed;
-  std::set_difference(clear.begin(),
-                      clear.end(),
-                      details.indices.begin(),
-                      details.indices.end(),
-                      std::back_inserter(missed));
-  EXPECT_LE(static_cast<double>(missed.size()), missing * static_cast<double>(clear.size()));
+  std::set_difference(clear.begin(), clear.end(), details.indices.begin(),
+                      details.indices.end(), std::back_inserter(missed));
+  EXPECT_LE(static_cast<double>(missed.size()),
+            missing * static_cast<double>(clear.size()));
   const std::set<int> truth(scene.parts.details.begin(), scene.parts.details.end());
   for (const int i : details.indices)
     if (!truth.count(i)) {
@@ -216,11 +214,9 @@ TEST(SliceDetails, ALampIsNone)
     const PlanLoop lamp = rectangle(2.01, 1.51, 2.01 + size, 1.51 + size);
     // It hides the ceiling above it, and hangs free.
     scene.parts.ceiling.erase(
-        std::remove_if(scene.parts.ceiling.begin(),
-                       scene.parts.ceiling.end(),
+        std::remove_if(scene.parts.ceiling.begin(), scene.parts.ceiling.end(),
                        [&](int i) {
-                         return lamp.contains(
-                             scene.points[i].head<2>().cast<double>());
+                         return lamp.contains(scene.points[i].head<2>().cast<double>());
                        }),
         scene.parts.ceiling.end());
     const auto underside = scene.points.slab(lamp, 2.1);
@@ -240,7 +236,8 @@ TEST(SliceDetails, HeadsOfDoorsAndWindowsAreNone)
   struct Opening {
     double from, to, sill, head, depth;
   };
-  const std::vector<Opening> openings{{0.5, 1.4, 0, 2.0, 0.15}, {2.2, 4.2, 0.9, 2.1, 0.3}};
+  const std::vector<Opening> openings{{0.5, 1.4, 0, 2.0, 0.15},
+                                      {2.2, 4.2, 0.9, 2.1, 0.3}};
   const auto isWall = [&](const Eigen::Vector3d& p) {
     return p.y() > 0.02 ||
            std::none_of(openings.begin(), openings.end(), [&](const Opening& o) {
@@ -347,11 +344,8 @@ TEST(GridSliceDetail, FollowsACeilingThatLeans)
   ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();
   const auto clear = scene.clearDetails();
   std::vector<int> missed;
-  std::set_difference(clear.begin(),
-                      clear.end(),
-                      details.indices.begin(),
-                      details.indices.end(),
-                      std::back_inserter(missed));
+  std::set_difference(clear.begin(), clear.end(), details.indices.begin(),
+                      details.indices.end(), std::back_inserter(missed));
   EXPECT_LE(missed.size(), clear.size() / 100);
   EXPECT_EQ(analysis.getTrial(), 1);
 }

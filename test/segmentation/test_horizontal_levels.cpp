@@ -145,7 +145,7 @@ TEST(Levels, TheGroundOutsideIsNoFloorAndTheSkyNoCeiling)
   RoomPoints points;
   points.room(rectangle(0, 0, 4, 3), 0, 2.5);
   points.slab(rectangle(4.5, -3, 9, 6), -0.4); // seen through a window
-  points.slab(rectangle(-4, 0, -1, 3), 4); // an eave
+  points.slab(rectangle(-4, 0, -1, 3), 4);     // an eave
   EXPECT_EQ(kindsOf(levelsOf(points)),
             (std::vector<LevelKind>{Other, Floor, Ceiling, Other}));
 }
@@ -191,8 +191,8 @@ TEST(Levels, NoiseOfTwoCentimetresDoesNotMoveThem)
   for (const auto& level : levels) {
     EXPECT_NEAR(level.slab.residual, 0.02, 0.003);
     EXPECT_NEAR(level.slab.plane[2], 1, 1e-5);
-    EXPECT_GT(level.inliers.size(), besideWalls(points, parts.floor, parts.walls).size() *
-                                        97 / 100);
+    EXPECT_GT(level.inliers.size(),
+              besideWalls(points, parts.floor, parts.walls).size() * 97 / 100);
   }
 }
 

@@ -80,19 +80,17 @@ void
 expectLoop(const PlanLoop& loop, const PlanLoop& truth, double tolerance)
 {
   const auto arcs = [](const PlanLoop& l) {
-    return std::count_if(l.elements.begin(), l.elements.end(), [](const auto& e) {
-      return e.isArc();
-    });
+    return std::count_if(l.elements.begin(), l.elements.end(),
+                         [](const auto& e) { return e.isArc(); });
   };
   EXPECT_EQ(loop.elements.size(), truth.elements.size());
   EXPECT_EQ(arcs(loop), arcs(truth));
   EXPECT_NEAR(loop.area(), truth.area(), tolerance * truth.length());
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    EXPECT_NEAR((loop.elements[i].end -
-                 loop.elements[(i + 1) % loop.elements.size()].start)
-                    .norm(),
-                0,
-                1e-9)
+    EXPECT_NEAR(
+        (loop.elements[i].end - loop.elements[(i + 1) % loop.elements.size()].start)
+            .norm(),
+        0, 1e-9)
         << "closed";
   for (const auto& e : truth.elements) {
     double least = 1e9;
@@ -130,8 +128,8 @@ TEST(FitLoop, AnLShapeAtAnyAngle)
 {
   for (const double degrees : angles) {
     SCOPED_TRACE(degrees);
-    const PlanLoop truth =
-        placed(polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}), degrees, {9, 9});
+    const PlanLoop truth = placed(
+        polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}), degrees, {9, 9});
     expectLoop(fitted(contourIn(truth), wallPoints(truth, 0.005)), truth, 0.005);
   }
 }
@@ -157,12 +155,9 @@ TEST(FitLoop, ACurvedWallBetweenStraightOnes)
   for (const double degrees : {0.0, 20.0, 45.0}) {
     SCOPED_TRACE(degrees);
     const PlanLoop truth =
-        placed({{segment({-3, 0}, {3, 0}),
-                 segment({3, 0}, {3, 4}),
-                 arc({0, 0}, 5, 90 - half, 90 + half),
-                 segment({-3, 4}, {-3, 0})}},
-               degrees,
-               {0.01, 0.02});
+        placed({{segment({-3, 0}, {3, 0}), segment({3, 0}, {3, 4}),
+                 arc({0, 0}, 5, 90 - half, 90 + half), segment({-3, 4}, {-3, 0})}},
+               degrees, {0.01, 0.02});
     const PlanLoop loop = fitted(contourIn(truth), wallPoints(truth, 0.005));
     expectLoop(loop, truth, 0.01);
     for (const auto& e : loop.elements)
@@ -217,8 +212,7 @@ TEST(FitLoop, ASquareColumnHasFourStraightSides)
       // Around a column the room's cells run outside of it: the next whole cells.
       const PlanLoop around =
           placed(rectangle(-half - 0.05, -half - 0.05, half + 0.05, half + 0.05),
-                 degrees,
-                 {2.013, 1.027});
+                 degrees, {2.013, 1.027});
       Contour contour = contourIn(around);
       std::reverse(contour.begin(), contour.end());
       expectLoop(fitted(contour, wallPoints(truth, 0.003)), reversed(truth), 0.012);
@@ -275,9 +269,14 @@ TEST(FitLoop, AWallHiddenBehindACupboardIsBridged)
 TEST(FitLoop, AnOpeningThatLedTheContourAstrayIsBridged)
 {
   const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
-  const PlanLoop seen =
-      polygon({{0.01, 0.02}, {2, 0.02}, {2, -0.2}, {2.9, -0.2}, {2.9, 0.02},
-               {5.01, 0.02}, {5.01, 3.02}, {0.01, 3.02}});
+  const PlanLoop seen = polygon({{0.01, 0.02},
+                                 {2, 0.02},
+                                 {2, -0.2},
+                                 {2.9, -0.2},
+                                 {2.9, 0.02},
+                                 {5.01, 0.02},
+                                 {5.01, 3.02},
+                                 {0.01, 3.02}});
   const PlanLoop loop =
       fitted(contourIn(seen), wallPoints(truth, 0.005, [](const Vector2d& p) {
                return p.y() > 0.1 || p.x() < 2 || p.x() > 2.9;
@@ -312,8 +311,7 @@ TEST(FitLoop, KnownCurvesStayExactlyAsTheyAre)
       contourIn(truth),
       PlanPoints(wallPoints(truth, 0.003, [](const Vector2d& p) { return p.x() > 1; }),
                  0.1),
-      walls,
-      {});
+      walls, {});
   expectLoop(loop, truth, 0.005);
   for (const auto& e : loop.elements) {
     EXPECT_TRUE(std::abs(e.start.y() - 0.021) < 1e-9 ||

@@ -55,9 +55,8 @@ alongCircle(const PlanCurve& circle, double from, double to, double off = 0)
 double
 angleBetween(const PlanCurve& a, const PlanCurve& b)
 {
-  return std::asin(std::min(1.0,
-                            std::abs(a.direction.x() * b.direction.y() -
-                                     a.direction.y() * b.direction.x())));
+  return std::asin(std::min(1.0, std::abs(a.direction.x() * b.direction.y() -
+                                          a.direction.y() * b.direction.x())));
 }
 
 TEST(PlanCurve, ALineIsInfinite)
@@ -240,8 +239,7 @@ TEST(Intersections, OfALineAndACircleAreTwoOrNone)
 
 TEST(Intersections, OfATangentAreWhereItTouches)
 {
-  for (const auto& p :
-       intersections(lineThrough({0, 7}, {1, 7}), circleAt({1, 2}, 5)))
+  for (const auto& p : intersections(lineThrough({0, 7}, {1, 7}), circleAt({1, 2}, 5)))
     EXPECT_NEAR((p - Vector2d(1, 7)).norm(), 0, 1e-6);
 }
 

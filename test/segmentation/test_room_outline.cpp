@@ -15,8 +15,7 @@ constexpr double height = 2.5;
 /** A room of 4 m x 3 m whose ceiling was seen where `isSeen` says so. */
 class Scene {
 public:
-  explicit Scene(
-      const RoomPoints::InPlan& isSeen = [](double, double) { return true; })
+  explicit Scene(const RoomPoints::InPlan& isSeen = [](double, double) { return true; })
   {
     const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
     points.slab(loop, 0);
@@ -26,24 +25,20 @@ public:
   }
 
   /** The four sides of an upright box. */
-  void
-  box(double x0, double y0, double x1, double y1, double low, double high)
+  void box(double x0, double y0, double x1, double y1, double low, double high)
   {
     for (const auto& e : rectangle(x0, y0, x1, y1).elements)
       points.wall(e, low, high);
   }
 
-  RoomOutline
-  outline() const
+  RoomOutline outline() const
   {
     const CellGrid grid(0.05);
     const CellSet seen(grid, points.view(), ceiling);
     const CellBox all = grown(boxOf(seen), 14);
-    return outlineRoom(CellMask(seen, all),
-                       grid,
+    return outlineRoom(CellMask(seen, all), grid,
                        ColumnTable(grid, all, points.view(), points.all()),
-                       slabAt(height),
-                       slabAt(0));
+                       slabAt(height), slabAt(0));
   }
 
   RoomPoints points;
@@ -160,7 +155,9 @@ TEST(OutlineRoom, AFalseNotchIsClosed)
 
 TEST(OutlineRoom, ANotchWithAWallAroundStays)
 {
-  const auto isSeen = [](double x, double y) { return !within(x, y, 1.51, 0, 2.11, 0.51); };
+  const auto isSeen = [](double x, double y) {
+    return !within(x, y, 1.51, 0, 2.11, 0.51);
+  };
   Scene scene(isSeen);
   scene.box(1.51, 0.01, 2.11, 0.51, 0, height);
   const RoomOutline outline = scene.outline();
@@ -176,9 +173,8 @@ TEST(OutlineRoom, ANotchWithAWallAroundStaysUnderASoffitToo)
   const double soffit = 2.0;
   Scene scene([](double, double y) { return y > 0.81; });
   const auto under = scene.points.slab(
-      rectangle(0.01, 0.01, 4.01, 0.81), soffit, [](double x, double y) {
-        return !within(x, y, 1.51, 0, 2.11, 0.51);
-      });
+      rectangle(0.01, 0.01, 4.01, 0.81), soffit,
+      [](double x, double y) { return !within(x, y, 1.51, 0, 2.11, 0.51); });
   scene.points.wall(segment({4.01, 0.81}, {0.01, 0.81}), soffit, height);
   scene.ceiling = joined(scene.ceiling, under);
   scene.box(1.51, 0.01, 2.11, 0.51, 0, soffit);

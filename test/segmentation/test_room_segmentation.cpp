@@ -28,27 +28,23 @@ struct Rooms {
     regions = segmentRooms(points.view(), points.all(), levels, parameters, problem);
   }
 
-  double
-  area(std::size_t room) const
+  double area(std::size_t room) const
   {
     return static_cast<double>(regions.at(room).scope.size()) * 0.0025;
   }
 
-  double
-  ceilingOf(std::size_t room) const
+  double ceilingOf(std::size_t room) const
   {
     return levels[regions.at(room).ceiling_level].slab.heightAt({0, 0});
   }
 
-  double
-  floorOf(std::size_t room) const
+  double floorOf(std::size_t room) const
   {
     return levels[regions.at(room).floor_level].slab.heightAt({0, 0});
   }
 
   /** Position of the room above a place, -1 for none. */
-  int
-  at(double x, double y) const
+  int at(double x, double y) const
   {
     for (std::size_t r = 0; r < regions.size(); ++r)
       if (regions[r].scope.contains(CellGrid(0.05).at(x, y)))
@@ -235,8 +231,7 @@ TEST(SegmentRooms, CellsTooSmallForACeilingAreRefusedWithTheirNumber)
     diagonal.push_back(keyOf({i, i}));
   level.cells = CellSet(diagonal);
   std::string problem;
-  EXPECT_TRUE(
-      segmentRooms(points.view(), points.all(), {level}, {}, problem).empty());
+  EXPECT_TRUE(segmentRooms(points.view(), points.all(), {level}, {}, problem).empty());
   EXPECT_NE(problem.find("cells"), std::string::npos) << problem;
 }
 

@@ -7,8 +7,8 @@
 
 namespace contract {
 
-/** Ceiling and floor are the slabs of the sample room, among the indices where there are
- * any; a room far away is room 2. Its size is the number of elements of all loops.
+/** Ceiling and floor are the slabs of the sample room, among the indices where there
+ * are any; a room far away is room 2. Its size is the number of elements of all loops.
  *
  * What does not apply: it writes no cloud, removes no points and has no threads. */
 class FloorplanFittingAdaptor : public AdaptorDefaults {

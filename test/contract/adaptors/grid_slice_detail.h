@@ -9,8 +9,9 @@
 
 namespace contract {
 
-/** In the sample room a soffit is built first, point by point: what is beyond y = 0.9 of
- * the ceiling hangs 0.4 m lower, and the wall above it stands before it as its riser.
+/** In the sample room a soffit is built first, point by point: what is beyond y = 0.9
+ * of the ceiling hangs 0.4 m lower, and the wall above it stands before it as its
+ * riser.
  *
  * What does not apply: it works on one room, so two of them are no input; it writes no
  * cloud, removes no points and has no threads. */

@@ -113,8 +113,8 @@ private:
     if (structure_.labels[i] != 3)
       return {0, 0, structure_.labels[i] == 1 ? -1. : 1.};
     const auto& rooms = structure_.plan->rooms;
-    const auto& walls = rooms[std::min<std::size_t>(structure_.rooms[i], rooms.size()) - 1]
-                            .boundary;
+    const auto& walls =
+        rooms[std::min<std::size_t>(structure_.rooms[i], rooms.size()) - 1].boundary;
     const Eigen::Vector2d place((*cloud_)[i].x, (*cloud_)[i].y);
     if (!place.allFinite())
       return Eigen::Vector3d::UnitX();
