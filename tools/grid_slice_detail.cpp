@@ -108,7 +108,8 @@ mainCeiling(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
   const pcl::sedr::PointView points(*cloud.points);
   const double band = analysis.getDistanceThreshold();
   const auto slab = pcl::sedr::findSlab(points, room.ceilings, band,
-                                        pcl::sedr::LevelParameters().maximum_tilt, 1);
+                                        pcl::sedr::LevelParameters().maximum_tilt,
+                                        analysis.getSeed());
   return onSlab(points, room.ceilings, slab, band);
 }
 
@@ -121,6 +122,7 @@ mainFloor(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
   pcl::sedr::LevelParameters parameters;
   parameters.tolerance = analysis.getDistanceThreshold();
   parameters.cell_size = analysis.getGridSize();
+  parameters.seed = analysis.getSeed();
   parameters.minimum_area = 0.1 * static_cast<double>(room.cells) *
                             parameters.cell_size * parameters.cell_size;
   const auto levels = pcl::sedr::findLevels(points, room.floors, parameters);
@@ -245,6 +247,7 @@ main(int argc, char** argv)
   int trials = analysis.getTrials();
   double thickness = analysis.getSliceThickness();
   double island = analysis.getMinimumIslandArea();
+  std::uint64_t seed = analysis.getSeed();
 
   Options options("pcl_grid_slice_detail",
                   "Labels the details of every room's ceiling, soffits, beams and "
@@ -274,6 +277,7 @@ main(int argc, char** argv)
   options.optionalNumber("floor-height", settings.floor_height,
                          settings.has_floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
+  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     analysis.setGridSize(grid);
@@ -282,6 +286,7 @@ main(int argc, char** argv)
     analysis.setTrials(trials);
     analysis.setSliceThickness(thickness);
     analysis.setMinimumIslandArea(island);
+    analysis.setSeed(seed);
     return run(settings, analysis);
   });
 }

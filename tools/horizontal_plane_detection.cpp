@@ -45,46 +45,48 @@ nameOf(LevelKind kind)
                                     : "other";
 }
 
-/** @brief Mean height of the points of a plane, or of the plane itself over the origin
- * if it was left none. */
-double
-heightOf(const pcl::HorizontalPlane& plane, const ToolCloud& cloud)
-{
-  const auto& indices = plane.inliers.indices;
-  if (indices.empty())
-    return plane.slab.heightAt(Eigen::Vector2d::Zero());
-  double sum = 0;
-  for (const auto i : indices)
-    sum += (*cloud.points)[static_cast<std::size_t>(i)].z;
-  return sum / static_cast<double>(indices.size());
-}
-
 double
 tiltOf(const pcl::HorizontalPlane& plane)
 {
   return std::acos(std::min(1.0, plane.slab.plane[2]));
 }
 
+pcl::Indices
+allOf(const ToolCloud& cloud)
+{
+  pcl::Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/** @brief Whether another axis than z seems to be up, a sentence; empty if not, or if z
+ * is to be trusted. */
+std::string
+turned(const Settings& settings, const ToolCloud& cloud, bool z_has_rooms)
+{
+  if (settings.trust_up)
+    return "";
+  const std::string problem = pcl::sedr::upProblem(pcl::sedr::PointView(*cloud.points),
+                                                   allOf(cloud), z_has_rooms);
+  return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
+}
+
 /** @brief Refuses what is no scan of rooms in metres with z up. */
 void
 checkScan(const Settings& settings, const ToolCloud& cloud)
 {
-  pcl::Indices all(cloud.size());
-  std::iota(all.begin(), all.end(), 0);
-  const pcl::sedr::PointView points(*cloud.points);
-  std::string problem = pcl::sedr::scanProblem(points, all);
-  if (problem.empty() && !settings.trust_up) {
-    problem = pcl::sedr::upProblem(points, all);
-    problem += problem.empty() ? "" : ", or say --z-up if it is right as it is";
-  }
+  std::string problem =
+      pcl::sedr::scanProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud));
+  if (problem.empty())
+    problem = turned(settings, cloud, true);
   if (!problem.empty())
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
 }
 
-/** @brief Refuses planes without a ceiling or without a floor; tells the largest six.
- */
-void
-checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
+/** @brief What is missing where there is no ceiling or no floor, and the largest six
+ * planes; empty if there are both. */
+std::string
+missingKind(const Planes& planes, double room_height)
 {
   const auto count = [&](LevelKind kind) {
     return std::count_if(planes.begin(), planes.end(),
@@ -93,7 +95,7 @@ checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
   const auto ceilings = count(LevelKind::Ceiling);
   const auto floors = count(LevelKind::Floor);
   if (ceilings > 0 && floors > 0)
-    return;
+    return "";
   std::vector<const pcl::HorizontalPlane*> largest;
   for (const auto& plane : planes)
     largest.push_back(&plane);
@@ -109,11 +111,21 @@ checkKinds(const Planes& planes, const ToolCloud& cloud, double room_height)
   std::string sentence = text;
   for (const auto* plane : largest) {
     std::snprintf(text, sizeof text, "%s %.2f m %s %.1f m2",
-                  plane == largest.front() ? "" : ",", heightOf(*plane, cloud),
+                  plane == largest.front() ? "" : ",", plane->height,
                   nameOf(plane->kind), plane->area);
     sentence += text;
   }
-  throw ToolError(sentence, NothingFound);
+  return sentence;
+}
+
+/** @brief Planes whose inliers cover less than the smallest plane are neither: the ends
+ * of walls just below a ceiling look like a ceiling until walls are left out. */
+void
+dropSmall(Planes& planes, double minimum_area)
+{
+  for (auto& plane : planes)
+    if (plane.area < minimum_area)
+      plane.kind = LevelKind::Other;
 }
 
 /** @brief Labels the inliers. Rooms belong to labels that are gone, so they go too. */
@@ -135,7 +147,7 @@ apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
 }
 
 void
-savePlanes(const std::string& path, const Planes& planes, const ToolCloud& cloud)
+savePlanes(const std::string& path, const Planes& planes)
 {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
@@ -143,7 +155,7 @@ savePlanes(const std::string& path, const Planes& planes, const ToolCloud& cloud
     const Eigen::Vector4d& p = plane.slab.plane;
     list.push_back({{"kind", nameOf(plane.kind)},
                     {"coefficients", {p[0], p[1], p[2], p[3]}},
-                    {"height", heightOf(plane, cloud)},
+                    {"height", plane.height},
                     {"area", plane.area},
                     {"residual", plane.residual},
                     {"inliers", plane.inliers.indices.size()}});
@@ -156,13 +168,14 @@ savePlanes(const std::string& path, const Planes& planes, const ToolCloud& cloud
 }
 
 void
-print(const Planes& planes, const ToolCloud& cloud)
+print(const Planes& planes)
 {
   std::printf("kind     height m   area m2  tilt deg  residual cm   inliers\n");
   for (const auto& plane : planes)
     std::printf("%-7s %9.3f %9.2f %9.2f %12.2f %9zu\n", nameOf(plane.kind),
-                heightOf(plane, cloud), plane.area, tiltOf(plane) / degree,
-                100 * plane.residual, plane.inliers.indices.size());
+                std::round(1000 * plane.height) / 1000 + 0.0, plane.area,
+                tiltOf(plane) / degree, 100 * plane.residual,
+                plane.inliers.indices.size());
 }
 
 int
@@ -180,13 +193,18 @@ run(const Settings& settings, Detection& detection)
     if (!detection.segment(planes))
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
-  checkKinds(planes, cloud, detection.getMinimumRoomHeight());
+  dropSmall(planes, detection.getMinimumArea());
+  const std::string missing = missingKind(planes, detection.getMinimumRoomHeight());
+  if (!missing.empty()) {
+    const std::string hint = turned(settings, cloud, false);
+    throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
+  }
   apply(settings, planes, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   if (!settings.planes.empty())
-    savePlanes(settings.planes, planes, cloud);
-  print(planes, cloud);
+    savePlanes(settings.planes, planes);
+  print(planes);
   return Done;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <set>
 
 namespace {
 
@@ -145,7 +146,7 @@ TEST(FitParallel, KeepsTheDirectionAndFindsTheHeight)
   cloud.add(slabAt(2.4, 0.02, 0.01), 0, 4);
   cloud.add(slabAt(2.4, 0.02, 0.01), 0, 0.5, -0.045);
   const PlanSlab slab =
-      fitParallel(cloud.view(), cloud.all(), direction, slabAt(2.43, 0.02, 0.01), 0.07);
+      fitParallel(cloud.view(), cloud.all(), direction, slabAt(2.43), 0.07);
   EXPECT_EQ(slab.plane.head<3>(), direction.plane.head<3>());
   EXPECT_NEAR(slab.heightAt({0, 0}), 2.4, 1e-5);
   EXPECT_EQ(slab.inliers, 80u * 60u);
@@ -191,6 +192,34 @@ TEST(FindSlab, LeansNoMoreThanAllowed)
       EXPECT_NEAR(leans, lean, 1e-3);
     }
   }
+}
+
+TEST(FindSlab, ALargerRampDoesNotHideAPlaneThatLeansLittle)
+{
+  const PlanSlab truth = slabAt(2.4, std::tan(2 * M_PI / 180));
+  Points cloud;
+  cloud.add(truth, 0, 2);
+  cloud.add(slabAt(1.2, std::tan(10 * M_PI / 180)), 0, 6);
+  const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.02, 3 * M_PI / 180, 1);
+  EXPECT_LT(degreesBetween(slab, truth), 0.01);
+  EXPECT_NEAR(slab.heightAt({1, 1}), truth.heightAt({1, 1}), 1e-4);
+}
+
+TEST(FindSlab, OfClutterIsAMatterOfTheSeedAlone)
+{
+  Points cloud;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> place(0, 3);
+  std::uniform_real_distribution<float> height(2.2f, 2.5f);
+  for (int i = 0; i < 600; ++i)
+    cloud.points.emplace_back(place(random), place(random), height(random));
+  std::set<double> offsets;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.02, 0.05, seed);
+    offsets.insert(slab.plane[3]);
+    EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.02, 0.05, seed).plane, slab.plane);
+  }
+  EXPECT_GT(offsets.size(), 1u) << "else this shows nothing";
 }
 
 TEST(FindSlab, IsTheSameForASeedAndNearlyTheSameForAll)

@@ -119,6 +119,12 @@ TEST(RefineToPlan, TakesTheIndexedPointsInTheirOrder)
   const Refinement result = refineToPlan(scene.points.view(), indices, scene.labels,
                                          scene.rooms, scene.plan, 0.1, 1);
   EXPECT_EQ(result.sources, indices);
+  const Refinement whole = refine(scene);
+  ASSERT_EQ(whole.sources, scene.points.all());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    EXPECT_EQ(result.points[k].position,
+              whole.points[static_cast<std::size_t>(indices[k])].position);
+  }
 }
 
 TEST(RefineToPlan, IsTheSameForAnyNumberOfThreads)

@@ -41,6 +41,7 @@ struct FurnishedRoom {
   {
     PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
     room.columns = {reversed(circle({3, 1.5}, 0.3))};
+    table = points.slab(rectangle(1, 1, 2, 2), 0.75);
     const auto isFree = [&](double x, double y) { return room.contains({x, y}); };
     const auto floor = points.slab(room.boundary, 0, isFree);
     const auto ceiling = points.slab(room.boundary, 2.5, isFree);
@@ -50,7 +51,6 @@ struct FurnishedRoom {
     for (std::size_t e = 1; e < 4; ++e)
       walls = joined(walls, points.wall(room.boundary.elements[e], 0, 2.5));
     const auto column = points.wall(room.columns[0].elements[0], 0, 2.5);
-    table = points.slab(rectangle(1, 1, 2, 2), 0.75);
     cloud = points.cloud<pcl::PointStructure>();
     label(*cloud, floor, StructureLabel::Floor);
     label(*cloud, ceiling, StructureLabel::Ceiling);

@@ -280,14 +280,24 @@ TEST(SliceDetails, OfFewerThanTheMinimumOfCellsAreNone)
   EXPECT_TRUE(scene.find(parameters).indices.empty());
 }
 
-TEST(SliceDetails, TooLargeABoxIsRefusedWithItsNumberOfCells)
+TEST(SliceDetails, AStrayPointFarAwayChangesNothing)
 {
-  RoomPoints points;
-  const RoomParts parts = points.room(plainRoom());
-  points.point(9e6, 9e6, 1);
+  Scene scene(soffitRoom(0.3));
+  const SliceDetails truth = scene.find();
+  scene.points.point(9e6, -9e6, 1);
+  const SliceDetails details = scene.find();
+  EXPECT_EQ(details.indices, truth.indices);
+  EXPECT_EQ(details.sizes, truth.sizes);
+}
+
+TEST(SliceDetails, TooLargeACeilingIsRefusedWithItsNumberOfCells)
+{
+  Scene scene(soffitRoom(0.3));
+  scene.parts.ceiling.push_back(scene.points.point(9e6, -9e6, height));
   std::string problem;
-  const SliceDetails details = findSliceDetails(
-      points.view(), points.all(), parts.ceiling, slabAt(height), 0, {}, problem);
+  const SliceDetails details =
+      findSliceDetails(scene.points.view(), scene.points.all(), scene.parts.ceiling,
+                       slabAt(height), 0, {}, problem);
   EXPECT_NE(problem.find("cells"), std::string::npos) << problem;
   EXPECT_TRUE(details.indices.empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
 #include "tools/box_room.h"
+#include "tools/option_help.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
@@ -9,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace {
 
@@ -72,6 +75,27 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   EXPECT_EQ(mesh.at("components").size(), 2u);
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 12 * 2.5 - 1.8 * 0.4 + 9 * 2.5,
               0.6);
+}
+
+TEST(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
+{
+  const std::vector<std::pair<const char*, std::string>> pages{
+      {PARALLEL_VOXEL_GRID, "parallel_voxel_grid"},
+      {HORIZONTAL_PLANE_DETECTION, "horizontal_plane_detection"},
+      {GRID_REGION_OUTLIER_REMOVAL, "grid_region_outlier_removal"},
+      {GRID_SLICE_DETAIL, "grid_slice_detail"},
+      {FLOOR_PROJECTION_RECOVERY, "floor_projection_recovery"},
+      {CEILING_BOUNDARY_WALL_GROWING, "ceiling_boundary_wall_growing"},
+      {FLOORPLAN_FITTING, "floorplan_fitting"},
+      {STRUCTURE_REFINEMENT, "structure_refinement"},
+      {VERTICAL_HOLE_REPAIR, "vertical_hole_repair"},
+      {SEDR, "indoor_structure_reconstruction"}};
+  for (const auto& [tool, name] : pages) {
+    const std::string page = bytesOf(DOC_FOLDER "/" + name + ".md");
+    for (const auto& option : optionsIn(run(tool, {"-h"}).out))
+      EXPECT_NE(page.find("`--" + option.name), std::string::npos)
+          << name << ".md does not tell --" << option.name;
+  }
 }
 
 } // namespace

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/labelling_tools.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+
+using namespace programs;
+using pcl::sedr::tools::loadCloud;
+using pcl::sedr::tools::ToolCloud;
+
+INSTANTIATE_TEST_SUITE_P(HorizontalPlaneDetection,
+                         ToolContract,
+                         ::testing::Values(Tool(HORIZONTAL_PLANE_DETECTION)));
+
+using HorizontalPlaneDetectionTool = LabellingTools;
+
+TEST_F(HorizontalPlaneDetectionTool, LabelsCeilingAndFloorAndKeepsAllFields)
+{
+  const RoomScan scan = scanOf();
+  const ProgramRun result =
+      runOn(HORIZONTAL_PLANE_DETECTION, scan.pcd(false), "output.pcd");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  expectIntensity(cloud);
+  // Columns of walls are neither, so one row of points along each wall is lost.
+  EXPECT_GT(share(scan, cloud, Label::Ceiling, Label::Ceiling), 0.93);
+  EXPECT_GT(share(scan, cloud, Label::Floor, Label::Floor), 0.9);
+  EXPECT_EQ(share(scan, cloud, Label::Floor, Label::Ceiling), 0);
+  EXPECT_LT(share(scan, cloud, Label::Other, Label::Ceiling), 0.001);
+  EXPECT_LT(share(scan, cloud, Label::Other, Label::Floor), 0.05) << "no table top";
+}
+
+TEST_F(HorizontalPlaneDetectionTool, ListsThePlanes)
+{
+  const ProgramRun result = runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(false),
+                                  "output.pcd", {"--planes", in("planes.json")});
+  const auto json = nlohmann::json::parse(bytesOf(in("planes.json")));
+  EXPECT_EQ(json.at("format"), "sedr-planes");
+  std::size_t ceilings = 0;
+  for (const auto& plane : json.at("planes")) {
+    if (plane.at("kind") != "ceiling")
+      continue;
+    ++ceilings;
+    EXPECT_NEAR(plane.at("height").get<double>(), 2.5, 0.002);
+    EXPECT_NEAR(plane.at("coefficients").at(3).get<double>(), -2.5, 0.002);
+    EXPECT_NEAR(plane.at("area").get<double>(), 12, 1);
+    EXPECT_LT(plane.at("residual").get<double>(), 0.002);
+    EXPECT_GT(plane.at("inliers").get<std::size_t>(), 4000u);
+  }
+  EXPECT_EQ(ceilings, 1u);
+  EXPECT_EQ(
+      static_cast<std::size_t>(std::count(result.out.begin(), result.out.end(), '\n')),
+      json.at("planes").size() + 1)
+      << "a heading and a line a plane:\n"
+      << result.out;
+  EXPECT_NE(result.out.find("ceiling     2.500"), std::string::npos) << result.out;
+}
+
+TEST_F(HorizontalPlaneDetectionTool, ForgetsRoomsUnlessTheyAreToStay)
+{
+  const std::string bytes = scanOf().pcd(true);
+  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd").exit_code, 0);
+  EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 0u);
+  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--keep-rooms"})
+                .exit_code,
+            0);
+  EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 1u);
+}
+
+TEST_F(HorizontalPlaneDetectionTool, SaysWhatIsMissing)
+{
+  const RoomScan scan = scanOf();
+  const auto detect = [&](const RoomScan& part, const Strings& options = {}) {
+    return runOn(HORIZONTAL_PLANE_DETECTION, part.pcd(false), "output.pcd", options);
+  };
+  expectNothingFound(detect(scan.withoutLabel(Label::Ceiling)), "0 are ceilings");
+  expectNothingFound(detect(scan.withoutLabel(Label::Floor)), "0 floors");
+  expectNothingFound(
+      detect(scan.without([](const auto& p) { return p.label != Label::Floor; })),
+      "of 1 horizontal planes 0 are ceilings and 0 floors");
+  expectNothingFound(
+      detect(scan.without([](const auto& p) { return p.label != Label::Wall; })),
+      "horizontal plane");
+  expectNothingFound(detect(scan, {"--min-height", "2.6"}), "2.60 m below");
+  expectNothingFound(detect(scan, {"--min-area", "50"}), "50");
+}
+
+TEST_F(HorizontalPlaneDetectionTool, KnowsScansThatCannotBeRoomsInMetres)
+{
+  BoxRoom large;
+  large.width = 6;
+  large.depth = 5;
+  RoomScan scan = scanOf(large);
+  const auto detect = [&](const Strings& options = {}) {
+    return runOn(HORIZONTAL_PLANE_DETECTION, scan.pcd(false), "output.pcd", options);
+  };
+  for (auto& p : scan.points)
+    std::swap(p.y, p.z);
+  expectNothingFound(detect(), "y seems to be up");
+  EXPECT_EQ(detect({"--z-up"}).err.find("y seems to be up"), std::string::npos);
+  std::filesystem::remove(in("output.pcd"));
+
+  for (auto& p : scan.points) {
+    std::swap(p.y, p.z);
+    p.x *= 1000;
+    p.y *= 1000;
+    p.z *= 1000;
+  }
+  expectNothingFound(detect(), "millimetre");
+  scan.points.resize(900);
+  expectNothingFound(detect(), "900");
+}
+
+TEST_F(HorizontalPlaneDetectionTool, SuspectsATurnedScanWhereNothingIsFound)
+{
+  BoxRoom room;
+  room.width = 6;
+  room.depth = 4.4; // as a height it would do
+  RoomScan scan = scanOf(room);
+  for (auto& p : scan.points)
+    std::swap(p.y, p.z);
+  expectNothingFound(runOn(HORIZONTAL_PLANE_DETECTION, scan.pcd(false), "output.pcd",
+                           {"--min-height", "4.6"}),
+                     "4.60 m below it");
+  expectNothingFound(runOn(HORIZONTAL_PLANE_DETECTION, scan.pcd(false), "output.pcd",
+                           {"--min-height", "4.6"}),
+                     "y seems to be up");
+}
+
+} // namespace
