@@ -81,7 +81,10 @@ void
 roundToFloat(TriangleMesh& mesh)
 {
   for (Eigen::Vector3d& v : mesh.vertices)
-    v = v.cast<float>().cast<double>();
+    for (int k = 0; k < 3; ++k) {
+      volatile float rounded = static_cast<float>(v[k]); // or g++ 12 leaves it out at -O2
+      v[k] = static_cast<double>(rounded);
+    }
 }
 
 // Twice what a float resolves at the far corner of the mesh.

@@ -264,6 +264,24 @@ TEST(SliceDetails, ATableAndAShelfAreNone)
   EXPECT_TRUE(scene.find().indices.empty());
 }
 
+TEST(SliceDetails, ATableBelowAnUnseenPartOfTheCeilingIsNone)
+{
+  const PlanLoop table = rectangle(4.01, 0.01, 5.01, 4.01);
+  Scene scene(plainRoom());
+  scene.parts.ceiling.erase(
+      std::remove_if(scene.parts.ceiling.begin(), scene.parts.ceiling.end(),
+                     [&](int i) { return scene.points[i].x() > 4.01f; }),
+      scene.parts.ceiling.end());
+  const auto top = scene.points.slab(table, 0.9);
+  std::vector<int> seen = joined(scene.parts.ceiling, scene.parts.floor);
+  seen = joined(joined(seen, scene.parts.walls), top);
+  std::string problem;
+  const SliceDetails details = findSliceDetails(
+      scene.points.view(), seen, scene.parts.ceiling, slabAt(height), 0, {}, problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_TRUE(details.indices.empty()) << details.indices.size();
+}
+
 TEST(SliceDetails, OfFewerThanTheMinimumOfCellsAreNone)
 {
   PlanRoom room = plainRoom();

@@ -190,6 +190,18 @@ TEST(SegmentRooms, WithoutAFloorBelowItIsNoRoom)
   EXPECT_EQ(rooms.at(2, 1.5), 0);
 }
 
+TEST(SegmentRooms, AFloorThatWallsGoThroughIsATable)
+{
+  // Tables hide the floor wholly; the walls were seen down to it.
+  RoomPoints points;
+  const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+  for (const auto& e : loop.elements)
+    points.wall(e, 0, 2.7);
+  points.slab(loop, 2.7);
+  points.slab(loop, 0.7);
+  EXPECT_TRUE(Rooms(points).regions.empty());
+}
+
 TEST(SegmentRooms, SmallerThanTheMinimumItIsNoRoom)
 {
   RoomPoints points;

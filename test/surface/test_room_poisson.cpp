@@ -108,8 +108,11 @@ TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
   ASSERT_TRUE(reconstructRoom(room.points(0.125), {}, mesh, nearest, report));
   EXPECT_TRUE(report.closed) << report.problem;
   EXPECT_NEAR(report.volume, 90, 1);
+  std::size_t off_float = 0;
   for (const auto& v : mesh.vertices)
-    EXPECT_EQ(v, v.cast<float>().cast<double>());
+    for (int k = 0; k < 3; ++k)
+      off_float += v[k] != static_cast<double>(static_cast<float>(v[k])) ? 1 : 0;
+  EXPECT_EQ(off_float, 0u);
 }
 
 TEST(RoomPoisson, points_that_enclose_nothing_do_not_pass_as_a_room)
