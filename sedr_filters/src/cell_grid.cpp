@@ -14,25 +14,24 @@ namespace sedr {
 
 namespace {
 
-/** @brief Disjoint sets with path halving; the smaller root wins, so that labels do not depend on
- * the order of unions. */
+/** @brief Disjoint sets with path halving; the smaller root wins, so that labels do not
+ * depend on the order of unions. */
 class DisjointSets {
 public:
-  explicit DisjointSets(std::size_t n) : parent_(n)
+  explicit DisjointSets(std::size_t n)
+      : parent_(n)
   {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  std::size_t
-  root(std::size_t i)
+  std::size_t root(std::size_t i)
   {
     while (parent_[i] != i)
       i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
-  void
-  join(std::size_t a, std::size_t b)
+  void join(std::size_t a, std::size_t b)
   {
     a = root(a);
     b = root(b);
@@ -43,8 +42,8 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-/** @brief Joins every cell with its eight neighbours: the one before it in the row, and the up to
- * three in the row below, which a second cursor follows. */
+/** @brief Joins every cell with its eight neighbours: the one before it in the row, and
+ * the up to three in the row below, which a second cursor follows. */
 void
 joinNeighbours(const CellSet& cells, DisjointSets& sets)
 {
@@ -84,7 +83,8 @@ CellGrid::at(double x, double y) const
           static_cast<std::int32_t>(std::floor(y / size_))};
 }
 
-CellSet::CellSet(std::vector<CellKey> keys) : keys_(std::move(keys))
+CellSet::CellSet(std::vector<CellKey> keys)
+    : keys_(std::move(keys))
 {
   std::sort(keys_.begin(), keys_.end());
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
@@ -113,10 +113,7 @@ CellSet
 unite(const CellSet& a, const CellSet& b)
 {
   std::vector<CellKey> keys;
-  std::set_union(a.keys().begin(),
-                 a.keys().end(),
-                 b.keys().begin(),
-                 b.keys().end(),
+  std::set_union(a.keys().begin(), a.keys().end(), b.keys().begin(), b.keys().end(),
                  std::back_inserter(keys));
   return CellSet::fromSorted(std::move(keys));
 }
@@ -125,11 +122,8 @@ CellSet
 intersect(const CellSet& a, const CellSet& b)
 {
   std::vector<CellKey> keys;
-  std::set_intersection(a.keys().begin(),
-                        a.keys().end(),
-                        b.keys().begin(),
-                        b.keys().end(),
-                        std::back_inserter(keys));
+  std::set_intersection(a.keys().begin(), a.keys().end(), b.keys().begin(),
+                        b.keys().end(), std::back_inserter(keys));
   return CellSet::fromSorted(std::move(keys));
 }
 
@@ -137,11 +131,8 @@ CellSet
 subtract(const CellSet& a, const CellSet& b)
 {
   std::vector<CellKey> keys;
-  std::set_difference(a.keys().begin(),
-                      a.keys().end(),
-                      b.keys().begin(),
-                      b.keys().end(),
-                      std::back_inserter(keys));
+  std::set_difference(a.keys().begin(), a.keys().end(), b.keys().begin(),
+                      b.keys().end(), std::back_inserter(keys));
   return CellSet::fromSorted(std::move(keys));
 }
 
@@ -151,7 +142,8 @@ labelRegions(const CellSet& cells)
   DisjointSets sets(cells.size());
   joinNeighbours(cells, sets);
 
-  // Roots are the first cells of their regions, so regions are met in the order of the keys.
+  // Roots are the first cells of their regions, so regions are met in the order of the
+  // keys.
   CellRegions regions;
   regions.label.resize(cells.size());
   std::vector<std::size_t> region_of_root(cells.size());
@@ -168,9 +160,8 @@ labelRegions(const CellSet& cells)
 
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return sizes[a] > sizes[b];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   std::vector<std::size_t> rank(sizes.size());
   for (std::size_t r = 0; r < order.size(); ++r) {
     rank[order[r]] = r;

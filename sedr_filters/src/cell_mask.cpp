@@ -11,14 +11,18 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/** @brief Lower envelope of the parabolas (x - i)^2 + f[i], sampled at the integers: one pass of
- * the distance transform along a row or a column of n values `stride` apart. */
+/** @brief Lower envelope of the parabolas (x - i)^2 + f[i], sampled at the integers:
+ * one pass of the distance transform along a row or a column of n values `stride`
+ * apart. */
 class ParabolaPass {
 public:
-  explicit ParabolaPass(std::size_t n) : values_(n), apex_(n), from_(n + 1) {}
+  explicit ParabolaPass(std::size_t n)
+      : values_(n)
+      , apex_(n)
+      , from_(n + 1)
+  {}
 
-  void
-  run(float* f, std::size_t n, std::size_t stride)
+  void run(float* f, std::size_t n, std::size_t stride)
   {
     std::size_t k = 0;
     bool has_any = false;
@@ -52,12 +56,12 @@ public:
   }
 
 private:
-  float
-  crossingOf(std::size_t q, std::size_t p) const
+  float crossingOf(std::size_t q, std::size_t p) const
   {
     const double fq = values_[q] + static_cast<double>(q) * static_cast<double>(q);
     const double fp = values_[p] + static_cast<double>(p) * static_cast<double>(p);
-    return static_cast<float>((fq - fp) / (2.0 * (static_cast<double>(q) - static_cast<double>(p))));
+    return static_cast<float>(
+        (fq - fp) / (2.0 * (static_cast<double>(q) - static_cast<double>(p))));
   }
 
   std::vector<float> values_;
@@ -72,8 +76,10 @@ CellBox::count() const
 {
   if (high.x < low.x || high.y < low.y)
     return 0;
-  const auto width = static_cast<std::uint64_t>(static_cast<std::int64_t>(high.x) - low.x + 1);
-  const auto height = static_cast<std::uint64_t>(static_cast<std::int64_t>(high.y) - low.y + 1);
+  const auto width =
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(high.x) - low.x + 1);
+  const auto height =
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(high.y) - low.y + 1);
   return width * height;
 }
 
@@ -94,7 +100,8 @@ boxOf(const CellSet& cells)
 CellBox
 grown(const CellBox& box, int margin)
 {
-  return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};
+  return {{box.low.x - margin, box.low.y - margin},
+          {box.high.x + margin, box.high.y + margin}};
 }
 
 std::string
@@ -106,12 +113,13 @@ maskProblem(const CellBox& box)
     return std::to_string(static_cast<std::int64_t>(high) - low + 1);
   };
   return "the region spans " + span(box.low.x, box.high.x) + " x " +
-         span(box.low.y, box.high.y) + " cells, these are " + std::to_string(box.count()) +
-         ", at most " + std::to_string(most_mask_cells) +
+         span(box.low.y, box.high.y) + " cells, these are " +
+         std::to_string(box.count()) + ", at most " + std::to_string(most_mask_cells) +
          " can be held: take larger cells or cut the scan";
 }
 
-CellMask::CellMask(const CellBox& box) : box_(box)
+CellMask::CellMask(const CellBox& box)
+    : box_(box)
 {
   if (box.count() == 0)
     return;
@@ -120,7 +128,8 @@ CellMask::CellMask(const CellBox& box) : box_(box)
   values_.assign(box.count(), 0);
 }
 
-CellMask::CellMask(const CellSet& cells, const CellBox& box) : CellMask(box)
+CellMask::CellMask(const CellSet& cells, const CellBox& box)
+    : CellMask(box)
 {
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (isInside(cells[i]))
@@ -141,7 +150,8 @@ CellMask::toSet() const
   for (std::size_t i = 0; i < values_.size(); ++i)
     if (values_[i])
       keys.push_back(keyOf(cellAt(i)));
-  return CellSet::fromSorted(std::move(keys)); // the box is walked through in their order
+  return CellSet::fromSorted(
+      std::move(keys)); // the box is walked through in their order
 }
 
 std::vector<float>
@@ -283,7 +293,9 @@ growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
 }
 
 std::vector<std::size_t>
-growLabelsWithParents(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
+growLabelsWithParents(const CellMask& domain,
+                      int steps,
+                      std::vector<std::int32_t>& label)
 {
   std::vector<std::size_t> parent(label.size(), CellSet::npos);
   growFrom(domain, steps, label, &parent);

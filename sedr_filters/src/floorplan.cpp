@@ -32,8 +32,8 @@ positiveAngle(double angle)
   return angle < 0 ? angle + two_pi : angle;
 }
 
-/** @brief Angle that the way from start to end subtends at `p`: summed over a closed loop it is
- * 2 pi times the winding number. */
+/** @brief Angle that the way from start to end subtends at `p`: summed over a closed
+ * loop it is 2 pi times the winding number. */
 double
 turnAround(const PlanElement& e, const Eigen::Vector2d& p)
 {
@@ -42,14 +42,15 @@ turnAround(const PlanElement& e, const Eigen::Vector2d& p)
   return std::atan2(cross(a, b), a.dot(b));
 }
 
-/** @brief Number of chords that stay within `tolerance` metres of an arc, 3 to 10000. */
+/** @brief Number of chords that stay within `tolerance` metres of an arc, 3 to 10000.
+ */
 std::size_t
 chordsOf(const PlanElement& arc, double tolerance)
 {
   constexpr double least = 3;
   constexpr double most = 10000;
-  // The sagitta r (1 - cos (step / 2)) is 2 r sin^2 (step / 4): no difference of nearly equal
-  // numbers however large the radius.
+  // The sagitta r (1 - cos (step / 2)) is 2 r sin^2 (step / 4): no difference of nearly
+  // equal numbers however large the radius.
   const double slack = std::min(1.0, std::max(tolerance, 1e-6) / arc.radius);
   const double step = 4 * std::asin(std::sqrt(slack / 2));
   return static_cast<std::size_t>(
@@ -107,7 +108,8 @@ PlanElement::project(const Eigen::Vector2d& p) const
   }
   const double from = angleOf(start - centre);
   const double to = angleOf(p - centre);
-  const double way = counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to);
+  const double way =
+      counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to);
   const double s = way * radius;
   if (s <= total)
     return s;
@@ -146,7 +148,8 @@ PlanLoop::length() const
 bool
 PlanLoop::contains(const Eigen::Vector2d& p) const
 {
-  // The chords give a winding number; a circular segment between arc and chord corrects it.
+  // The chords give a winding number; a circular segment between arc and chord corrects
+  // it.
   double turn = 0;
   int correction = 0;
   for (const auto& e : elements) {
@@ -214,11 +217,13 @@ namespace {
 
 /** @brief Whether `p` is inside the outer loop and outside the others. */
 bool
-isBetween(const PlanLoop& outer, const std::vector<PlanLoop>& inner, const Eigen::Vector2d& p)
+isBetween(const PlanLoop& outer,
+          const std::vector<PlanLoop>& inner,
+          const Eigen::Vector2d& p)
 {
-  return outer.contains(p) && std::none_of(inner.begin(), inner.end(), [&](const auto& loop) {
-           return loop.contains(p);
-         });
+  return outer.contains(p) &&
+         std::none_of(inner.begin(), inner.end(),
+                      [&](const auto& loop) { return loop.contains(p); });
 }
 
 } // namespace

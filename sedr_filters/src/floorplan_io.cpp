@@ -25,12 +25,13 @@ toJson(const Eigen::Vector2d& p)
   return Json::array({p.x(), p.y()});
 }
 
-/** @brief Limits of what is read: beyond them no room was ever scanned, and double precision, grids
- * and files of single precision lose the millimetres. Metres. */
+/** @brief Limits of what is read: beyond them no room was ever scanned, and double
+ * precision, grids and files of single precision lose the millimetres. Metres. */
 constexpr double most_coordinate = 1e6;
 constexpr double most_radius = 1e5;
 constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
-constexpr double least_upward = 0.7;     ///< c of a floor or ceiling: at most 45 degrees of slope
+constexpr double least_upward =
+    0.7; ///< c of a floor or ceiling: at most 45 degrees of slope
 
 Eigen::Vector2d
 pointFrom(const Json& json)
@@ -165,19 +166,20 @@ toJson(const PlanSlab& slab)
           {"residual", slab.residual}};
 }
 
-/** @brief Brings a normal that was rounded to unit length, and leaves one that was not as it is.
- * Throws where the plane is none of a floor or ceiling. */
+/** @brief Brings a normal that was rounded to unit length, and leaves one that was not
+ * as it is. Throws where the plane is none of a floor or ceiling. */
 void
 makeUpward(Eigen::Vector4d& plane)
 {
   const double length = plane.head<3>().norm();
   if (!(std::abs(length - 1) <= 1e-3))
     throw std::invalid_argument(
-        "the normal of a floor or ceiling must have length 1, it has " + numberText(length));
+        "the normal of a floor or ceiling must have length 1, it has " +
+        numberText(length));
   if (!(plane[2] >= least_upward * length))
-    throw std::invalid_argument("the plane of a floor or ceiling must face up, its c is " +
-                                numberText(plane[2]) + ", at least " +
-                                numberText(least_upward) + " is needed");
+    throw std::invalid_argument(
+        "the plane of a floor or ceiling must face up, its c is " +
+        numberText(plane[2]) + ", at least " + numberText(least_upward) + " is needed");
   // Of a place whose coordinates are within the limit: sqrt(3) times it.
   if (!(std::abs(plane[3]) <= 2 * most_coordinate))
     throw std::invalid_argument("the d of a floor or ceiling must lie within " +

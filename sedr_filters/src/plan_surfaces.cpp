@@ -13,16 +13,18 @@ namespace {
 /** @brief How far from an element its two sides are looked at, metres. */
 constexpr double beside = 0.01;
 
-/** @brief Heights of a wall or a column's face: from the floor to whatever ceiling is there. */
+/** @brief Heights of a wall or a column's face: from the floor to whatever ceiling is
+ * there. */
 UprightSpan
 wallSpan(const PlanRoom& room, const PlanElement& element, double s)
 {
   const Eigen::Vector2d p = element.pointAt(s);
-  return {room.floor.heightAt(p), room.ceilingAt(p + beside * element.normalAt(s)), true};
+  return {room.floor.heightAt(p), room.ceilingAt(p + beside * element.normalAt(s)),
+          true};
 }
 
-/** @brief Heights of a riser: between what is above the two sides of the edge. An edge between two
- * details belongs to the later one; an edge on a wall is no riser. */
+/** @brief Heights of a riser: between what is above the two sides of the edge. An edge
+ * between two details belongs to the later one; an edge on a wall is no riser. */
 UprightSpan
 riserSpan(const PlanRoom& room, const PlanElement& element, int detail, double s)
 {
@@ -43,8 +45,8 @@ clampedTo(const UprightSpan& span, double z)
   return std::min(std::max(z, span.low), std::max(span.low, span.high));
 }
 
-/** @brief The nearest place of an upright surface, by the distance in plan and what z lies beside
- * the surface's heights; infinity where that is not below `least`. */
+/** @brief The nearest place of an upright surface, by the distance in plan and what z
+ * lies beside the surface's heights; infinity where that is not below `least`. */
 double
 nearestOn(const UprightSurface& surface,
           const Eigen::Vector3d& p,
@@ -81,7 +83,8 @@ mayBelong(StructureLabel label, StructureLabel surface)
 UprightSpan
 UprightSurface::spanAt(double s) const
 {
-  return detail < 0 ? wallSpan(*room, *element, s) : riserSpan(*room, *element, detail, s);
+  return detail < 0 ? wallSpan(*room, *element, s)
+                    : riserSpan(*room, *element, detail, s);
 }
 
 Eigen::Vector3d
@@ -136,7 +139,8 @@ snapToRoom(const PlanRoom& room,
            SurfacePoint& snapped)
 {
   double least = std::numeric_limits<double>::infinity();
-  const bool is_slab = label == StructureLabel::Ceiling || label == StructureLabel::Floor ||
+  const bool is_slab = label == StructureLabel::Ceiling ||
+                       label == StructureLabel::Floor ||
                        label == StructureLabel::Detail;
   if (is_slab && room.contains(position.head<2>())) {
     snapped = slabPointAt(room, position.head<2>(), label == StructureLabel::Floor);

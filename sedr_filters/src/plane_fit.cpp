@@ -26,7 +26,8 @@ withinBand(const PointView& points,
   return inside;
 }
 
-/** @brief 1.4826 times the median distance: the standard deviation, outliers left aside. */
+/** @brief 1.4826 times the median distance: the standard deviation, outliers left
+ * aside. */
 double
 robustDeviation(const PointView& points,
                 const std::vector<int>& indices,
@@ -35,13 +36,16 @@ robustDeviation(const PointView& points,
   std::vector<double> distances;
   distances.reserve(indices.size());
   for (const int i : indices)
-    distances.push_back(std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    distances.push_back(
+        std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])));
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return 1.4826 * *middle;
 }
 
-/** @brief The plane through three points, c > 0; false where it leans more than allowed. */
+/** @brief The plane through three points, c > 0; false where it leans more than
+ * allowed. */
 bool
 planeThrough(const Eigen::Vector3d& a,
              const Eigen::Vector3d& b,
@@ -60,8 +64,8 @@ planeThrough(const Eigen::Vector3d& a,
   return true;
 }
 
-/** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the tolerance, so
- * that a thin layer wins over a thick one. */
+/** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the
+ * tolerance, so that a thin layer wins over a thick one. */
 double
 agreement(const PointView& points,
           const std::vector<int>& indices,
@@ -77,7 +81,8 @@ agreement(const PointView& points,
   return sum;
 }
 
-/** @brief The horizontal plane at the height around which, within the tolerance, most points lie. */
+/** @brief The horizontal plane at the height around which, within the tolerance, most
+ * points lie. */
 PlanSlab
 densestLevel(const PointView& points, const std::vector<int>& indices, double tolerance)
 {
@@ -126,7 +131,8 @@ fitSlab(const PointView& points, const std::vector<int>& indices)
   double sum = 0;
   for (const int i : indices)
     sum += std::pow(distanceAbove(slab, points[static_cast<std::size_t>(i)]), 2);
-  slab.residual = indices.empty() ? 0 : std::sqrt(sum / static_cast<double>(indices.size()));
+  slab.residual =
+      indices.empty() ? 0 : std::sqrt(sum / static_cast<double>(indices.size()));
   return slab;
 }
 

@@ -39,22 +39,20 @@ refineToPlan(const PointView& points,
 
   std::vector<SurfacePoint> snapped(indices.size());
   std::vector<std::uint8_t> is_structure(indices.size(), 0);
-  parallelBlocks(indices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto i = static_cast<std::size_t>(indices[k]);
-      const auto room = room_of.find(rooms[i]);
-      if (room == room_of.end() || !points.isFinite(i))
-        continue;
-      is_structure[k] = snapToRoom(*room->second,
-                                   surfaces.at(rooms[i]),
-                                   points[i].cast<double>(),
-                                   static_cast<StructureLabel>(labels[i]),
-                                   farthest,
-                                   snapped[k])
-                            ? 1
-                            : 0;
-    }
-  });
+  parallelBlocks(
+      indices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto i = static_cast<std::size_t>(indices[k]);
+          const auto room = room_of.find(rooms[i]);
+          if (room == room_of.end() || !points.isFinite(i))
+            continue;
+          is_structure[k] =
+              snapToRoom(*room->second, surfaces.at(rooms[i]), points[i].cast<double>(),
+                         static_cast<StructureLabel>(labels[i]), farthest, snapped[k])
+                  ? 1
+                  : 0;
+        }
+      });
 
   Refinement result;
   for (std::size_t k = 0; k < indices.size(); ++k)
@@ -66,7 +64,9 @@ refineToPlan(const PointView& points,
 }
 
 std::vector<RepairedPoint>
-repairHoles(const std::vector<SurfacePoint>& refined, const Floorplan& plan, double cell_size)
+repairHoles(const std::vector<SurfacePoint>& refined,
+            const Floorplan& plan,
+            double cell_size)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)

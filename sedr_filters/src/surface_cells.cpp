@@ -23,7 +23,8 @@ partsOf(double length, double size)
 constexpr double least_riser = 0.01;
 
 struct PlanBox {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d low =
+      Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
 };
 
@@ -38,8 +39,8 @@ boxOf(const PlanLoop& loop, double tolerance)
   return box;
 }
 
-/** @brief The greatest difference of height between any two slabs of a room at one place of its
- * box: it is linear in between, so the corners tell. */
+/** @brief The greatest difference of height between any two slabs of a room at one
+ * place of its box: it is linear in between, so the corners tell. */
 double
 greatestHeight(const PlanRoom& room, const PlanBox& box)
 {
@@ -58,8 +59,8 @@ greatestHeight(const PlanRoom& room, const PlanBox& box)
   return greatest;
 }
 
-/** @brief About how many cells a room has, the empty ones of its box in plan included, for they
- * take memory too. */
+/** @brief About how many cells a room has, the empty ones of its box in plan included,
+ * for they take memory too. */
 double
 estimatedCells(const PlanRoom& room, double size)
 {
@@ -100,7 +101,9 @@ surfaceCellsProblem(const Floorplan& plan, double size)
          " can be held: take larger cells";
 }
 
-SurfaceCells::SurfaceCells(const PlanRoom& room, double size) : room_(room), size_(size)
+SurfaceCells::SurfaceCells(const PlanRoom& room, double size)
+    : room_(room)
+    , size_(size)
 {
   for (const auto& surface : uprightSurfaces(room_))
     addStrip(surface);
@@ -113,7 +116,8 @@ SurfaceCells::addStrip(const UprightSurface& surface)
   Strip strip{surface, surface.element->length(), {}, {}};
   const std::size_t columns = partsOf(strip.length, size_);
   for (std::size_t c = 0; c < columns; ++c) {
-    const double s = strip.length * (static_cast<double>(c) + 0.5) / static_cast<double>(columns);
+    const double s =
+        strip.length * (static_cast<double>(c) + 0.5) / static_cast<double>(columns);
     const UprightSpan span = surface.spanAt(s);
     strip.first.push_back(cells_.size());
     strip.spans.push_back(span);
@@ -123,9 +127,9 @@ SurfaceCells::addStrip(const UprightSurface& surface)
     const Eigen::Vector2d place = surface.element->pointAt(s);
     for (std::size_t r = 0; r < rows; ++r) {
       SurfaceCell cell;
-      cell.centre.position << place,
-          span.low + (span.high - span.low) * (static_cast<double>(r) + 0.5) /
-                         static_cast<double>(rows);
+      cell.centre.position << place, span.low + (span.high - span.low) *
+                                                    (static_cast<double>(r) + 0.5) /
+                                                    static_cast<double>(rows);
       cell.centre.normal = surface.normalAt(s);
       cell.centre.label = surface.label;
       cell.centre.room = room_.id;
@@ -168,7 +172,8 @@ SurfaceCells::planIndex(const Eigen::Vector2d& place, std::size_t& index) const
   if (cell.x() < 0 || cell.y() < 0 || cell.x() >= static_cast<double>(width_) ||
       cell.y() >= static_cast<double>(height_))
     return false;
-  index = static_cast<std::size_t>(cell.y()) * width_ + static_cast<std::size_t>(cell.x());
+  index =
+      static_cast<std::size_t>(cell.y()) * width_ + static_cast<std::size_t>(cell.x());
   return true;
 }
 
@@ -186,8 +191,9 @@ SurfaceCells::findUpright(const SurfacePoint& point) const
     if (d >= least)
       continue;
     const std::size_t columns = strip.spans.size();
-    const auto c = std::min(
-        columns - 1, static_cast<std::size_t>(s / strip.length * static_cast<double>(columns)));
+    const auto c =
+        std::min(columns - 1, static_cast<std::size_t>(s / strip.length *
+                                                       static_cast<double>(columns)));
     const std::size_t rows = strip.first[c + 1] - strip.first[c];
     const UprightSpan& span = strip.spans[c];
     const double t = (point.position.z() - span.low) / (span.high - span.low);

@@ -10,7 +10,7 @@ ColumnTable::ColumnTable(const CellGrid& grid,
                          const CellBox& box,
                          const PointView& points,
                          const std::vector<int>& indices)
-: frame_(box)
+    : frame_(box)
 {
   const auto cellIndex = [&](const Eigen::Vector3f& p, std::size_t& cell) {
     if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()) ||
@@ -58,9 +58,8 @@ ColumnTable::end(Cell cell) const
 bool
 ColumnTable::hasWithin(Cell cell, double low, double high) const
 {
-  const Entry* it = std::lower_bound(begin(cell), end(cell), low, [](const Entry& e, double z) {
-    return e.z < z;
-  });
+  const Entry* it = std::lower_bound(begin(cell), end(cell), low,
+                                     [](const Entry& e, double z) { return e.z < z; });
   return it != end(cell) && it->z <= high;
 }
 

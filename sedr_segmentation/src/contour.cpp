@@ -13,8 +13,8 @@ namespace {
 /** @brief The four ways along cell edges: east, north, west, south. */
 constexpr std::array<Cell, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/** @brief The cell on the left of the edge that leaves `corner` in direction `way`; corners carry
- * the index of the cell to their north-east. */
+/** @brief The cell on the left of the edge that leaves `corner` in direction `way`;
+ * corners carry the index of the cell to their north-east. */
 Cell
 cellLeftOf(Cell corner, int way)
 {
@@ -30,16 +30,20 @@ cellLeftOf(Cell corner, int way)
   }
 }
 
-/** @brief Whether a contour runs from `corner` in direction `way`: set on its left, not on its
- * right. */
+/** @brief Whether a contour runs from `corner` in direction `way`: set on its left, not
+ * on its right. */
 bool
 isEdge(const CellMask& mask, Cell corner, int way)
 {
-  return mask.at(cellLeftOf(corner, way)) && !mask.at(cellLeftOf(corner, (way + 3) % 4));
+  return mask.at(cellLeftOf(corner, way)) &&
+         !mask.at(cellLeftOf(corner, (way + 3) % 4));
 }
 
 Contour
-follow(const CellMask& mask, Cell corner, double cell_size, std::vector<std::uint8_t>& seen)
+follow(const CellMask& mask,
+       Cell corner,
+       double cell_size,
+       std::vector<std::uint8_t>& seen)
 {
   Contour contour;
   int way = 0;
@@ -48,7 +52,8 @@ follow(const CellMask& mask, Cell corner, double cell_size, std::vector<std::uin
     contour.emplace_back(corner.x * cell_size, corner.y * cell_size);
     corner = {corner.x + ways[static_cast<std::size_t>(way)].x,
               corner.y + ways[static_cast<std::size_t>(way)].y};
-    for (const int turn : {1, 0, 3}) // left first: cells that share a corner only stay apart
+    for (const int turn :
+         {1, 0, 3}) // left first: cells that share a corner only stay apart
       if (isEdge(mask, corner, (way + turn) % 4)) {
         way = (way + turn) % 4;
         break;
@@ -101,8 +106,9 @@ simplify(const std::vector<Eigen::Vector2d>& p,
     std::size_t split = 0;
     for (std::size_t i = from + 1; i < to; ++i) {
       const Eigen::Vector2d q = p[i % p.size()] - a;
-      const double t =
-          way.squaredNorm() > 0 ? std::clamp(q.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+      const double t = way.squaredNorm() > 0
+                           ? std::clamp(q.dot(way) / way.squaredNorm(), 0.0, 1.0)
+                           : 0;
       const double d = (q - t * way).norm();
       if (d > farthest) {
         farthest = d;
@@ -139,7 +145,9 @@ signedArea(const std::vector<Eigen::Vector2d>& polygon)
 {
   double area = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    area += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]) / 2;
+    area +=
+        cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]) /
+        2;
   return area;
 }
 

@@ -14,7 +14,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief The height of every cell of a room: 0 the main ceiling, k the k-th underside, -1 none. */
+/** @brief The height of every cell of a room: 0 the main ceiling, k the k-th underside,
+ * -1 none. */
 struct HeightMap {
   CellMask room;
   std::vector<std::int32_t> label;
@@ -57,8 +58,8 @@ heightOverCeiling(const PlanRoom& room,
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-/** @brief The plane of the underside above some cells: parallel to the main ceiling, unless its
- * points say clearly otherwise. */
+/** @brief The plane of the underside above some cells: parallel to the main ceiling,
+ * unless its points say clearly otherwise. */
 PlanSlab
 undersideOf(const PointView& points,
             const RoomEvidence& evidence,
@@ -77,10 +78,10 @@ undersideOf(const PointView& points,
   }
   const PlanSlab leaning =
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
-  const PlanSlab parallel = fitParallel(
-      points, own, room.ceiling, level.slab, parameters.slab_tolerance);
-  const bool is_clear = leaning.residual < 0.7 * parallel.residual &&
-                        leaning.inliers >= parallel.inliers;
+  const PlanSlab parallel =
+      fitParallel(points, own, room.ceiling, level.slab, parameters.slab_tolerance);
+  const bool is_clear =
+      leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
   return is_clear ? leaning : parallel;
 }
 
@@ -93,8 +94,8 @@ seenHeights(const PointView& points,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  const auto least = static_cast<std::size_t>(
-      parameters.minimum_detail_area / (grid.size() * grid.size()));
+  const auto least = static_cast<std::size_t>(parameters.minimum_detail_area /
+                                              (grid.size() * grid.size()));
   HeightMap map{room, std::vector<std::int32_t>(room.values().size(), -1), {}};
   const CellMask ceiling =
       intersect(CellMask(CellSet(grid, points, evidence.ceiling), room.box()), room);
@@ -111,13 +112,9 @@ seenHeights(const PointView& points,
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < least)
         continue;
-      map.undersides.push_back(
-          undersideOf(points,
-                      evidence,
-                      room_plan,
-                      level,
-                      regionMask(cells, regions, static_cast<std::int32_t>(r)),
-                      parameters));
+      map.undersides.push_back(undersideOf(
+          points, evidence, room_plan, level,
+          regionMask(cells, regions, static_cast<std::int32_t>(r)), parameters));
       for (std::size_t i = 0; i < map.label.size(); ++i)
         if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
           map.label[i] = static_cast<std::int32_t>(map.undersides.size());
@@ -148,7 +145,8 @@ appendCurves(const PlanLoop& loop, std::vector<PlanCurve>& curves)
   }
 }
 
-/** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie on it. */
+/** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie
+ * on it. */
 void
 appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
 {
@@ -161,10 +159,12 @@ appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
 const PlanSlab&
 slabOf(const HeightMap& map, const PlanRoom& room, std::int32_t label)
 {
-  return label == 0 ? room.ceiling : map.undersides[static_cast<std::size_t>(label - 1)];
+  return label == 0 ? room.ceiling
+                    : map.undersides[static_cast<std::size_t>(label - 1)];
 }
 
-/** @brief Lowest and highest ceiling within two cells of a cell; false where there is one only. */
+/** @brief Lowest and highest ceiling within two cells of a cell; false where there is
+ * one only. */
 bool
 stepBeside(const HeightMap& map,
            const PlanRoom& room,
@@ -178,7 +178,8 @@ stepBeside(const HeightMap& map,
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx) {
       const Cell near{cell.x + dx, cell.y + dy};
-      const std::int32_t label = map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      const std::int32_t label =
+          map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
       if (label < 0)
         continue;
       const double height = slabOf(map, room, label).heightAt(grid.centre(cell));
@@ -188,7 +189,8 @@ stepBeside(const HeightMap& map,
   return high - low >= least_step;
 }
 
-/** @brief Points in plan that show edges of details: those between two ceilings beside each other. */
+/** @brief Points in plan that show edges of details: those between two ceilings beside
+ * each other. */
 std::vector<Eigen::Vector2d>
 riserPoints(const PointView& points,
             const RoomEvidence& evidence,
@@ -203,7 +205,8 @@ riserPoints(const PointView& points,
     const Cell cell = grid.at(p.x(), p.y());
     double low = 0;
     double high = 0;
-    if (!map.room.isInside(cell) || p.z() < room.floor.heightAt(grid.centre(cell)) + 1.0 ||
+    if (!map.room.isInside(cell) ||
+        p.z() < room.floor.heightAt(grid.centre(cell)) + 1.0 ||
         !stepBeside(map, room, grid, cell, low, high))
       continue;
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
@@ -213,8 +216,8 @@ riserPoints(const PointView& points,
   return risers;
 }
 
-/** @brief Whether something closes the step along most of the edge between an underside and what
- * is beside it. A shelf below a soffit has no riser: it is furniture. */
+/** @brief Whether something closes the step along most of the edge between an underside
+ * and what is beside it. A shelf below a soffit has no riser: it is furniture. */
 bool
 hasRisers(const HeightMap& map,
           const PlanRoom& room,
@@ -238,16 +241,16 @@ hasRisers(const HeightMap& map,
       const double a = slabOf(map, room, label).heightAt(p);
       const double b = slabOf(map, room, other).heightAt(p);
       ++edges;
-      if (std::abs(a - b) < 0.1 ||
-          columns.share(cell, std::min(a, b) + 0.02, std::max(a, b) - 0.02, 4, 2) >= 0.5)
+      if (std::abs(a - b) < 0.1 || columns.share(cell, std::min(a, b) + 0.02,
+                                                 std::max(a, b) - 0.02, 4, 2) >= 0.5)
         ++closed;
     }
   }
   return 2 * closed >= edges;
 }
 
-/** @brief Takes out the undersides without risers, one by one, and gives their cells to what is
- * beside them. */
+/** @brief Takes out the undersides without risers, one by one, and gives their cells to
+ * what is beside them. */
 void
 dropUnsupported(HeightMap& map,
                 const PlanRoom& room,
@@ -283,13 +286,13 @@ fitDetail(const HeightMap& map,
   LoopParameters loop = parameters.loop;
   loop.expected_offset = (is_low ? 0.5 : -0.5) * parameters.cell_size;
   loop.reach = 2 * parameters.cell_size;
-  loop.evidence_span = 2 * parameters.cell_size; // a riser has few points above each other
+  loop.evidence_span =
+      2 * parameters.cell_size; // a riser has few points above each other
   loop.corner_reach = 3 * parameters.cell_size;
   const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
   const auto largest = std::max_element(
-      contours.begin(), contours.end(), [](const Contour& a, const Contour& b) {
-        return signedArea(a) < signedArea(b);
-      });
+      contours.begin(), contours.end(),
+      [](const Contour& a, const Contour& b) { return signedArea(a) < signedArea(b); });
   if (largest == contours.end() || !(signedArea(*largest) > 0))
     return detail;
   detail.boundary = fitLoop(*largest, risers, walls, loop);
@@ -311,8 +314,10 @@ fitDetails(const PointView& points,
   HeightMap map = seenHeights(points, evidence, room, cells, parameters);
   fillHeights(map);
   const CellGrid grid(parameters.cell_size);
-  dropUnsupported(map, room, ColumnTable(grid, cells.box(), points, evidence.around), grid);
-  std::vector<Eigen::Vector2d> edges = riserPoints(points, evidence, room, map, parameters);
+  dropUnsupported(map, room, ColumnTable(grid, cells.box(), points, evidence.around),
+                  grid);
+  std::vector<Eigen::Vector2d> edges =
+      riserPoints(points, evidence, room, map, parameters);
   appendPoints(room.boundary, edges);
   const PlanPoints risers(std::move(edges), 0.1);
   std::vector<PlanCurve> walls;
@@ -322,7 +327,8 @@ fitDetails(const PointView& points,
 
   std::vector<PlanDetail> details;
   for (std::size_t k = 1; k <= map.undersides.size(); ++k) {
-    PlanDetail detail = fitDetail(map, room, static_cast<std::int32_t>(k), risers, walls, parameters);
+    PlanDetail detail =
+        fitDetail(map, room, static_cast<std::int32_t>(k), risers, walls, parameters);
     if (!detail.boundary.elements.empty())
       details.push_back(std::move(detail));
   }

@@ -27,16 +27,16 @@ namespace {
 /** @brief Cells around a region that its judgement looks at. */
 constexpr int region_margin = 6;
 
-/** @brief The tops of the columns that are not ceiling: undersides (short runs) in regions of one
- * height, and risers (long runs). */
+/** @brief The tops of the columns that are not ceiling: undersides (short runs) in
+ * regions of one height, and risers (long runs). */
 struct Tops {
   CellMask undersides;
   CellMask risers;
   std::vector<float> height; ///< lower end of the uppermost run of each cell
 };
 
-/** @brief Strips of undersides narrower than three cells are left out: the wall above a window or a
- * door ends in such a strip. */
+/** @brief Strips of undersides narrower than three cells are left out: the wall above a
+ * window or a door ends in such a strip. */
 Tops
 findTops(const SliceScene& scene)
 {
@@ -54,8 +54,8 @@ findTops(const SliceScene& scene)
   return tops;
 }
 
-/** @brief Regions of undersides in which neighbours differ by less than the tolerance in height,
- * each in a box of its own. */
+/** @brief Regions of undersides in which neighbours differ by less than the tolerance
+ * in height, each in a box of its own. */
 std::vector<CellMask>
 regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
 {
@@ -74,8 +74,8 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
         for (int dx = -1; dx <= 1; ++dx) {
           const Cell to{cell.x + dx, cell.y + dy};
           if (!mask.at(to) || seen.at(to) ||
-              std::abs(tops.height[mask.indexOf(to)] - tops.height[mask.indexOf(cell)]) >
-                  scene.parameters.tolerance)
+              std::abs(tops.height[mask.indexOf(to)] -
+                       tops.height[mask.indexOf(cell)]) > scene.parameters.tolerance)
             continue;
           seen.set(to, 1);
           keys.push_back(keyOf(to));
@@ -89,16 +89,16 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
   return regions;
 }
 
-/** @brief Whether the floor goes on below a quarter of a region or more. Below the head of a window
- * there is a sill. */
+/** @brief Whether the floor goes on below a quarter of a region or more. Below the head
+ * of a window there is a sill. */
 bool
 hasFloorBelow(const SliceScene& scene, const CellMask& region)
 {
   std::size_t above_floor = 0;
   for (std::size_t i = 0; i < region.values().size(); ++i)
-    if (region.values()[i] && scene.columns.hasWithin(region.cellAt(i),
-                                                      scene.floor_height - 0.1,
-                                                      scene.floor_height + 0.1))
+    if (region.values()[i] &&
+        scene.columns.hasWithin(region.cellAt(i), scene.floor_height - 0.1,
+                                scene.floor_height + 0.1))
       ++above_floor;
   return 4 * above_floor >= region.count();
 }
@@ -111,7 +111,8 @@ struct Strip {
   double width = 0;
 };
 
-/** @brief The straight strip that cells spread along: one of length l has the variance l^2 / 12. */
+/** @brief The straight strip that cells spread along: one of length l has the variance
+ * l^2 / 12. */
 Strip
 stripOf(const CellMask& cells, const CellGrid& grid)
 {
@@ -146,7 +147,10 @@ goesOnAsWall(const SliceScene& scene, const Strip& strip, double top)
       const Eigen::Vector2d p =
           strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
       const Cell cell = scene.grid.at(p.x(), p.y());
-      walls += scene.columns.share(cell, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+      walls +=
+          scene.columns.share(cell, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6
+              ? 1
+              : 0;
     }
     if (walls >= 3)
       return true;
@@ -154,9 +158,9 @@ goesOnAsWall(const SliceScene& scene, const Strip& strip, double top)
   return false;
 }
 
-/** @brief Whether a region is the head of a door or a window rather than a soffit: shallow, it meets
- * the rest of the ceiling along one straight line, on which the wall goes on beside it; or that
- * line is as short as a door is wide. */
+/** @brief Whether a region is the head of a door or a window rather than a soffit:
+ * shallow, it meets the rest of the ceiling along one straight line, on which the wall
+ * goes on beside it; or that line is as short as a door is wide. */
 bool
 isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
@@ -181,7 +185,8 @@ isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
          (depth < deepest && goesOnAsWall(scene, strip, top));
 }
 
-/** @brief Whether the rim of an island is closed up to the ceiling: then it is built, not hung. */
+/** @brief Whether the rim of an island is closed up to the ceiling: then it is built,
+ * not hung. */
 bool
 hasRisers(const SliceScene& scene, const CellMask& island)
 {
@@ -193,8 +198,9 @@ hasRisers(const SliceScene& scene, const CellMask& island)
     const Cell cell = rim.cellAt(i);
     const double top = scene.ceilingAt(cell);
     const std::vector<ColumnRun> runs = scene.columns.runs(cell, run_gap);
-    const double end = runs.empty() ? top : runs.back().high > top + 0.02 ? runs.back().high
-                                                                          : runs.back().low;
+    const double end = runs.empty()                    ? top
+                       : runs.back().high > top + 0.02 ? runs.back().high
+                                                       : runs.back().low;
     const double low = std::min(top, end) + 0.02;
     const double high = std::max(top, end) - 0.02;
     if (high - low < 0.05 || scene.columns.share(cell, low, high, 2, 1) >= 1)
@@ -203,10 +209,13 @@ hasRisers(const SliceScene& scene, const CellMask& island)
   return 2 * closed >= rim.count();
 }
 
-/** @brief Whether a region of one height is a part of the ceiling. What the ceiling encloses all
- * around is an island: small or unattached ones are lamps. */
+/** @brief Whether a region of one height is a part of the ceiling. What the ceiling
+ * encloses all around is an island: small or unattached ones are lamps. */
 bool
-isDetail(const SliceScene& scene, const Tops& tops, const CellMask& enclosed, const CellMask& region)
+isDetail(const SliceScene& scene,
+         const Tops& tops,
+         const CellMask& enclosed,
+         const CellMask& region)
 {
   const SliceParameters& p = scene.parameters;
   if (intersect(region, enclosed).count() == region.count()) {
@@ -216,7 +225,8 @@ isDetail(const SliceScene& scene, const Tops& tops, const CellMask& enclosed, co
   return hasFloorBelow(scene, region) && !isNiche(scene, tops, region);
 }
 
-/** @brief The regions of `cells` that come within two cells of `ceiling`, or of one that does. */
+/** @brief The regions of `cells` that come within two cells of `ceiling`, or of one
+ * that does. */
 CellMask
 joinedWith(const CellMask& ceiling, const CellMask& cells)
 {
@@ -236,8 +246,8 @@ joinedWith(const CellMask& ceiling, const CellMask& cells)
   return joined;
 }
 
-/** @brief The risers that join a kept underside: they do not reach below it and the ceiling, as the
- * wall above a window under a soffit does. */
+/** @brief The risers that join a kept underside: they do not reach below it and the
+ * ceiling, as the wall above a window under a soffit does. */
 CellMask
 risersBeside(const SliceScene& scene, const Tops& tops, const CellMask& kept)
 {
@@ -293,12 +303,13 @@ detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices)
   kept = joinedWith(scene.ceiling, kept);
   const CellMask risers = risersBeside(scene, tops, kept);
   kept = unite(kept, risers);
-  // What was not seen of a detail, the slices' outline encloses with it; walls and heads of windows
-  // bound it.
+  // What was not seen of a detail, the slices' outline encloses with it; walls and
+  // heads of windows bound it.
   const CellMask bounds = unite(refused, subtract(tops.risers, risers));
   const MaskRegions outlined = labelRegions(enclosed_by_slices, true);
   for (std::size_t r = 0; r < outlined.sizes.size(); ++r) {
-    const CellMask region = regionMask(enclosed_by_slices, outlined, static_cast<std::int32_t>(r));
+    const CellMask region =
+        regionMask(enclosed_by_slices, outlined, static_cast<std::int32_t>(r));
     if (2 * intersect(region, kept).count() >= region.count())
       kept = grownInto(kept, subtract(region, bounds));
   }

@@ -41,8 +41,8 @@ sortIntoColumns(const PointView& points,
   return columns;
 }
 
-/** @brief Leaves out the points of vertical surfaces: those that see others of their column both
- * above and below, between one and three tolerances away. */
+/** @brief Leaves out the points of vertical surfaces: those that see others of their
+ * column both above and below, between one and three tolerances away. */
 std::vector<Candidate>
 withoutWalls(const std::vector<Candidate>& columns, double tolerance)
 {
@@ -52,21 +52,23 @@ withoutWalls(const std::vector<Candidate>& columns, double tolerance)
     };
     const Candidate low{0, static_cast<float>(columns[i].z + from), columns[i].cell};
     const auto it = std::lower_bound(columns.begin(), columns.end(), low, before);
-    return it != columns.end() && it->cell == columns[i].cell && it->z <= columns[i].z + to;
+    return it != columns.end() && it->cell == columns[i].cell &&
+           it->z <= columns[i].z + to;
   };
   std::vector<Candidate> horizontal;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (!hasWithin(i, tolerance, 3 * tolerance) || !hasWithin(i, -3 * tolerance, -tolerance))
+    if (!hasWithin(i, tolerance, 3 * tolerance) ||
+        !hasWithin(i, -3 * tolerance, -tolerance))
       horizontal.push_back(columns[i]);
-  std::sort(horizontal.begin(),
-            horizontal.end(),
+  std::sort(horizontal.begin(), horizontal.end(),
             [](const Candidate& a, const Candidate& b) {
               return a.z != b.z ? a.z < b.z : a.index < b.index;
             });
   return horizontal;
 }
 
-/** @brief A stretch [first, last) of candidates sorted by height, and its number of cells. */
+/** @brief A stretch [first, last) of candidates sorted by height, and its number of
+ * cells. */
 struct Window {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -75,7 +77,9 @@ struct Window {
 
 /** @brief The window of the given height that holds points in most cells. O(n). */
 Window
-densestWindow(const std::vector<Candidate>& sorted, double height, std::size_t cell_count)
+densestWindow(const std::vector<Candidate>& sorted,
+              double height,
+              std::size_t cell_count)
 {
   Window best;
   std::vector<std::uint32_t> points_in_cell(cell_count, 0);
@@ -120,9 +124,10 @@ nearSlab(const PointView& points,
   return near;
 }
 
-/** @brief Whether the candidates are denser at the slab than around it: within half a tolerance
- * more of them than in the two shells, twice as thick together, one to two tolerances away. Clutter
- * is as dense everywhere; what was set aside as such still counts. */
+/** @brief Whether the candidates are denser at the slab than around it: within half a
+ * tolerance more of them than in the two shells, twice as thick together, one to two
+ * tolerances away. Clutter is as dense everywhere; what was set aside as such still
+ * counts. */
 bool
 standsOut(const PointView& points,
           const std::vector<Candidate>& candidates,
@@ -142,7 +147,8 @@ standsOut(const PointView& points,
   return at_slab > around;
 }
 
-/** @brief Height of a level in the middle of its cells: far from there, a small one may be anywhere. */
+/** @brief Height of a level in the middle of its cells: far from there, a small one may
+ * be anywhere. */
 double
 heightOverOwnCells(const Level& level, const CellGrid& grid)
 {
@@ -167,7 +173,8 @@ erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positi
   candidates.resize(kept);
 }
 
-/** @brief The plane of the candidates of a window; those just outside count, as it may lean. */
+/** @brief The plane of the candidates of a window; those just outside count, as it may
+ * lean. */
 PlanSlab
 slabOfWindow(const PointView& points,
              const std::vector<Candidate>& candidates,
@@ -184,7 +191,8 @@ slabOfWindow(const PointView& points,
   return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
 }
 
-/** @brief The level nearest to each point, if within the tolerance; else the number of levels. */
+/** @brief The level nearest to each point, if within the tolerance; else the number of
+ * levels. */
 std::vector<std::size_t>
 nearestLevels(const std::vector<Level>& levels,
               const std::vector<Candidate>& columns,
@@ -206,8 +214,8 @@ nearestLevels(const std::vector<Level>& levels,
   return nearest;
 }
 
-/** @brief Marks the columns of walls: those with points just below a ceiling, or just above a floor,
- * where a room has none. */
+/** @brief Marks the columns of walls: those with points just below a ceiling, or just
+ * above a floor, where a room has none. */
 std::vector<std::uint8_t>
 columnsThatGoOn(const std::vector<Candidate>& columns,
                 std::size_t cell_count,
@@ -221,16 +229,17 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
   const double into_room = level.kind == LevelKind::Ceiling ? -1 : 1;
   for (const auto& c : columns) {
     const double d =
-        into_room * distanceAbove(level.slab, points[static_cast<std::size_t>(c.index)]);
+        into_room *
+        distanceAbove(level.slab, points[static_cast<std::size_t>(c.index)]);
     if (d > 1.5 * tolerance && d < 4 * tolerance)
       goes_on[c.cell] = 1;
   }
   return goes_on;
 }
 
-/** @brief The cells of a set that lie in a block of five by five with more cells of the set than a
- * strip two cells wide has: an uneven part of a ceiling does, the last centimetres of a wall below
- * it do not. */
+/** @brief The cells of a set that lie in a block of five by five with more cells of the
+ * set than a strip two cells wide has: an uneven part of a ceiling does, the last
+ * centimetres of a wall below it do not. */
 CellSet
 withoutFringes(const CellSet& cells)
 {
@@ -258,12 +267,11 @@ findLevels(const PointView& points,
 {
   const CellGrid grid(parameters.cell_size);
   const CellSet cells(grid, points, indices);
-  std::vector<Candidate> candidates = withoutWalls(
-      sortIntoColumns(points, indices, grid, cells), parameters.tolerance);
+  std::vector<Candidate> candidates =
+      withoutWalls(sortIntoColumns(points, indices, grid, cells), parameters.tolerance);
   const auto minimum_cells = std::max<std::size_t>(
-      1,
-      static_cast<std::size_t>(
-          std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
+      1, static_cast<std::size_t>(
+             std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
   std::vector<Candidate> clutter;
@@ -273,8 +281,8 @@ findLevels(const PointView& points,
     if (window.cells < minimum_cells)
       break;
     Level level;
-    level.slab = slabOfWindow(
-        points, candidates, window, parameters, parameters.seed + levels.size());
+    level.slab = slabOfWindow(points, candidates, window, parameters,
+                              parameters.seed + levels.size());
     std::vector<std::size_t> own =
         nearSlab(points, candidates, level.slab, parameters.tolerance);
     level.cells = cellsOf(candidates, own, cells);
@@ -293,9 +301,8 @@ findLevels(const PointView& points,
 
   for (auto& level : levels)
     level.height = heightOverOwnCells(level, grid);
-  std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
-    return a.height < b.height;
-  });
+  std::sort(levels.begin(), levels.end(),
+            [](const Level& a, const Level& b) { return a.height < b.height; });
   return levels;
 }
 
@@ -316,7 +323,8 @@ collectInliers(std::vector<Level>& levels,
     const std::vector<std::uint8_t> goes_on =
         columnsThatGoOn(columns, cells.size(), points, level, parameters.tolerance);
     // Cells with points on the plane itself, and cells with points near it only.
-    const double on_plane = std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);
+    const double on_plane =
+        std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);
     std::vector<CellKey> on;
     std::vector<CellKey> near;
     for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -8,7 +8,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Square cells of the classification, coarse enough to bridge what furniture hides. */
+/** @brief Square cells of the classification, coarse enough to bridge what furniture
+ * hides. */
 constexpr double coarse_cell = 0.2;
 
 CellSet
@@ -31,8 +32,8 @@ heightAt(const Level& level, Cell cell, double cell_size)
   return level.slab.heightAt(CellGrid(std::max(coarse_cell, cell_size)).centre(cell));
 }
 
-/** @brief Share of the cells of `region` that level `f` covers at least a room's height below
- * `ceiling`. */
+/** @brief Share of the cells of `region` that level `f` covers at least a room's height
+ * below `ceiling`. */
 double
 shareBelow(const std::vector<Level>& levels,
            const CellSet& region,
@@ -49,7 +50,9 @@ shareBelow(const std::vector<Level>& levels,
     if (gap >= parameters.minimum_room_height && coarse_f.contains(cell))
       ++covered;
   }
-  return region.empty() ? 0 : static_cast<double>(covered) / static_cast<double>(region.size());
+  return region.empty()
+             ? 0
+             : static_cast<double>(covered) / static_cast<double>(region.size());
 }
 
 /** @brief Share of a level's cells above which there is no other level. */
@@ -73,7 +76,8 @@ shareOnTop(const std::vector<Level>& levels,
   return static_cast<double>(topmost) / static_cast<double>(coarse[of].size());
 }
 
-/** @brief A connected part of all ceilings together: roughly a room, steps and soffits included. */
+/** @brief A connected part of all ceilings together: roughly a room, steps and soffits
+ * included. */
 struct CeilingRegion {
   CellSet coarse;
   std::size_t main_level = 0; ///< the one with most cells
@@ -101,8 +105,9 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
     region.coarse = coarsened(cells, parameters.cell_size);
     std::size_t most = 0;
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      const std::size_t shared =
-          levels[l].kind == LevelKind::Ceiling ? intersect(levels[l].cells, cells).size() : 0;
+      const std::size_t shared = levels[l].kind == LevelKind::Ceiling
+                                     ? intersect(levels[l].cells, cells).size()
+                                     : 0;
       if (shared <= most)
         continue;
       most = shared;
@@ -113,8 +118,8 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
   return result;
 }
 
-/** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of the region,
- * and any other that has a third of it. */
+/** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of
+ * the region, and any other that has a third of it. */
 void
 markFloorsBelow(std::vector<Level>& levels,
                 const std::vector<CellSet>& coarse,
@@ -149,7 +154,8 @@ classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
       continue;
     double below = 0;
     for (std::size_t f = 0; f < levels.size(); ++f)
-      below = std::max(below, shareBelow(levels, coarse[c], c, coarse[f], f, parameters));
+      below =
+          std::max(below, shareBelow(levels, coarse[c], c, coarse[f], f, parameters));
     if (below >= 0.1)
       levels[c].kind = LevelKind::Ceiling;
   }

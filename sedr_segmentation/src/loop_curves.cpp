@@ -14,7 +14,8 @@ namespace {
 /** @brief Cosine of the largest angle between a contour and the curve it follows. */
 const double least_cosine = std::cos(35.0 * M_PI / 180.0);
 
-/** @brief How well a sample agrees with a curve: from its weight down to 0 at the tolerance. */
+/** @brief How well a sample agrees with a curve: from its weight down to 0 at the
+ * tolerance. */
 double
 agreement(const ContourSample& sample, const PlanCurve& curve, double tolerance)
 {
@@ -37,41 +38,41 @@ score(const std::vector<ContourSample>& samples,
   return sum;
 }
 
-/** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on one wall. */
+/** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on
+ * one wall. */
 class CurveSearch {
 public:
-  CurveSearch(const std::vector<ContourSample>& samples, const LoopParameters& parameters)
-  : samples_(samples), parameters_(parameters), random_(parameters.seed)
+  CurveSearch(const std::vector<ContourSample>& samples,
+              const LoopParameters& parameters)
+      : samples_(samples)
+      , parameters_(parameters)
+      , random_(parameters.seed)
   {}
 
   /** @brief The best line through open samples, refined. */
-  PlanCurve
-  bestLine(const std::vector<std::size_t>& open, double& best_score)
+  PlanCurve bestLine(const std::vector<std::size_t>& open, double& best_score)
   {
     PlanCurve best;
     for (int trial = 0; trial < trials; ++trial) {
       const std::size_t i = open[random_() % open.size()];
       const std::size_t j = (i + 3 + random_() % 60) % samples_.size();
-      keepBetter(lineThrough(samples_[i].position, samples_[j].position),
-                 open,
-                 best,
+      keepBetter(lineThrough(samples_[i].position, samples_[j].position), open, best,
                  best_score);
     }
     return refined(best, open, best_score);
   }
 
-  /** @brief The best circle within the limits of radius, refined; radius 0 where there is none. */
-  PlanCurve
-  bestCircle(const std::vector<std::size_t>& open, double& best_score)
+  /** @brief The best circle within the limits of radius, refined; radius 0 where there
+   * is none. */
+  PlanCurve bestCircle(const std::vector<std::size_t>& open, double& best_score)
   {
     PlanCurve best;
     for (int trial = 0; trial < 2 * trials; ++trial) {
       const std::size_t i = open[random_() % open.size()];
       const std::size_t step = 3 + random_() % 40;
-      const PlanCurve circle =
-          circleThrough(samples_[i].position,
-                        samples_[(i + step) % samples_.size()].position,
-                        samples_[(i + 2 * step) % samples_.size()].position);
+      const PlanCurve circle = circleThrough(
+          samples_[i].position, samples_[(i + step) % samples_.size()].position,
+          samples_[(i + 2 * step) % samples_.size()].position);
       if (circle.radius >= parameters_.minimum_radius &&
           circle.radius <= parameters_.maximum_radius)
         keepBetter(circle, open, best, best_score);
@@ -82,11 +83,10 @@ public:
 private:
   static constexpr int trials = 400;
 
-  void
-  keepBetter(const PlanCurve& curve,
-             const std::vector<std::size_t>& open,
-             PlanCurve& best,
-             double& best_score) const
+  void keepBetter(const PlanCurve& curve,
+                  const std::vector<std::size_t>& open,
+                  PlanCurve& best,
+                  double& best_score) const
   {
     const double s = score(samples_, open, curve, parameters_.tolerance);
     if (s > best_score) {
@@ -95,8 +95,9 @@ private:
     }
   }
 
-  PlanCurve
-  refined(PlanCurve curve, const std::vector<std::size_t>& open, double& best_score) const
+  PlanCurve refined(PlanCurve curve,
+                    const std::vector<std::size_t>& open,
+                    double& best_score) const
   {
     std::vector<WeightedPoint> inliers;
     for (const std::size_t i : open)
@@ -104,11 +105,9 @@ private:
         inliers.push_back({samples_[i].position, samples_[i].weight()});
     if (inliers.size() < 4)
       return curve;
-    const PlanCurve fitted = fitRobustly(inliers,
-                                         curve,
-                                         parameters_.tolerance,
-                                         parameters_.minimum_radius,
-                                         parameters_.maximum_radius);
+    const PlanCurve fitted =
+        fitRobustly(inliers, curve, parameters_.tolerance, parameters_.minimum_radius,
+                    parameters_.maximum_radius);
     const double s = score(samples_, open, fitted, parameters_.tolerance);
     if (s <= best_score)
       return curve;
@@ -127,8 +126,7 @@ eraseExplained(const std::vector<ContourSample>& samples,
                double tolerance,
                std::vector<std::size_t>& open)
 {
-  open.erase(std::remove_if(open.begin(),
-                            open.end(),
+  open.erase(std::remove_if(open.begin(), open.end(),
                             [&](std::size_t i) {
                               return agreement(samples[i], curve, tolerance) > 0;
                             }),
@@ -140,8 +138,8 @@ std::vector<std::size_t>
 difference(const std::vector<std::size_t>& all, const std::vector<std::size_t>& some)
 {
   std::vector<std::size_t> rest;
-  std::set_difference(
-      all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(),
+                      std::back_inserter(rest));
   return rest;
 }
 
@@ -164,16 +162,18 @@ proposeLines(CurveSearch& search,
   }
 }
 
-/** @brief The cost from which on it grows slowly only, in units of (half a tolerance) squared: so far
- * off, a sample is an outlier. */
+/** @brief The cost from which on it grows slowly only, in units of (half a tolerance)
+ * squared: so far off, a sample is an outlier. */
 constexpr double outlier_cost = 9;
 
-/** @brief What a sample costs beyond that on a curve that is far away, for each metre. */
+/** @brief What a sample costs beyond that on a curve that is far away, for each metre.
+ */
 constexpr double cost_per_metre = 10;
 
-/** @brief What a sample that no points support costs on a curve. The wall may be hidden behind
- * furniture, so that it runs outside of the contour, or an opening may have led the contour astray,
- * so that it runs inside: both are cheap over some tenths of a metre, beyond which it is costly. */
+/** @brief What a sample that no points support costs on a curve. The wall may be hidden
+ * behind furniture, so that it runs outside of the contour, or an opening may have led
+ * the contour astray, so that it runs inside: both are cheap over some tenths of a
+ * metre, beyond which it is costly. */
 double
 costUnsupported(const ContourSample& sample, const PlanCurve& curve)
 {
@@ -199,7 +199,8 @@ costOf(const ContourSample& sample, const PlanCurve& curve, double tolerance)
   const double squared = std::pow(d / (tolerance / 2), 2);
   if (squared <= outlier_cost)
     return sample.weight() * squared + turned;
-  return sample.weight() * outlier_cost + cost_per_metre * (d - 1.5 * tolerance) + turned;
+  return sample.weight() * outlier_cost + cost_per_metre * (d - 1.5 * tolerance) +
+         turned;
 }
 
 /** @brief What a change of curve costs. */
@@ -208,8 +209,7 @@ constexpr double change_cost = 6;
 /** @brief The curves as seen from one sample. */
 class CurvesAt {
 public:
-  void
-  look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
+  void look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
   {
     places_.clear();
     tangents_.clear();
@@ -219,10 +219,9 @@ public:
     }
   }
 
-  /** @brief What it costs to step from one curve to another that runs beside it, as walls rarely
-   * do; nothing where they meet at an angle or touch. */
-  double
-  sideStep(std::size_t a, std::size_t b, double tolerance) const
+  /** @brief What it costs to step from one curve to another that runs beside it, as
+   * walls rarely do; nothing where they meet at an angle or touch. */
+  double sideStep(std::size_t a, std::size_t b, double tolerance) const
   {
     if (std::abs(tangents_[a].dot(tangents_[b])) < 0.97)
       return 0;
@@ -253,9 +252,10 @@ findCurves(const std::vector<ContourSample>& samples,
   for (const auto& curve : known)
     eraseExplained(samples, curve, parameters.tolerance, open);
 
-  const double edge = samples.size() < 2
-                          ? 1
-                          : std::max(1e-6, (samples[1].position - samples[0].position).norm());
+  const double edge =
+      samples.size() < 2
+          ? 1
+          : std::max(1e-6, (samples[1].position - samples[0].position).norm());
   const double least_score = std::max(2.0, 0.5 * parameters.minimum_length / edge);
   CurveSearch search(samples, parameters);
   while (open.size() >= 3 && curves.size() < most_curves) {
@@ -263,15 +263,17 @@ findCurves(const std::vector<ContourSample>& samples,
     double circle_score = 0;
     const PlanCurve line = search.bestLine(open, line_score);
     const PlanCurve circle = search.bestCircle(open, circle_score);
-    const bool is_circle = circle.isCircle() &&
-                           circle_score > circle_advantage * line_score + circle_surplus;
+    const bool is_circle =
+        circle.isCircle() &&
+        circle_score > circle_advantage * line_score + circle_surplus;
     if (std::max(line_score, is_circle ? circle_score : 0.0) < least_score)
       break;
     curves.push_back(is_circle ? circle : line);
     std::vector<std::size_t> left = open;
     eraseExplained(samples, curves.back(), parameters.tolerance, left);
     if (is_circle) // a square column is nearly a circle: its sides are proposed as well
-      proposeLines(search, samples, difference(open, left), parameters, least_score, curves);
+      proposeLines(search, samples, difference(open, left), parameters, least_score,
+                   curves);
     open.swap(left);
   }
   return curves;
@@ -311,8 +313,8 @@ assignCurves(const std::vector<ContourSample>& samples,
     }
     cost.swap(next);
   }
-  auto current =
-      static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+  auto current = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) -
+                                          cost.begin());
   std::vector<std::size_t> assigned(n);
   for (std::size_t step = rounds; step-- > 0;) {
     // The middle of the two rounds has neighbours on both sides.

@@ -9,7 +9,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Samples first .. first + count - 1 (around the loop) that follow one curve. */
+/** @brief Samples first .. first + count - 1 (around the loop) that follow one curve.
+ */
 struct Run {
   PlanCurve curve;
   std::size_t first = 0;
@@ -42,15 +43,15 @@ runsOf(const Assignment& a)
   return runs;
 }
 
-/** @brief What a curve is fitted to: the points of the wall along the samples that follow it, and
- * these samples themselves. */
+/** @brief What a curve is fitted to: the points of the wall along the samples that
+ * follow it, and these samples themselves. */
 struct CurveEvidence {
   std::vector<WeightedPoint> walls;
   std::vector<WeightedPoint> places;
 };
 
-/** @brief Collects the evidence of all curves. The samples beside a change of curve are left out:
- * they belong to the corner. */
+/** @brief Collects the evidence of all curves. The samples beside a change of curve are
+ * left out: they belong to the corner. */
 std::vector<CurveEvidence>
 collectEvidence(const Assignment& a,
                 const std::vector<ContourSample>& samples,
@@ -72,7 +73,9 @@ collectEvidence(const Assignment& a,
     const Eigen::Vector2d along = a.curves[c].tangentAt(middle);
     // Half of the way to the next sample on each side, so that no point counts twice.
     const double half =
-        0.5 * std::abs((samples[(i + 1) % n].position - samples[i].position).dot(along)) + 1e-9;
+        0.5 *
+            std::abs((samples[(i + 1) % n].position - samples[i].position).dot(along)) +
+        1e-9;
     walls.forEachWithin(middle, std::hypot(tolerance, half), [&](const auto& p) {
       if (std::abs((p - middle).dot(along)) <= half)
         own.walls.push_back({p, 1});
@@ -81,9 +84,12 @@ collectEvidence(const Assignment& a,
   return evidence;
 }
 
-/** @brief Whether an arc does no better than a line: it hardly bends along its samples. */
+/** @brief Whether an arc does no better than a line: it hardly bends along its samples.
+ */
 bool
-isStraight(const PlanCurve& arc, const std::vector<WeightedPoint>& places, double tolerance)
+isStraight(const PlanCurve& arc,
+           const std::vector<WeightedPoint>& places,
+           double tolerance)
 {
   if (places.size() < 3)
     return false;
@@ -114,12 +120,10 @@ refit(Assignment& a,
     PlanCurve start = a.curves[c];
     if (start.isCircle() && isStraight(start, own.places, parameters.tolerance))
       start = fitLine(own.places);
-    const auto& fitted_to = own.walls.size() >= 3 * own.places.size() ? own.walls : own.places;
-    a.curves[c] = fitRobustly(fitted_to,
-                              start,
-                              parameters.tolerance,
-                              parameters.minimum_radius,
-                              parameters.maximum_radius);
+    const auto& fitted_to =
+        own.walls.size() >= 3 * own.places.size() ? own.walls : own.places;
+    a.curves[c] = fitRobustly(fitted_to, start, parameters.tolerance,
+                              parameters.minimum_radius, parameters.maximum_radius);
   }
 }
 
@@ -139,8 +143,9 @@ dropUnused(Assignment& a, std::size_t least_samples)
     a.curves = std::move(kept);
 }
 
-/** @brief Proposes curves, then assigns samples and fits the curves in turn (as Isack and Boykov's
- * PEARL, 2012, does), so that doubles and accidents of the first search go. */
+/** @brief Proposes curves, then assigns samples and fits the curves in turn (as Isack
+ * and Boykov's PEARL, 2012, does), so that doubles and accidents of the first search
+ * go. */
 Assignment
 findAssignment(const std::vector<ContourSample>& samples,
                const PlanPoints& walls,
@@ -185,8 +190,8 @@ isSameCurve(const Run& a,
 /** @brief A run of so many samples cannot be told from the blur of a corner. */
 constexpr std::size_t blur = 4;
 
-/** @brief Whether a run is a blur only: short, and its neighbours lie on one curve or meet near by
- * without it. */
+/** @brief Whether a run is a blur only: short, and its neighbours lie on one curve or
+ * meet near by without it. */
 bool
 isBlur(const Run& before,
        const Run& run,
@@ -198,12 +203,14 @@ isBlur(const Run& before,
     return false;
   if (isSameCurve(before, after, samples, parameters.tolerance / 2))
     return true;
-  const Eigen::Vector2d place = samples[(run.first + run.count / 2) % samples.size()].position;
+  const Eigen::Vector2d place =
+      samples[(run.first + run.count / 2) % samples.size()].position;
   const Eigen::Vector2d a = before.curve.tangentAt(place);
   const Eigen::Vector2d b = after.curve.tangentAt(place);
   if (std::abs(a.x() * b.y() - a.y() * b.x()) < 0.25)
     return false;
-  const std::vector<Eigen::Vector2d> meetings = intersections(before.curve, after.curve);
+  const std::vector<Eigen::Vector2d> meetings =
+      intersections(before.curve, after.curve);
   return std::any_of(meetings.begin(), meetings.end(), [&](const Eigen::Vector2d& p) {
     return (p - place).norm() < parameters.corner_reach;
   });
@@ -218,8 +225,10 @@ tidied(std::vector<Run> runs,
   for (std::size_t i = 0; i < runs.size() && runs.size() > 1;) {
     Run& before = runs[(i + runs.size() - 1) % runs.size()];
     const Run& after = runs[(i + 1) % runs.size()];
-    const bool is_same = isSameCurve(before, runs[i], samples, parameters.tolerance / 2);
-    if (!is_same && (runs.size() < 4 || !isBlur(before, runs[i], after, samples, parameters))) {
+    const bool is_same =
+        isSameCurve(before, runs[i], samples, parameters.tolerance / 2);
+    if (!is_same &&
+        (runs.size() < 4 || !isBlur(before, runs[i], after, samples, parameters))) {
       ++i;
       continue;
     }
@@ -232,16 +241,20 @@ tidied(std::vector<Run> runs,
   return runs;
 }
 
-/** @brief Where two neighbouring curves join: one corner, or two with a short piece between where
- * they do not meet nearby. */
+/** @brief Where two neighbouring curves join: one corner, or two with a short piece
+ * between where they do not meet nearby. */
 std::vector<Eigen::Vector2d>
-joint(const Run& a, const Run& b, const Eigen::Vector2d& place, const LoopParameters& parameters)
+joint(const Run& a,
+      const Run& b,
+      const Eigen::Vector2d& place,
+      const LoopParameters& parameters)
 {
   const double farthest = 4 * parameters.corner_reach;
   const Eigen::Vector2d on_a = a.curve.project(place);
   const Eigen::Vector2d on_b = b.curve.project(place);
-  const double sine = std::abs(a.curve.tangentAt(place).x() * b.curve.tangentAt(place).y() -
-                               a.curve.tangentAt(place).y() * b.curve.tangentAt(place).x());
+  const double sine =
+      std::abs(a.curve.tangentAt(place).x() * b.curve.tangentAt(place).y() -
+               a.curve.tangentAt(place).y() * b.curve.tangentAt(place).x());
   const bool is_offset = sine < 0.25 && (on_a - on_b).norm() > parameters.tolerance;
   std::vector<Eigen::Vector2d> corner;
   double nearest = farthest;
@@ -265,7 +278,8 @@ segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
   return e;
 }
 
-/** @brief The part of a run's curve between two corners; an arc runs the way its samples do. */
+/** @brief The part of a run's curve between two corners; an arc runs the way its
+ * samples do. */
 PlanElement
 elementOf(const Run& run,
           const Eigen::Vector2d& start,
@@ -321,17 +335,20 @@ join(const std::vector<Run>& runs,
   return loop;
 }
 
-/** @brief Whether no segment runs backwards against the samples that it was made from. */
+/** @brief Whether no segment runs backwards against the samples that it was made from.
+ */
 bool
 runsForward(const PlanLoop& loop)
 {
-  return std::none_of(loop.elements.begin(), loop.elements.end(), [](const PlanElement& e) {
-    return e.isArc() && std::abs(e.sweep()) > 1.95 * M_PI && (e.start - e.end).norm() > 1e-9;
-  });
+  return std::none_of(loop.elements.begin(), loop.elements.end(),
+                      [](const PlanElement& e) {
+                        return e.isArc() && std::abs(e.sweep()) > 1.95 * M_PI &&
+                               (e.start - e.end).norm() > 1e-9;
+                      });
 }
 
-/** @brief Whether the loop is a sound outline of the contour: it does not cross itself, and its
- * area is that of the contour but for a rim. */
+/** @brief Whether the loop is a sound outline of the contour: it does not cross itself,
+ * and its area is that of the contour but for a rim. */
 bool
 isSound(const PlanLoop& loop, const Contour& contour, const LoopParameters& parameters)
 {
@@ -386,7 +403,8 @@ fitLoop(const Contour& contour,
 {
   if (contour.size() < 4)
     return {};
-  const std::vector<ContourSample> samples = sampleContour(contour, evidence, parameters);
+  const std::vector<ContourSample> samples =
+      sampleContour(contour, evidence, parameters);
   const Assignment assignment = findAssignment(samples, evidence, known, parameters);
   if (!assignment.curves.empty()) {
     const std::vector<Run> runs = tidied(runsOf(assignment), samples, parameters);
@@ -407,7 +425,8 @@ fitLoop(const Contour& contour,
   PlanLoop staircase;
   const std::vector<Eigen::Vector2d> corners = simplified(contour, 1e-9);
   for (std::size_t i = 0; i < corners.size(); ++i)
-    staircase.elements.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
+    staircase.elements.push_back(
+        segment(corners[i], corners[(i + 1) % corners.size()]));
   return staircase;
 }
 

@@ -9,11 +9,12 @@ namespace sedr {
 
 namespace {
 
-/** @brief Samples on either side that a tangent is taken over: half a metre in all at 5 cm. */
+/** @brief Samples on either side that a tangent is taken over: half a metre in all at 5
+ * cm. */
 constexpr std::size_t tangent_reach = 4;
 
-/** @brief Fewest points across the contour that show a wall; and the least share of what the walls
- * of the loop have on average. */
+/** @brief Fewest points across the contour that show a wall; and the least share of
+ * what the walls of the loop have on average. */
 constexpr std::size_t least_evidence = 3;
 constexpr double least_evidence_share = 0.2;
 
@@ -23,8 +24,9 @@ struct WallStretch {
   std::size_t count = 0;
 };
 
-/** @brief Mean and number of the offsets within `width` of each other, for the stretch with most of
- * them, near ones before far ones: the wall is looked for at `expected`, within `reach`. */
+/** @brief Mean and number of the offsets within `width` of each other, for the stretch
+ * with most of them, near ones before far ones: the wall is looked for at `expected`,
+ * within `reach`. */
 WallStretch
 findWall(std::vector<double>& offsets, double width, double expected, double reach)
 {
@@ -53,9 +55,11 @@ findWall(std::vector<double>& offsets, double width, double expected, double rea
   return best;
 }
 
-/** @brief Measures the evidence of each sample by that of the others; thin evidence is none. */
+/** @brief Measures the evidence of each sample by that of the others; thin evidence is
+ * none. */
 void
-judgeSupport(const std::vector<std::size_t>& counts, std::vector<ContourSample>& samples)
+judgeSupport(const std::vector<std::size_t>& counts,
+             std::vector<ContourSample>& samples)
 {
   std::vector<std::size_t> found;
   for (const std::size_t c : counts)
@@ -131,14 +135,15 @@ sampleContour(const Contour& contour,
           if (std::abs(d.dot(sample.tangent)) <= parameters.evidence_span)
             offsets.push_back(d.dot(across));
         });
-    const WallStretch wall =
-        findWall(offsets, parameters.tolerance, parameters.expected_offset, parameters.reach);
+    const WallStretch wall = findWall(offsets, parameters.tolerance,
+                                      parameters.expected_offset, parameters.reach);
     counts[i] = wall.count;
     walls[i] = sample.position + wall.offset * across;
   }
   judgeSupport(counts, samples);
   if (edge > 0)
-    dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5), samples);
+    dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5),
+                     samples);
   for (std::size_t i = 0; i < n; ++i)
     if (samples[i].isSupported())
       samples[i].position = walls[i];
@@ -146,7 +151,8 @@ sampleContour(const Contour& contour,
 }
 
 double
-sampleTolerance(const std::vector<ContourSample>& samples, const LoopParameters& parameters)
+sampleTolerance(const std::vector<ContourSample>& samples,
+                const LoopParameters& parameters)
 {
   const std::size_t n = samples.size();
   std::vector<double> deviations;
@@ -160,9 +166,11 @@ sampleTolerance(const std::vector<ContourSample>& samples, const LoopParameters&
   }
   if (deviations.empty())
     return parameters.tolerance;
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+  const auto middle =
+      deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
   std::nth_element(deviations.begin(), middle, deviations.end());
-  // The deviation from the middle of two neighbours has 1.5 times the variance of a sample.
+  // The deviation from the middle of two neighbours has 1.5 times the variance of a
+  // sample.
   const double noise = 1.4826 * *middle / std::sqrt(1.5);
   return std::clamp(4 * noise, parameters.tolerance / 2, parameters.tolerance);
 }

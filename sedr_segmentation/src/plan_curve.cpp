@@ -39,7 +39,8 @@ robustDeviation(const std::vector<WeightedPoint>& points, const PlanCurve& curve
   std::vector<double> distances;
   for (const auto& p : points)
     distances.push_back(curve.distance(p.position));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return 1.4826 * *middle;
 }
@@ -120,7 +121,9 @@ lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 }
 
 PlanCurve
-circleThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+circleThrough(const Eigen::Vector2d& a,
+              const Eigen::Vector2d& b,
+              const Eigen::Vector2d& c)
 {
   const Eigen::Vector2d u = b - a;
   const Eigen::Vector2d v = c - a;

@@ -61,8 +61,9 @@ fitPlan(const PointView& points,
       return 0;
     const auto number = evidence.room[static_cast<std::size_t>(i)];
     const auto it = std::lower_bound(numbers.begin(), numbers.end(), number);
-    return it != numbers.end() && *it == number ? static_cast<std::int32_t>(it - numbers.begin())
-                                                : -1;
+    return it != numbers.end() && *it == number
+               ? static_cast<std::int32_t>(it - numbers.begin())
+               : -1;
   };
   auto ceilings = shareOut(evidence.ceiling, numbers.size(), labelled);
   auto details = shareOut(evidence.details, numbers.size(), labelled);
@@ -79,19 +80,20 @@ fitPlan(const PointView& points,
   };
   auto floors = shareOut(evidence.floor, numbers.size(), nearest);
   auto around = shareOut(evidence.all, numbers.size(), nearest);
-  auto walls = evidence.walls.empty() ? around : shareOut(evidence.walls, numbers.size(), nearest);
+  auto walls = evidence.walls.empty()
+                   ? around
+                   : shareOut(evidence.walls, numbers.size(), nearest);
 
   for (std::size_t r = 0; r < numbers.size(); ++r) {
     std::string reason;
     if (ceilings[r].size() < 3 || floors[r].size() < 3)
       reason = std::to_string(ceilings[r].size()) + " ceiling points and " +
-               std::to_string(floors[r].size()) + " floor points are too few, 3 are needed of each";
+               std::to_string(floors[r].size()) +
+               " floor points are too few, 3 are needed of each";
     PlanRoom room;
     if (reason.empty())
-      room = fitRoom(points,
-                     {around[r], ceilings[r], details[r], floors[r], walls[r]},
-                     parameters,
-                     reason);
+      room = fitRoom(points, {around[r], ceilings[r], details[r], floors[r], walls[r]},
+                     parameters, reason);
     room.id = numbers[r];
     if (reason.empty())
       plan.rooms.push_back(std::move(room));
@@ -99,7 +101,8 @@ fitPlan(const PointView& points,
       warnings.push_back("room " + std::to_string(numbers[r]) + ": " + reason);
   }
   if (plan.rooms.empty())
-    problem = warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
+    problem =
+        warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
   return plan;
 }
 

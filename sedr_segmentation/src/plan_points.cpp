@@ -7,7 +7,7 @@ namespace pcl {
 namespace sedr {
 
 PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
-: grid_(cell_size)
+    : grid_(cell_size)
 {
   std::vector<std::pair<CellKey, std::size_t>> order;
   order.reserve(points.size());

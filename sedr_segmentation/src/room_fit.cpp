@@ -17,7 +17,8 @@ namespace {
 /** @brief How much more than the ceilings is looked at on each side, metres. */
 constexpr double margin = 0.7;
 
-/** @brief The parameters of a loop along an outline of cells: the wall runs half a cell outside. */
+/** @brief The parameters of a loop along an outline of cells: the wall runs half a cell
+ * outside. */
 LoopParameters
 loopOnCells(const RoomFitParameters& parameters)
 {
@@ -29,19 +30,20 @@ loopOnCells(const RoomFitParameters& parameters)
   return loop;
 }
 
-/** @brief The plane of a slab: RANSAC with the small tolerance first, as the detection's was wide. */
+/** @brief The plane of a slab: RANSAC with the small tolerance first, as the
+ * detection's was wide. */
 PlanSlab
 slabOf(const PointView& points,
        const std::vector<int>& indices,
        const RoomFitParameters& parameters)
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  return findSlab(
-      points, indices, parameters.slab_tolerance, maximum_tilt, parameters.loop.seed);
+  return findSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
+                  parameters.loop.seed);
 }
 
-/** @brief Whether a point is part of something upright: its column is occupied without a gap over
- * at least 20 cm there. */
+/** @brief Whether a point is part of something upright: its column is occupied without
+ * a gap over at least 20 cm there. */
 bool
 isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
 {
@@ -53,7 +55,8 @@ isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3
   });
 }
 
-/** @brief The wall points of the upper half of the room in plan: furniture hides the lower. */
+/** @brief The wall points of the upper half of the room in plan: furniture hides the
+ * lower. */
 PlanPoints
 wallEvidence(const PointView& points,
              const RoomEvidence& evidence,
@@ -90,9 +93,12 @@ outerContour(const CellMask& mask, double cell_size)
 }
 
 PlanLoop
-columnLoop(const CellMask& column, const PlanPoints& walls, const RoomFitParameters& parameters)
+columnLoop(const CellMask& column,
+           const PlanPoints& walls,
+           const RoomFitParameters& parameters)
 {
-  // The hole is up to a cell wider than the column on every side, so its contour is the hole's.
+  // The hole is up to a cell wider than the column on every side, so its contour is the
+  // hole's.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
   return fitLoop(contour, walls, {}, loopOnCells(parameters));

@@ -26,11 +26,13 @@ public:
            const ColumnTable& columns,
            const PlanSlab& ceiling,
            const PlanSlab& floor)
-  : grid_(grid), columns_(columns), ceiling_(ceiling), floor_(floor)
+      : grid_(grid)
+      , columns_(columns)
+      , ceiling_(ceiling)
+      , floor_(floor)
   {}
 
-  RoomOutline
-  outline(const CellMask& seen) const
+  RoomOutline outline(const CellMask& seen) const
   {
     RoomOutline result;
     // What was not hit: gaps of up to two cells each way.
@@ -53,9 +55,9 @@ public:
   }
 
 private:
-  /** @brief Height of whatever ceiling was seen within two cells, a soffit's perhaps. */
-  double
-  topAround(Cell cell) const
+  /** @brief Height of whatever ceiling was seen within two cells, a soffit's perhaps.
+   */
+  double topAround(Cell cell) const
   {
     double top = floor_.heightAt(grid_.centre(cell));
     for (int dy = -2; dy <= 2; ++dy)
@@ -67,9 +69,9 @@ private:
     return std::min(top, ceiling_.heightAt(grid_.centre(cell)));
   }
 
-  /** @brief Whether a wall goes up to the ceiling in the column or beside it: a cupboard does not. */
-  bool
-  isWall(Cell cell) const
+  /** @brief Whether a wall goes up to the ceiling in the column or beside it: a
+   * cupboard does not. */
+  bool isWall(Cell cell) const
   {
     const double top = topAround(cell);
     const double floor = floor_.heightAt(grid_.centre(cell));
@@ -77,9 +79,9 @@ private:
            columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
-  /** @brief Whether the hole is closed by a wall, from near the floor up to the ceiling. */
-  bool
-  isColumn(const CellMask& hole) const
+  /** @brief Whether the hole is closed by a wall, from near the floor up to the
+   * ceiling. */
+  bool isColumn(const CellMask& hole) const
   {
     const CellMask rim = subtract(dilated(hole, 1.5), eroded(hole, 1));
     std::size_t tall = 0;
@@ -97,9 +99,9 @@ private:
     return 3 * tall >= rim.count() && 4 * full >= rim.count();
   }
 
-  /** @brief Share of the common edge of `part` and `other` along which a wall stands. */
-  double
-  wallShare(const CellMask& part, const CellMask& other) const
+  /** @brief Share of the common edge of `part` and `other` along which a wall stands.
+   */
+  double wallShare(const CellMask& part, const CellMask& other) const
   {
     std::size_t edges = 0;
     std::size_t walls = 0;
@@ -107,8 +109,9 @@ private:
       if (!part.values()[i])
         continue;
       const Cell cell = part.cellAt(i);
-      const bool is_edge = other.at({cell.x + 1, cell.y}) || other.at({cell.x - 1, cell.y}) ||
-                           other.at({cell.x, cell.y + 1}) || other.at({cell.x, cell.y - 1});
+      const bool is_edge =
+          other.at({cell.x + 1, cell.y}) || other.at({cell.x - 1, cell.y}) ||
+          other.at({cell.x, cell.y + 1}) || other.at({cell.x, cell.y - 1});
       if (!is_edge)
         continue;
       ++edges;
@@ -117,8 +120,7 @@ private:
     return edges == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(edges);
   }
 
-  CellMask
-  withoutFalseNotches(const CellMask& room) const
+  CellMask withoutFalseNotches(const CellMask& room) const
   {
     const double radius = cellsFor(notch_radius, grid_.size());
     CellMask closed = eroded(dilated(room, radius), radius);
@@ -134,8 +136,7 @@ private:
     return result;
   }
 
-  CellMask
-  withoutFalseProtrusions(const CellMask& room) const
+  CellMask withoutFalseProtrusions(const CellMask& room) const
   {
     const double radius = cellsFor(protrusion_radius, grid_.size());
     const CellMask opened = dilated(eroded(room, radius), radius);
@@ -151,15 +152,14 @@ private:
     return result;
   }
 
-  static CellMask
-  largestRegion(const CellMask& mask)
+  static CellMask largestRegion(const CellMask& mask)
   {
     const MaskRegions regions = labelRegions(mask, false);
     if (regions.sizes.empty())
       return mask;
     const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end());
-    return regionMask(
-        mask, regions, static_cast<std::int32_t>(largest - regions.sizes.begin()));
+    return regionMask(mask, regions,
+                      static_cast<std::int32_t>(largest - regions.sizes.begin()));
   }
 
   const CellGrid& grid_;

@@ -31,22 +31,20 @@ struct Storey {
   CellBox box;
   ColumnTable columns;
 
-  double
-  heightOf(std::size_t level, Cell cell) const
+  double heightOf(std::size_t level, Cell cell) const
   {
     return levels[level].slab.heightAt(grid.centre(cell));
   }
 
   /** @brief Whether a wall goes up to `top` in this column. */
-  bool
-  isWallBelow(Cell cell, double top) const
+  bool isWallBelow(Cell cell, double top) const
   {
     return columns.share(cell, top - 0.6, top - 0.1, 5, 0) >= 0.6;
   }
 
-  /** @brief Whether the column is a wall from the floor up to the ceiling: a cupboard is not. */
-  bool
-  isWall(Cell cell, double floor, double top) const
+  /** @brief Whether the column is a wall from the floor up to the ceiling: a cupboard
+   * is not. */
+  bool isWall(Cell cell, double floor, double top) const
   {
     return columns.share(cell, top - 0.36, top - 0.12, 2, 1) >= 1 &&
            columns.share(cell, floor + 0.2, top - 0.15, 8, 0) >= 0.5;
@@ -65,7 +63,8 @@ piecesOf(const Storey& storey, std::size_t level)
   for (std::size_t i = 0; i < closed.values().size(); ++i)
     if (closed.values()[i] && !seen.values()[i]) {
       const Cell cell = closed.cellAt(i);
-      closed.values()[i] = storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
+      closed.values()[i] =
+          storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
     }
   const double neck = 1.5 * cellsFor(0.05, size);
   const CellMask core = eroded(closed, neck);
@@ -75,7 +74,8 @@ piecesOf(const Storey& storey, std::size_t level)
   const double cell_area = size * size;
   std::vector<Piece> pieces;
   for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-    if (static_cast<double>(regions.sizes[r]) * cell_area < 0.25 * storey.parameters.minimum_area)
+    if (static_cast<double>(regions.sizes[r]) * cell_area <
+        0.25 * storey.parameters.minimum_area)
       continue;
     Piece piece;
     piece.level = level;
@@ -113,15 +113,14 @@ findFloor(const Storey& storey, Piece& piece)
 /** @brief How two pieces face each other, in cell edges. */
 struct Frontier {
   std::size_t wall = 0;
-  std::size_t plain = 0;            ///< nothing below: a step, a soffit
-  std::vector<CellKey> below_lintel; ///< something above, nothing below: a beam or a doorway
+  std::size_t plain = 0; ///< nothing below: a step, a soffit
+  std::vector<CellKey>
+      below_lintel; ///< something above, nothing below: a beam or a doorway
 };
 
 /** @brief The cells from `cell` back to the piece that it was reached from. */
 std::vector<Cell>
-wayBack(std::size_t i,
-        const CellMask& domain,
-        const std::vector<std::size_t>& parent)
+wayBack(std::size_t i, const CellMask& domain, const std::vector<std::size_t>& parent)
 {
   std::vector<Cell> way;
   for (; i != CellSet::npos; i = parent[i])
@@ -136,10 +135,10 @@ judgeMeeting(const Storey& storey,
              const std::vector<Cell>& way,
              Frontier& frontier)
 {
-  const double top =
-      std::min(storey.heightOf(a.level, way.front()), storey.heightOf(b.level, way.front()));
-  const double floor =
-      std::max(storey.heightOf(a.floor, way.front()), storey.heightOf(b.floor, way.front()));
+  const double top = std::min(storey.heightOf(a.level, way.front()),
+                              storey.heightOf(b.level, way.front()));
+  const double floor = std::max(storey.heightOf(a.floor, way.front()),
+                                storey.heightOf(b.floor, way.front()));
   bool has_lintel = false;
   for (const Cell cell : way) {
     if (storey.isWall(cell, floor, top)) {
@@ -166,7 +165,8 @@ frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
     for (std::size_t i = 0; i < label.size(); ++i)
       if (pieces[p].cells.values()[i] && label[i] < 0)
         label[i] = static_cast<std::int32_t>(p);
-  const std::vector<std::size_t> parent = growLabelsWithParents(everywhere, steps, label);
+  const std::vector<std::size_t> parent =
+      growLabelsWithParents(everywhere, steps, label);
 
   std::map<std::pair<std::size_t, std::size_t>, Frontier> frontiers;
   for (std::size_t i = 0; i < label.size(); ++i) {
@@ -204,8 +204,8 @@ perimeterOf(const CellMask& cells)
   return edges;
 }
 
-/** @brief Whether the frontier is open: one room, not two. It must be a good part of the outline of
- * the smaller piece, else it is a passage. */
+/** @brief Whether the frontier is open: one room, not two. It must be a good part of
+ * the outline of the smaller piece, else it is a passage. */
 bool
 isOpen(const Frontier& frontier,
        const Piece& a,
@@ -214,18 +214,21 @@ isOpen(const Frontier& frontier,
 {
   const double total = static_cast<double>(frontier.wall + frontier.plain +
                                            frontier.below_lintel.size());
-  const auto around = static_cast<double>(std::min(perimeterOf(a.cells), perimeterOf(b.cells)));
-  const double open = static_cast<double>(frontier.plain + frontier.below_lintel.size());
+  const auto around =
+      static_cast<double>(std::min(perimeterOf(a.cells), perimeterOf(b.cells)));
+  const double open =
+      static_cast<double>(frontier.plain + frontier.below_lintel.size());
   if (open < parameters.minimum_open_share * around)
     return false;
   if (static_cast<double>(frontier.plain) >= 0.5 * total)
     return true;
   const CellRegions spans = labelRegions(CellSet(frontier.below_lintel));
-  const double widest = spans.sizes.empty() ? 0
-                                            : static_cast<double>(spans.sizes[0]) *
-                                                  parameters.cell_size;
+  const double widest =
+      spans.sizes.empty() ? 0
+                          : static_cast<double>(spans.sizes[0]) * parameters.cell_size;
   return widest > parameters.widest_door &&
-         static_cast<double>(frontier.plain + frontier.below_lintel.size()) > 0.5 * total;
+         static_cast<double>(frontier.plain + frontier.below_lintel.size()) >
+             0.5 * total;
 }
 
 /** @brief Group of every piece after joining the open frontiers. */
@@ -244,8 +247,8 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   return group;
 }
 
-/** @brief The cells just outside of a room. What was not seen within it is no outline: gaps between
- * its ceilings are closed. */
+/** @brief The cells just outside of a room. What was not seen within it is no outline:
+ * gaps between its ceilings are closed. */
 CellMask
 outlineOf(const Storey& storey, const CellMask& scope)
 {
@@ -255,8 +258,8 @@ outlineOf(const Storey& storey, const CellMask& scope)
   return subtract(dilated(solid, 1), solid);
 }
 
-/** @brief Whether the outline of a room has walls in its upper half along enough of it, and none
- * below its floor: a floor that walls go through is a table or a shelf. */
+/** @brief Whether the outline of a room has walls in its upper half along enough of it,
+ * and none below its floor: a floor that walls go through is a table or a shelf. */
 bool
 isWalled(const Storey& storey, const CellMask& scope, const Piece& main)
 {
@@ -271,13 +274,15 @@ isWalled(const Storey& storey, const CellMask& scope, const Piece& main)
     const double top = storey.heightOf(main.level, cell);
     const double floor = storey.heightOf(main.floor, cell);
     all += 1;
-    walls += storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
+    walls +=
+        storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
     below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 1, 2) > 0 ? 1 : 0;
   }
   return walls >= storey.parameters.minimum_wall_share * all && below <= 0.6 * all;
 }
 
-/** @brief Boxes around the ceilings that are large enough to be one, what is far apart apart. */
+/** @brief Boxes around the ceilings that are large enough to be one, what is far apart
+ * apart. */
 std::vector<CellBox>
 boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& parameters)
 {
@@ -299,12 +304,13 @@ boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& paramete
 
 /** @brief Makes a room of the pieces of one group, if it is one. */
 bool
-makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomRegion& room)
+makeRoom(const Storey& storey,
+         const std::vector<const Piece*>& members,
+         RoomRegion& room)
 {
   const Piece& main = **std::max_element(
-      members.begin(), members.end(), [](const Piece* a, const Piece* b) {
-        return a->size < b->size;
-      });
+      members.begin(), members.end(),
+      [](const Piece* a, const Piece* b) { return a->size < b->size; });
   CellMask scope = main.cells;
   CellMask ceiling = main.cells;
   for (const Piece* piece : members) {
@@ -312,7 +318,8 @@ makeRoom(const Storey& storey, const std::vector<const Piece*>& members, RoomReg
     if (piece->level == main.level) // parted by a beam
       ceiling = unite(ceiling, piece->cells);
   }
-  const double area = static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
+  const double area =
+      static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
   if (area < storey.parameters.minimum_area || !isWalled(storey, scope, main))
     return false;
   room.ceiling_level = main.level;
@@ -361,11 +368,13 @@ segmentRooms(const PointView& points,
     if (!problem.empty())
       return {};
     roomsWithin(
-        {levels, parameters, grid, box, ColumnTable(grid, box, points, indices)}, rooms);
+        {levels, parameters, grid, box, ColumnTable(grid, box, points, indices)},
+        rooms);
   }
-  std::stable_sort(rooms.begin(), rooms.end(), [](const RoomRegion& a, const RoomRegion& b) {
-    return a.scope.size() > b.scope.size();
-  });
+  std::stable_sort(rooms.begin(), rooms.end(),
+                   [](const RoomRegion& a, const RoomRegion& b) {
+                     return a.scope.size() > b.scope.size();
+                   });
   return rooms;
 }
 

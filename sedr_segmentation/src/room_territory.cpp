@@ -17,7 +17,7 @@ constexpr double farthest_wall = 0.7;
 } // namespace
 
 RoomTerritory::RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes)
-: grid_(grid)
+    : grid_(grid)
 {
   const int steps = cellsFor(farthest_wall, grid.size(), 3);
   std::vector<CellBox> boxes;

@@ -22,7 +22,8 @@ text(const char* format, double a, double b = 0, double c = 0, double d = 0)
   return buffer.data();
 }
 
-/** @brief Extent along one axis of all but the outermost hundredth of the points at each end. */
+/** @brief Extent along one axis of all but the outermost hundredth of the points at
+ * each end. */
 double
 extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
 {
@@ -38,14 +39,16 @@ extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
   return *high - from;
 }
 
-/** @brief Two large planes across an axis: the smaller one's cells, and their distance. */
+/** @brief Two large planes across an axis: the smaller one's cells, and their distance.
+ */
 struct PlanePair {
   std::size_t cells = 0;
   double distance = 0;
 };
 
-/** @brief The best pair of levels across `axis` that are between `nearest` and `farthest` metres
- * apart: slabs of a decimetre, measured in distinct cells of a decimetre. */
+/** @brief The best pair of levels across `axis` that are between `nearest` and
+ * `farthest` metres apart: slabs of a decimetre, measured in distinct cells of a
+ * decimetre. */
 PlanePair
 bestPair(const PointView& points,
          const std::vector<int>& indices,
@@ -71,7 +74,8 @@ bestPair(const PointView& points,
   PlanePair best;
   for (std::size_t a = 0; a < sizes.size(); ++a)
     for (std::size_t b = a + 1; b < sizes.size(); ++b) {
-      const double distance = static_cast<double>(sizes[b].first - sizes[a].first) * cell;
+      const double distance =
+          static_cast<double>(sizes[b].first - sizes[a].first) * cell;
       if (distance > farthest)
         break;
       const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
@@ -100,24 +104,21 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
   }
   if (finite < fewest)
     return text("%.0f of %.0f points are finite, a room needs at least %.0f",
-                static_cast<double>(finite),
-                static_cast<double>(indices.size()),
+                static_cast<double>(finite), static_cast<double>(indices.size()),
                 static_cast<double>(fewest));
   const double x = extentAlong(sample, 0);
   const double y = extentAlong(sample, 1);
   const double z = extentAlong(sample, 2);
   if (z > 200 || std::min(x, y) > 20000)
-    return text("the scan is %.0f x %.0f x %.0f m large: if its unit is the millimetre, scale it "
+    return text("the scan is %.0f x %.0f x %.0f m large: if its unit is the "
+                "millimetre, scale it "
                 "by 0.001",
-                x,
-                y,
-                z);
+                x, y, z);
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
-    return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its unit must be "
+    return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
+                "unit must be "
                 "the metre",
-                x,
-                y,
-                z);
+                x, y, z);
   return {};
 }
 
@@ -131,15 +132,15 @@ upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_r
   if (z_has_rooms && (up.cells == 0 || up.distance <= highest_usual_room))
     return {};
   for (const int axis : {1, 0}) {
-    const PlanePair other = bestPair(points, indices, axis, lowest_room, highest_usual_room);
+    const PlanePair other =
+        bestPair(points, indices, axis, lowest_room, highest_usual_room);
     if (2 * other.cells > 3 * up.cells)
       return std::string(axis == 1 ? "y" : "x") +
-             text(" seems to be up, not z: across it two planes of %.0f square metres are %.1f m "
+             text(" seems to be up, not z: across it two planes of %.0f square metres "
+                  "are %.1f m "
                   "apart, across z of %.0f square metres %.1f m; turn the scan",
-                  static_cast<double>(other.cells) * 0.01,
-                  other.distance,
-                  static_cast<double>(up.cells) * 0.01,
-                  up.distance);
+                  static_cast<double>(other.cells) * 0.01, other.distance,
+                  static_cast<double>(up.cells) * 0.01, up.distance);
   }
   return {};
 }

@@ -29,10 +29,14 @@ sliceMask(const SliceScene& scene, double fraction)
   return slice;
 }
 
-/** @brief Keeps the regions of at least the minimum size in which most cells pass `test`. */
+/** @brief Keeps the regions of at least the minimum size in which most cells pass
+ * `test`. */
 template <typename Test>
 CellMask
-keepRegions(const CellMask& mask, std::size_t minimum_cells, double minimum_share, Test test)
+keepRegions(const CellMask& mask,
+            std::size_t minimum_cells,
+            double minimum_share,
+            Test test)
 {
   const MaskRegions regions = labelRegions(mask, true);
   std::vector<std::size_t> passed(regions.sizes.size(), 0);
@@ -53,8 +57,8 @@ keepRegions(const CellMask& mask, std::size_t minimum_cells, double minimum_shar
   return kept;
 }
 
-/** @brief The zero-valued regions that a slice and the ceiling enclose and the ceiling alone does
- * not, where something is seen between the two heights. */
+/** @brief The zero-valued regions that a slice and the ceiling enclose and the ceiling
+ * alone does not, where something is seen between the two heights. */
 CellMask
 enclosedBySlices(const SliceScene& scene,
                  std::initializer_list<double> fractions,
@@ -64,11 +68,9 @@ enclosedBySlices(const SliceScene& scene,
   for (const double fraction : fractions)
     // One cell more on each side closes the pinholes of a sparse wall.
     united = unite(united, dilated(sliceMask(scene, fraction), 1));
-  const CellMask found =
-      subtract(enclosedCells(united), enclosedCells(scene.ceiling));
+  const CellMask found = subtract(enclosedCells(united), enclosedCells(scene.ceiling));
   return keepRegions(found, scene.parameters.minimum_cells, 0.5, [&](Cell cell) {
-    return scene.columns.hasWithin(cell,
-                                   scene.sliceAt(cell, lowest_fraction),
+    return scene.columns.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
                                    scene.ceilingAt(cell) + scene.parameters.tolerance);
   });
 }
@@ -91,8 +93,8 @@ runTrials(const SliceScene& scene, SliceDetails& details)
   return found;
 }
 
-/** @brief The points of the details: of each column the uppermost run, if it starts above half the
- * room's height; walls, which come up from below, are left out. */
+/** @brief The points of the details: of each column the uppermost run, if it starts
+ * above half the room's height; walls, which come up from below, are left out. */
 void
 collectPoints(const SliceScene& scene, const CellMask& found, SliceDetails& details)
 {
@@ -153,7 +155,8 @@ findSliceDetails(const PointView& points,
                  std::string& problem)
 {
   SliceDetails details;
-  // How far beyond the ceiling a detail may reach, metres; points farther away are not looked at.
+  // How far beyond the ceiling a detail may reach, metres; points farther away are not
+  // looked at.
   constexpr double farthest_detail = 5;
   const CellGrid grid(parameters.cell_size);
   const CellSet ceiling_cells(grid, points, ceiling);
@@ -164,11 +167,11 @@ findSliceDetails(const PointView& points,
   if (!problem.empty())
     return details;
   const SliceScene scene{parameters,
-                    slab,
-                    floor_height,
-                    grid,
-                    CellMask(ceiling_cells, box),
-                    ColumnTable(grid, box, points, indices)};
+                         slab,
+                         floor_height,
+                         grid,
+                         CellMask(ceiling_cells, box),
+                         ColumnTable(grid, box, points, indices)};
   collectPoints(scene, detailCells(scene, runTrials(scene, details)), details);
   return details;
 }

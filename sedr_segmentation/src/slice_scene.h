@@ -7,7 +7,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A gap of more than this parts the runs of a column, metres: thrice a usual voxel. */
+/** @brief A gap of more than this parts the runs of a column, metres: thrice a usual
+ * voxel. */
 constexpr double run_gap = 0.15;
 
 /** @brief One room on the grid. */
@@ -19,30 +20,25 @@ struct SliceScene {
   CellMask ceiling;
   ColumnTable columns;
 
-  double
-  ceilingAt(Cell cell) const
-  {
-    return slab.heightAt(grid.centre(cell));
-  }
+  double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }
 
-  /** @brief Height of the slice at `fraction` of the room's height below the ceiling. */
-  double
-  sliceAt(Cell cell, double fraction) const
+  /** @brief Height of the slice at `fraction` of the room's height below the ceiling.
+   */
+  double sliceAt(Cell cell, double fraction) const
   {
     const double top = ceilingAt(cell);
     return top - fraction * (top - floor_height);
   }
 };
 
-/** @brief The uppermost run of a column if it starts above half the room's height and is not the
- * ceiling: an underside, or a riser between two heights. */
-bool
-hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top);
+/** @brief The uppermost run of a column if it starts above half the room's height and
+ * is not the ceiling: an underside, or a riser between two heights. */
+bool hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top);
 
-/** @brief The cells of all details: regions of one height that join the ceiling, directly or through
- * each other, their risers, and what else the slices enclosed with them. */
-CellMask
-detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices);
+/** @brief The cells of all details: regions of one height that join the ceiling,
+ * directly or through each other, their risers, and what else the slices enclosed with
+ * them. */
+CellMask detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices);
 
 } // namespace sedr
 } // namespace pcl

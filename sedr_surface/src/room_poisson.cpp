@@ -82,7 +82,8 @@ roundToFloat(TriangleMesh& mesh)
 {
   for (Eigen::Vector3d& v : mesh.vertices)
     for (int k = 0; k < 3; ++k) {
-      volatile float rounded = static_cast<float>(v[k]); // or g++ 12 leaves it out at -O2
+      volatile float rounded =
+          static_cast<float>(v[k]); // or g++ 12 leaves it out at -O2
       v[k] = static_cast<double>(rounded);
     }
 }

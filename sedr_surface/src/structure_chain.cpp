@@ -18,7 +18,8 @@ namespace {
 double
 secondsSince(std::chrono::steady_clock::time_point start)
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 std::uint32_t
@@ -38,26 +39,23 @@ allIndices(std::size_t n)
 const char*
 kindName(LevelKind kind)
 {
-  return kind == LevelKind::Ceiling ? "ceiling" : kind == LevelKind::Floor ? "floor" : "other";
+  return kind == LevelKind::Ceiling ? "ceiling"
+         : kind == LevelKind::Floor ? "floor"
+                                    : "other";
 }
 
-/** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the largest six. */
+/** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the
+ * largest six. */
 std::string
 listOf(std::vector<pcl::HorizontalPlane> planes)
 {
-  std::stable_sort(planes.begin(), planes.end(), [](const auto& a, const auto& b) {
-    return a.area > b.area;
-  });
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
   std::string list;
   for (std::size_t i = 0; i < planes.size() && i < 6; ++i) {
     char text[96];
-    std::snprintf(text,
-                  sizeof text,
-                  "%s%.2f m %s %.1f m2",
-                  i == 0 ? "" : ", ",
-                  planes[i].height,
-                  kindName(planes[i].kind),
-                  planes[i].area);
+    std::snprintf(text, sizeof text, "%s%.2f m %s %.1f m2", i == 0 ? "" : ", ",
+                  planes[i].height, kindName(planes[i].kind), planes[i].area);
     list += text;
   }
   return list;
@@ -130,15 +128,22 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
   reset(thinned);
   const std::size_t n = cloud->size();
   return checkScan() &&
-         runStage("HorizontalPlaneDetection", n, [&](auto& r) { return findPlanes(r); }) &&
-         runStage("GridRegionOutlierRemoval", n, [&](auto& r) { return removeOutliers(r); }) &&
+         runStage("HorizontalPlaneDetection", n,
+                  [&](auto& r) { return findPlanes(r); }) &&
+         runStage("GridRegionOutlierRemoval", n,
+                  [&](auto& r) { return removeOutliers(r); }) &&
          runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
-         runStage("FloorProjectionRecovery", n, [&](auto& r) { return recoverFloors(r); }) &&
-         runStage("CeilingBoundaryWallGrowing", n, [&](auto& r) { return growWalls(r); }) &&
-         runStage("FloorplanFitting", cloud->size(), [&](auto& r) { return fitPlan(r); }) &&
-         runStage("StructureRefinement", cloud->size(), [&](auto& r) { return refine(r); }) &&
-         runStage("VerticalHoleRepair", refined_->size(), [&](auto& r) { return repair(r); });
+         runStage("FloorProjectionRecovery", n,
+                  [&](auto& r) { return recoverFloors(r); }) &&
+         runStage("CeilingBoundaryWallGrowing", n,
+                  [&](auto& r) { return growWalls(r); }) &&
+         runStage("FloorplanFitting", cloud->size(),
+                  [&](auto& r) { return fitPlan(r); }) &&
+         runStage("StructureRefinement", cloud->size(),
+                  [&](auto& r) { return refine(r); }) &&
+         runStage("VerticalHoleRepair", refined_->size(),
+                  [&](auto& r) { return repair(r); });
 }
 
 bool
@@ -162,7 +167,8 @@ StructureChain::checkScan()
 {
   failed_stage = "input";
   const std::string reason =
-      trust_up ? std::string() : upProblem(PointView(*cloud), *allIndices(cloud->size()));
+      trust_up ? std::string()
+               : upProblem(PointView(*cloud), *allIndices(cloud->size()));
   return reason.empty() || fail(reason);
 }
 
@@ -183,13 +189,11 @@ StructureChain::findPlanes(StageReport& report)
   if (ceilings > 0 && floors > 0)
     return true;
   char text[160];
-  std::snprintf(text,
-                sizeof text,
-                "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling needs a floor "
+  std::snprintf(text, sizeof text,
+                "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling "
+                "needs a floor "
                 "at least %.2f m below it; found: ",
-                planes.size(),
-                ceilings,
-                floors,
+                planes.size(), ceilings, floors,
                 plane_detection.getMinimumRoomHeight());
   const std::string turned =
       upProblem(PointView(*cloud), *allIndices(cloud->size()), false);
@@ -202,8 +206,8 @@ StructureChain::removeOutliers(StageReport& report)
   pcl::IndicesPtr floors(new pcl::Indices);
   for (const auto& plane : planes)
     if (plane.kind == LevelKind::Floor)
-      floors->insert(
-          floors->end(), plane.inliers.indices.begin(), plane.inliers.indices.end());
+      floors->insert(floors->end(), plane.inliers.indices.begin(),
+                     plane.inliers.indices.end());
   outlier_removal.setInputCloud(cloud);
   outlier_removal.setSupportIndices(floors);
   const CellGrid grid(outlier_removal.getGridSize());
@@ -240,13 +244,12 @@ StructureChain::partRooms(StageReport& report)
     return fail(reason);
   if (regions_.empty()) {
     char text[200];
-    std::snprintf(text,
-                  sizeof text,
-                  "no room of at least %.1f square metres with a floor below %.0f %% of its "
-                  "ceiling and walls along %.0f %% of its outline; planes: ",
-                  parameters.minimum_area,
-                  100 * parameters.minimum_floor_share,
-                  100 * parameters.minimum_wall_share);
+    std::snprintf(
+        text, sizeof text,
+        "no room of at least %.1f square metres with a floor below %.0f %% of its "
+        "ceiling and walls along %.0f %% of its outline; planes: ",
+        parameters.minimum_area, 100 * parameters.minimum_floor_share,
+        100 * parameters.minimum_wall_share);
     return fail(text + listOf(planes));
   }
   const CellGrid grid(parameters.cell_size);
@@ -298,8 +301,9 @@ StructureChain::findDetails(StageReport& report)
   slice_detail.setInputCloud(cloud);
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    const Eigen::Vector2d middle = CellGrid(outlier_removal.getGridSize())
-                                       .centre(regions_[r].scope[regions_[r].scope.size() / 2]);
+    const Eigen::Vector2d middle =
+        CellGrid(outlier_removal.getGridSize())
+            .centre(regions_[r].scope[regions_[r].scope.size() / 2]);
     slice_detail.setIndices(territory_[r]);
     slice_detail.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
     slice_detail.setFloorHeight(levels_[regions_[r].floor_level].slab.heightAt(middle));
@@ -323,10 +327,8 @@ StructureChain::recoverFloors(StageReport& report)
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Level& floor = levels_[regions_[r].floor_level];
     pcl::IndicesPtr seen(new pcl::Indices);
-    std::set_intersection(floor.inliers.begin(),
-                          floor.inliers.end(),
-                          territory_[r]->begin(),
-                          territory_[r]->end(),
+    std::set_intersection(floor.inliers.begin(), floor.inliers.end(),
+                          territory_[r]->begin(), territory_[r]->end(),
                           std::back_inserter(*seen));
     pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
     for (int k = 0; k < 4; ++k)
@@ -386,7 +388,8 @@ StructureChain::growWalls(StageReport& report)
     }
   }
   return report.points_out > 0 ||
-         fail("no point lies within " + std::to_string(wall_growing.getDistanceThreshold()) +
+         fail("no point lies within " +
+              std::to_string(wall_growing.getDistanceThreshold()) +
               " m in plan of the boundary of the ceilings");
 }
 
@@ -401,8 +404,7 @@ StructureChain::fitPlan(StageReport& report)
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
-  warnings.insert(warnings.end(),
-                  floorplan_fitting.getWarnings().begin(),
+  warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)

@@ -40,7 +40,10 @@ expectRefused(const Floorplan& plan, const std::string& word)
   EXPECT_NE(problem.find(word), std::string::npos) << "'" << problem << "'";
 }
 
-TEST(FloorplanLimits, APlanWithinThemIsRead) { EXPECT_EQ(problemOf(smallPlan()), ""); }
+TEST(FloorplanLimits, APlanWithinThemIsRead)
+{
+  EXPECT_EQ(problemOf(smallPlan()), "");
+}
 
 TEST(FloorplanLimits, CoordinatesBeyondAThousandKilometresAreRefused)
 {

@@ -21,14 +21,15 @@ realScan(const std::string& name)
   const char* folder = std::getenv("SEDR_DATA");
   const auto path = std::filesystem::path(folder ? folder : "") / (name + ".pcd");
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  if (!std::filesystem::exists(path) || pcl::io::loadPCDFile(path.string(), *cloud) != 0)
+  if (!std::filesystem::exists(path) ||
+      pcl::io::loadPCDFile(path.string(), *cloud) != 0)
     return nullptr;
   return cloud;
 }
 
-#define SEDR_LOAD_OR_SKIP(cloud, name)                                                   \
-  const auto cloud = realScan(name);                                                     \
-  if (!cloud)                                                                            \
+#define SEDR_LOAD_OR_SKIP(cloud, name)                                                 \
+  const auto cloud = realScan(name);                                                   \
+  if (!cloud)                                                                          \
   GTEST_SKIP() << "no " << name << ".pcd in the folder that SEDR_DATA names"
 
 TEST(RealScan, synth1_has_its_four_rooms_with_corners_to_the_centimetre)
@@ -39,10 +40,10 @@ TEST(RealScan, synth1_has_its_four_rooms_with_corners_to_the_centimetre)
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   // Corners of the planes fitted to the scan's walls, see the data's own description.
   const std::vector<Eigen::Vector2d> corners{
-      {-1.4, -2.8}, {2.4, -2.8},  {2.4, 1.0},  {1.4, 1.9},  {-1.4, 1.9},
-      {2.5, -2.8},  {5.9, -2.8},  {5.9, 1.9},  {3.5, 1.9},  {2.5, 1.0},
+      {-1.4, -2.8},  {2.4, -2.8},  {2.4, 1.0},  {1.4, 1.9},  {-1.4, 1.9},
+      {2.5, -2.8},   {5.9, -2.8},  {5.9, 1.9},  {3.5, 1.9},  {2.5, 1.0},
       {-1.4, -11.9}, {0.3, -11.9}, {0.3, -4.4}, {5.9, -4.4}, {5.9, -2.9},
-      {-1.4, -2.9}, {0.4, -9.9},  {5.9, -9.9}, {5.9, -5.6}, {0.4, -5.6}};
+      {-1.4, -2.9},  {0.4, -9.9},  {5.9, -9.9}, {5.9, -5.6}, {0.4, -5.6}};
   EXPECT_EQ(chain.getFloorplan()->rooms.size(), 4u);
   std::size_t walls = 0;
   for (const auto& room : chain.getFloorplan()->rooms)

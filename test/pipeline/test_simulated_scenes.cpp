@@ -68,11 +68,7 @@ operator<<(std::ostream& stream, const Expected& e)
 
 class SimulatedScene : public testing::TestWithParam<Expected> {
 protected:
-  void
-  SetUp() override
-  {
-    chain_.setInputCloud(scanOf(GetParam().scene));
-  }
+  void SetUp() override { chain_.setInputCloud(scanOf(GetParam().scene)); }
 
   Reconstruction chain_;
 };
@@ -117,12 +113,13 @@ TEST_P(SimulatedScene, becomes_a_closed_manifold_mesh_near_the_truth)
   EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
 }
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         SimulatedScene,
-                         testing::Values(Expected{"bls_room", 1, 4, 0, 2, 29.76, 0.003},
-                                         Expected{"hls_hall", 1, 4, 5, 0, 168.65, 0.003},
-                                         Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
-                         [](const auto& scene) { return scene.param.scene; });
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    SimulatedScene,
+    testing::Values(Expected{"bls_room", 1, 4, 0, 2, 29.76, 0.003},
+                    Expected{"hls_hall", 1, 4, 5, 0, 168.65, 0.003},
+                    Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
+    [](const auto& scene) { return scene.param.scene; });
 
 TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
 {
@@ -138,8 +135,7 @@ TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
   }
   EXPECT_EQ(plans[0], plans[1]);
   ASSERT_EQ(structures[0].size(), structures[1].size());
-  EXPECT_EQ(std::memcmp(structures[0].data(),
-                        structures[1].data(),
+  EXPECT_EQ(std::memcmp(structures[0].data(), structures[1].data(),
                         structures[0].size() * sizeof(pcl::PointStructure)),
             0);
 }
@@ -167,7 +163,8 @@ TEST(Chain, names_the_stage_that_found_nothing)
   pcl::PointCloud<pcl::PointXYZ>::Ptr floor(new pcl::PointCloud<pcl::PointXYZ>);
   for (int x = 0; x < 100; ++x)
     for (int y = 0; y < 100; ++y)
-      floor->emplace_back(0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 0.f);
+      floor->emplace_back(0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y),
+                          0.f);
   Reconstruction chain;
   chain.setInputCloud(floor);
   pcl::PolygonMesh output;

@@ -224,8 +224,8 @@ save(const std::string& path,
   });
 }
 
-/** @brief The same rows without the gaps that PCL's point types leave between and after their
- * fields: a file's header does not tell of gaps. */
+/** @brief The same rows without the gaps that PCL's point types leave between and after
+ * their fields: a file's header does not tell of gaps. */
 pcl::PCLPointCloud2
 withoutPadding(const pcl::PCLPointCloud2& blob)
 {
@@ -233,7 +233,8 @@ withoutPadding(const pcl::PCLPointCloud2& blob)
   packed.point_step = 0;
   for (auto& field : packed.fields) {
     field.offset = packed.point_step;
-    packed.point_step += static_cast<std::uint32_t>(fieldSize(field.datatype) * field.count);
+    packed.point_step +=
+        static_cast<std::uint32_t>(fieldSize(field.datatype) * field.count);
   }
   const std::size_t rows = std::size_t{blob.width} * blob.height;
   packed.row_step = packed.point_step * packed.width;
@@ -267,7 +268,8 @@ saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 void
 saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
 {
-  save(path, withoutPadding(blob), Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), data);
+  save(path, withoutPadding(blob), Eigen::Vector4f::Zero(),
+       Eigen::Quaternionf::Identity(), data);
 }
 
 } // namespace tools

@@ -17,11 +17,7 @@ struct Cell {
   std::int32_t x = 0;
   std::int32_t y = 0;
 
-  friend bool
-  operator==(Cell a, Cell b)
-  {
-    return a.x == b.x && a.y == b.y;
-  }
+  friend bool operator==(Cell a, Cell b) { return a.x == b.x && a.y == b.y; }
 };
 
 /** @brief A cell as one number; keys sort row by row. */
@@ -45,29 +41,25 @@ cellOf(CellKey key)
   return {lower(key & 0xffffffffu), lower(key >> 32)};
 }
 
-/** @brief The regular grid of the x-y plane (paper, section 2.3.1): square cells, one corner at
- * the origin, so that grids of one cell size always agree. */
+/** @brief The regular grid of the x-y plane (paper, section 2.3.1): square cells, one
+ * corner at the origin, so that grids of one cell size always agree. */
 class CellGrid {
 public:
   /** @param size edge of a cell, metres, > 0 */
-  explicit CellGrid(double size) : size_(size) {}
+  explicit CellGrid(double size)
+      : size_(size)
+  {}
 
-  double
-  size() const
-  {
-    return size_;
-  }
+  double size() const { return size_; }
 
-  /** @brief Whether (x, y) is finite and near enough to the origin for a 32-bit cell. */
-  bool
-  holds(double x, double y) const;
+  /** @brief Whether (x, y) is finite and near enough to the origin for a 32-bit cell.
+   */
+  bool holds(double x, double y) const;
 
   /** @brief The cell of (x, y), for which holds() must be true: asserted. */
-  Cell
-  at(double x, double y) const;
+  Cell at(double x, double y) const;
 
-  Eigen::Vector2d
-  centre(Cell cell) const
+  Eigen::Vector2d centre(Cell cell) const
   {
     return {(cell.x + 0.5) * size_, (cell.y + 0.5) * size_};
   }
@@ -76,8 +68,8 @@ private:
   double size_;
 };
 
-/** @brief A set of cells anywhere in the plane, whatever its extent: a sorted vector of keys.
- * Memory grows with the number of cells, never with their bounding box. */
+/** @brief A set of cells anywhere in the plane, whatever its extent: a sorted vector of
+ * keys. Memory grows with the number of cells, never with their bounding box. */
 class CellSet {
 public:
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
@@ -88,48 +80,27 @@ public:
   explicit CellSet(std::vector<CellKey> keys);
 
   /** @brief The cells of `keys`, which must be increasing, each once. O(1). */
-  static CellSet
-  fromSorted(std::vector<CellKey> keys);
+  static CellSet fromSorted(std::vector<CellKey> keys);
 
   /** @brief The cells that hold at least one finite point of `points[indices]`. */
   template <typename IndicesT>
   CellSet(const CellGrid& grid, const PointView& points, const IndicesT& indices)
-  : CellSet(keysOf(grid, points, indices))
+      : CellSet(keysOf(grid, points, indices))
   {}
 
-  std::size_t
-  size() const
-  {
-    return keys_.size();
-  }
+  std::size_t size() const { return keys_.size(); }
 
-  bool
-  empty() const
-  {
-    return keys_.empty();
-  }
+  bool empty() const { return keys_.empty(); }
 
-  /** @brief Position of `cell` in the set's order, npos where it is absent. O(log n). */
-  std::size_t
-  find(Cell cell) const;
+  /** @brief Position of `cell` in the set's order, npos where it is absent. O(log n).
+   */
+  std::size_t find(Cell cell) const;
 
-  bool
-  contains(Cell cell) const
-  {
-    return find(cell) != npos;
-  }
+  bool contains(Cell cell) const { return find(cell) != npos; }
 
-  Cell
-  operator[](std::size_t i) const
-  {
-    return cellOf(keys_[i]);
-  }
+  Cell operator[](std::size_t i) const { return cellOf(keys_[i]); }
 
-  const std::vector<CellKey>&
-  keys() const
-  {
-    return keys_;
-  }
+  const std::vector<CellKey>& keys() const { return keys_; }
 
 private:
   template <typename IndicesT>
@@ -149,26 +120,23 @@ private:
   std::vector<CellKey> keys_;
 };
 
-CellSet
-unite(const CellSet& a, const CellSet& b);
+CellSet unite(const CellSet& a, const CellSet& b);
 
-CellSet
-intersect(const CellSet& a, const CellSet& b);
+CellSet intersect(const CellSet& a, const CellSet& b);
 
 /** @brief The cells of `a` that are not in `b`. */
-CellSet
-subtract(const CellSet& a, const CellSet& b);
+CellSet subtract(const CellSet& a, const CellSet& b);
 
 /** @brief Connected regions of a set of cells. */
 struct CellRegions {
   std::vector<std::size_t> label; ///< of each cell of the set, 0 .. sizes.size() - 1
-  std::vector<std::size_t> sizes; ///< in cells, decreasing; equal ones in the order of the keys
+  std::vector<std::size_t>
+      sizes; ///< in cells, decreasing; equal ones in the order of the keys
 };
 
 /** @brief The eight-connected regions of `cells` (paper, section 2.3.1), largest first.
  * O(n log n). */
-CellRegions
-labelRegions(const CellSet& cells);
+CellRegions labelRegions(const CellSet& cells);
 
 } // namespace sedr
 } // namespace pcl

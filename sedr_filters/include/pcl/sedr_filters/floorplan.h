@@ -23,105 +23,90 @@ struct PlanElement {
   std::size_t inliers = 0; ///< points that the element was fitted to
   double residual = 0;     ///< their root mean square distance from it, metres
 
-  bool
-  isArc() const
-  {
-    return radius > 0;
-  }
+  bool isArc() const { return radius > 0; }
 
-  /** @brief Signed angle an arc runs through, radians, positive counter-clockwise: above 0 and at
-   * most 2 pi in size.
+  /** @brief Signed angle an arc runs through, radians, positive counter-clockwise:
+   * above 0 and at most 2 pi in size.
    *
-   * By design an arc whose ends coincide (to 1e-9 m, or 1e-9 of a radius above 1 m) is a whole
-   * circle, never nothing: a round column or a rotunda is a loop of one such arc. An arc that has
-   * shrunk to a point therefore has to be taken out of its loop by whoever made it. */
-  double
-  sweep() const;
+   * By design an arc whose ends coincide (to 1e-9 m, or 1e-9 of a radius above 1 m) is
+   * a whole circle, never nothing: a round column or a rotunda is a loop of one such
+   * arc. An arc that has shrunk to a point therefore has to be taken out of its loop by
+   * whoever made it. */
+  double sweep() const;
 
-  double
-  length() const;
+  double length() const;
 
   /** @brief Point at distance `s` from the start along the element. */
-  Eigen::Vector2d
-  pointAt(double s) const;
+  Eigen::Vector2d pointAt(double s) const;
 
   /** @brief Unit normal at distance `s`, to the left of the way from start to end. */
-  Eigen::Vector2d
-  normalAt(double s) const;
+  Eigen::Vector2d normalAt(double s) const;
 
-  /** @brief Distance along the element of its point nearest to `p`, within [0, length()]. */
-  double
-  project(const Eigen::Vector2d& p) const;
+  /** @brief Distance along the element of its point nearest to `p`, within [0,
+   * length()]. */
+  double project(const Eigen::Vector2d& p) const;
 
-  double
-  distance(const Eigen::Vector2d& p) const
+  double distance(const Eigen::Vector2d& p) const
   {
     return (pointAt(project(p)) - p).norm();
   }
 
-  /** @brief Signed area between the element and the chords from the origin, so that those of a
-   * closed loop add up to its area. */
-  double
-  areaUnder() const;
+  /** @brief Signed area between the element and the chords from the origin, so that
+   * those of a closed loop add up to its area. */
+  double areaUnder() const;
 };
 
-/** @brief A closed loop of elements: each ends where the next starts, the last where the first
- * starts. Outer loops run counter-clockwise, loops of columns clockwise: the room is always on the
- * left. */
+/** @brief A closed loop of elements: each ends where the next starts, the last where
+ * the first starts. Outer loops run counter-clockwise, loops of columns clockwise: the
+ * room is always on the left. */
 struct PlanLoop {
   std::vector<PlanElement> elements;
 
   /** @brief Positive where the loop runs counter-clockwise, square metres. */
-  double
-  area() const;
+  double area() const;
 
-  double
-  length() const;
+  double length() const;
 
-  /** @brief Whether `p` lies inside, by the winding number; whichever way the loop runs. */
-  bool
-  contains(const Eigen::Vector2d& p) const;
+  /** @brief Whether `p` lies inside, by the winding number; whichever way the loop
+   * runs. */
+  bool contains(const Eigen::Vector2d& p) const;
 
   /** @brief Distance of `p` from the nearest element; infinite for an empty loop. */
-  double
-  distance(const Eigen::Vector2d& p) const;
+  double distance(const Eigen::Vector2d& p) const;
 
   /** @brief Index of the element nearest to `p`. */
-  std::size_t
-  nearest(const Eigen::Vector2d& p) const;
+  std::size_t nearest(const Eigen::Vector2d& p) const;
 
-  /** @brief Corners in order, arcs replaced by chords that stay within `tolerance` metres (at
-   * least 1e-6), but by no more than 10000 chords each. */
-  std::vector<Eigen::Vector2d>
-  polygon(double tolerance) const;
+  /** @brief Corners in order, arcs replaced by chords that stay within `tolerance`
+   * metres (at least 1e-6), but by no more than 10000 chords each. */
+  std::vector<Eigen::Vector2d> polygon(double tolerance) const;
 };
 
 /** @brief The same loop, run the other way. */
-PlanLoop
-reversed(const PlanLoop& loop);
+PlanLoop reversed(const PlanLoop& loop);
 
-/** @brief A plane that is not vertical: a x + b y + c z + d = 0 with unit normal, c > 0. */
+/** @brief A plane that is not vertical: a x + b y + c z + d = 0 with unit normal, c >
+ * 0. */
 struct PlanSlab {
   Eigen::Vector4d plane = Eigen::Vector4d(0, 0, 1, 0);
   std::size_t inliers = 0;
   double residual = 0; ///< root mean square distance of the inliers, metres
 
-  double
-  heightAt(const Eigen::Vector2d& p) const
+  double heightAt(const Eigen::Vector2d& p) const
   {
     return -(plane[0] * p.x() + plane[1] * p.y() + plane[3]) / plane[2];
   }
 };
 
-/** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer. Where
- * details overlap, the later one of a room's list is what is there. */
+/** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer.
+ * Where details overlap, the later one of a room's list is what is there. */
 struct PlanDetail {
-  PlanLoop boundary;           ///< counter-clockwise
-  std::vector<PlanLoop> holes; ///< clockwise: a soffit that runs around the room has one
+  PlanLoop boundary; ///< counter-clockwise
+  std::vector<PlanLoop>
+      holes; ///< clockwise: a soffit that runs around the room has one
   PlanSlab slab;
 
-  bool
-  contains(const Eigen::Vector2d& p) const;
+  bool contains(const Eigen::Vector2d& p) const;
 };
 
 /** @brief A room: its walls and columns in plan, its floor and its ceiling. */
@@ -134,34 +119,25 @@ struct PlanRoom {
   std::vector<PlanDetail> details;
 
   /** @brief Whether `p` lies in the room: inside the boundary, outside every column. */
-  bool
-  contains(const Eigen::Vector2d& p) const;
+  bool contains(const Eigen::Vector2d& p) const;
 
   /** @brief Index of the detail above `p`, or -1 below the main ceiling. */
-  int
-  detailAt(const Eigen::Vector2d& p) const;
+  int detailAt(const Eigen::Vector2d& p) const;
 
   /** @brief The slab of detail `detail`; of -1 the main ceiling. */
-  const PlanSlab&
-  ceilingSlab(int detail) const
+  const PlanSlab& ceilingSlab(int detail) const
   {
     return detail < 0 ? ceiling : details[static_cast<std::size_t>(detail)].slab;
   }
 
   /** @brief Height of whatever ceiling is above `p`. */
-  double
-  ceilingAt(const Eigen::Vector2d& p) const;
+  double ceilingAt(const Eigen::Vector2d& p) const;
 
   /** @brief Floor area without columns, square metres. */
-  double
-  area() const;
+  double area() const;
 
   /** @brief Length of the outer loop, metres. */
-  double
-  perimeter() const
-  {
-    return boundary.length();
-  }
+  double perimeter() const { return boundary.length(); }
 };
 
 /** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7). */

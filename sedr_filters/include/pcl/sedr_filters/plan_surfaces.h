@@ -10,15 +10,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The stretch of heights that an upright surface covers at one place, metres. */
+/** @brief The stretch of heights that an upright surface covers at one place, metres.
+ */
 struct UprightSpan {
   double low = 0;
-  double high = 0;             ///< not above low where there is no surface
-  bool faces_left = true;      ///< whether the room is on the left of the element's way
+  double high = 0;        ///< not above low where there is no surface
+  bool faces_left = true; ///< whether the room is on the left of the element's way
 };
 
-/** @brief A wall, the face of a column or the riser of a detail: an element of a room's plan,
- * upright from one height to another. */
+/** @brief A wall, the face of a column or the riser of a detail: an element of a room's
+ * plan, upright from one height to another. */
 struct UprightSurface {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
@@ -26,18 +27,15 @@ struct UprightSurface {
   int detail = -1;                             ///< of a riser: index in room->details
 
   /** @brief What the surface covers at distance `s` along the element. */
-  UprightSpan
-  spanAt(double s) const;
+  UprightSpan spanAt(double s) const;
 
   /** @brief Unit normal into the room at distance `s`. */
-  Eigen::Vector3d
-  normalAt(double s) const;
+  Eigen::Vector3d normalAt(double s) const;
 };
 
-/** @brief The upright surfaces of a room: walls, then columns, then risers. They point into `room`,
- * which must stay where it is. */
-std::vector<UprightSurface>
-uprightSurfaces(const PlanRoom& room);
+/** @brief The upright surfaces of a room: walls, then columns, then risers. They point
+ * into `room`, which must stay where it is. */
+std::vector<UprightSurface> uprightSurfaces(const PlanRoom& room);
 
 /** @brief A point of the structure, in double precision. */
 struct SurfacePoint {
@@ -47,24 +45,23 @@ struct SurfacePoint {
   std::uint32_t room = 0;
 };
 
-/** @brief The point at a place in plan of the floor, or of whatever ceiling or detail is above the
- * place; whether the place is in the room is not asked. */
+/** @brief The point at a place in plan of the floor, or of whatever ceiling or detail
+ * is above the place; whether the place is in the room is not asked. */
 SurfacePoint
 slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor);
 
-/** @brief The point of the room's structure that a scanned point with a label stands for (paper,
- * section 2.4): ceiling and floor points move to the plane, wall and column points to their line or
- * circle in x and y while z stays, detail points to the underside or the riser, whichever is
- * nearer.
- * @return false where that would be farther than `farthest` metres, or beside the room: then the
- * point is not of this structure */
-bool
-snapToRoom(const PlanRoom& room,
-           const std::vector<UprightSurface>& uprights,
-           const Eigen::Vector3d& position,
-           StructureLabel label,
-           double farthest,
-           SurfacePoint& snapped);
+/** @brief The point of the room's structure that a scanned point with a label stands
+ * for (paper, section 2.4): ceiling and floor points move to the plane, wall and column
+ * points to their line or circle in x and y while z stays, detail points to the
+ * underside or the riser, whichever is nearer.
+ * @return false where that would be farther than `farthest` metres, or beside the room:
+ * then the point is not of this structure */
+bool snapToRoom(const PlanRoom& room,
+                const std::vector<UprightSurface>& uprights,
+                const Eigen::Vector3d& position,
+                StructureLabel label,
+                double farthest,
+                SurfacePoint& snapped);
 
 } // namespace sedr
 } // namespace pcl

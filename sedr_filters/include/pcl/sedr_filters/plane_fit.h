@@ -11,37 +11,34 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Least squares of a horizontal or leaning plane through `points[indices]`, in the
- * distance along its normal. Fewer than three points, or points on one line, give the horizontal
- * plane through their mean height. O(n). */
-PlanSlab
-fitSlab(const PointView& points, const std::vector<int>& indices);
+/** @brief Least squares of a horizontal or leaning plane through `points[indices]`, in
+ * the distance along its normal. Fewer than three points, or points on one line, give
+ * the horizontal plane through their mean height. O(n). */
+PlanSlab fitSlab(const PointView& points, const std::vector<int>& indices);
 
-/** @brief As fitSlab(), but outliers are left out: starting from `start`, the points within
- * `band` metres are fitted, and the band then shrinks to 2.5 robust standard deviations of what it
- * holds, a few times over. */
-PlanSlab
-fitSlabRobustly(const PointView& points,
-                const std::vector<int>& indices,
-                const PlanSlab& start,
-                double band);
+/** @brief As fitSlab(), but outliers are left out: starting from `start`, the points
+ * within `band` metres are fitted, and the band then shrinks to 2.5 robust standard
+ * deviations of what it holds, a few times over. */
+PlanSlab fitSlabRobustly(const PointView& points,
+                         const std::vector<int>& indices,
+                         const PlanSlab& start,
+                         double band);
 
 /** @brief As fitSlabRobustly(), but the plane keeps the direction of `direction`. */
-PlanSlab
-fitParallel(const PointView& points,
-            const std::vector<int>& indices,
-            const PlanSlab& direction,
-            const PlanSlab& start,
-            double band);
+PlanSlab fitParallel(const PointView& points,
+                     const std::vector<int>& indices,
+                     const PlanSlab& direction,
+                     const PlanSlab& start,
+                     double band);
 
-/** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the horizontal, with
- * inliers within `tolerance` metres, refined by fitSlabRobustly(). Deterministic for a `seed`. */
-PlanSlab
-findSlab(const PointView& points,
-         const std::vector<int>& indices,
-         double tolerance,
-         double maximum_tilt,
-         std::uint64_t seed);
+/** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the
+ * horizontal, with inliers within `tolerance` metres, refined by fitSlabRobustly().
+ * Deterministic for a `seed`. */
+PlanSlab findSlab(const PointView& points,
+                  const std::vector<int>& indices,
+                  double tolerance,
+                  double maximum_tilt,
+                  std::uint64_t seed);
 
 /** @brief Distance of a point from a slab, metres, positive above it. */
 inline double

@@ -9,7 +9,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a point is; the value of the `label` field of every file of this library. */
+/** @brief What a point is; the value of the `label` field of every file of this
+ * library. */
 enum class StructureLabel : std::uint32_t {
   Other = 0,
   Ceiling = 1,
@@ -51,8 +52,8 @@ struct EIGEN_ALIGN16 _PointStructure {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/** @brief A point of the reconstructed structure: position and normal (metres, z up, the normal
- * into the room), label and room. */
+/** @brief A point of the reconstructed structure: position and normal (metres, z up,
+ * the normal into the room), label and room. */
 struct PointStructure : public _PointStructure {
   PointStructure()
   {
@@ -68,15 +69,19 @@ struct PointStructure : public _PointStructure {
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(
     pcl::_PointStructure,
-    (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(
-        float, normal_y, normal_y)(float, normal_z, normal_z)(
-        float, curvature, curvature)(std::uint32_t, label, label)(std::uint32_t,
-                                                                  room,
-                                                                  room))
+    (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(float,
+                                                                       normal_y,
+                                                                       normal_y)(
+        float,
+        normal_z,
+        normal_z)(float, curvature, curvature)(std::uint32_t,
+                                               label,
+                                               label)(std::uint32_t, room, room))
 POINT_CLOUD_REGISTER_POINT_WRAPPER(pcl::PointStructure, pcl::_PointStructure)
 
-/** @brief The point types for which the libraries hold compiled classes; for any other type with
- * x, y and z include the class's impl/ header. */
-#define SEDR_POINT_TYPES                                                                 \
-  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(  \
-      pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointStructure)
+/** @brief The point types for which the libraries hold compiled classes; for any other
+ * type with x, y and z include the class's impl/ header. */
+#define SEDR_POINT_TYPES                                                               \
+  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(                   \
+      pcl::PointXYZRGBA)(pcl::PointNormal)(pcl::PointXYZRGBNormal)(                    \
+      pcl::PointStructure)

@@ -13,38 +13,35 @@ class PointCloud;
 
 namespace sedr {
 
-/** @brief The coordinates of a cloud of any point type, seen without copying: the algorithms of
- * this library read points through it and know nothing of PCL. Valid while the cloud is. */
+/** @brief The coordinates of a cloud of any point type, seen without copying: the
+ * algorithms of this library read points through it and know nothing of PCL. Valid
+ * while the cloud is. */
 class PointView {
 public:
   PointView() = default;
 
-  /** @brief `size` points, the x of the first at `first_x`, `stride` bytes from one to the next;
-   * y and z follow x. */
+  /** @brief `size` points, the x of the first at `first_x`, `stride` bytes from one to
+   * the next; y and z follow x. */
   PointView(const float* first_x, std::size_t stride, std::size_t size)
-  : first_(reinterpret_cast<const char*>(first_x)), stride_(stride), size_(size)
+      : first_(reinterpret_cast<const char*>(first_x))
+      , stride_(stride)
+      , size_(size)
   {}
 
   template <typename PointT>
   explicit PointView(const pcl::PointCloud<PointT>& cloud)
-  : PointView(cloud.empty() ? nullptr : &cloud[0].x, sizeof(PointT), cloud.size())
+      : PointView(cloud.empty() ? nullptr : &cloud[0].x, sizeof(PointT), cloud.size())
   {}
 
-  std::size_t
-  size() const
-  {
-    return size_;
-  }
+  std::size_t size() const { return size_; }
 
-  Eigen::Vector3f
-  operator[](std::size_t i) const
+  Eigen::Vector3f operator[](std::size_t i) const
   {
     const float* p = reinterpret_cast<const float*>(first_ + i * stride_);
     return {p[0], p[1], p[2]};
   }
 
-  bool
-  isFinite(std::size_t i) const
+  bool isFinite(std::size_t i) const
   {
     const float* p = reinterpret_cast<const float*>(first_ + i * stride_);
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);

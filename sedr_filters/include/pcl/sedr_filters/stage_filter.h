@@ -9,10 +9,11 @@ namespace sedr {
 
 /** @brief Base of the stages that write a cloud: a filter that fails aloud.
  *
- * pcl::Filter::filter() does nothing at all without an input cloud; here that is a failed
- * run like any other: getErrorMessage() gives the reason, the output is empty, the
- * results of earlier runs are gone. A class that derives from it clears its results,
- * error and removed indices in clearResults(), and calls removeAll() where it gives up. */
+ * pcl::Filter::filter() does nothing at all without an input cloud; here that is a
+ * failed run like any other: getErrorMessage() gives the reason, the output is empty,
+ * the results of earlier runs are gone. A class that derives from it clears its
+ * results, error and removed indices in clearResults(), and calls removeAll() where it
+ * gives up. */
 template <typename PointT>
 class StageFilter : public Filter<PointT>, public StageError {
 public:
@@ -52,8 +53,8 @@ protected:
     output.is_dense = true;
   }
 
-  /** @brief Ends a failed run: all indices that the cloud has are removed, where they are
-   * asked for. */
+  /** @brief Ends a failed run: all indices that the cloud has are removed, where they
+   * are asked for. */
   void removeAll()
   {
     if (this->extract_removed_indices_)

@@ -43,8 +43,8 @@ roomsOf(const pcl::PointCloud<PointT>& cloud)
   return rooms;
 }
 
-/** @brief What a stage that works with labelled points and a plan lacks, a sentence; empty if it
- * lacks nothing.
+/** @brief What a stage that works with labelled points and a plan lacks, a sentence;
+ * empty if it lacks nothing.
  * @param[in,out] labels of every point of the cloud; empty: filled from its point type
  * @param[in,out] rooms likewise */
 template <typename PointT>
@@ -71,8 +71,8 @@ structureProblem(const Floorplan* plan,
   return problem;
 }
 
-/** @brief Moves a point to the structure, and sets its normal, label and room where its type has
- * them. */
+/** @brief Moves a point to the structure, and sets its normal, label and room where its
+ * type has them. */
 template <typename PointT>
 void
 setSurfacePoint(const SurfacePoint& surface, PointT& p)

@@ -21,31 +21,29 @@ struct SurfaceCell {
 /** @brief The most cells that the surfaces of a plan may be cut into: 16 GB of them. */
 constexpr double most_surface_cells = 2e8;
 
-/** @brief Why the surfaces of a plan cannot be cut into cells of `size` metres, a sentence with the
- * estimated number of cells; empty if they can. `size` must be above 0. O(elements). */
-std::string
-surfaceCellsProblem(const Floorplan& plan, double size);
+/** @brief Why the surfaces of a plan cannot be cut into cells of `size` metres, a
+ * sentence with the estimated number of cells; empty if they can. `size` must be above
+ * 0. O(elements). */
+std::string surfaceCellsProblem(const Floorplan& plan, double size);
 
-/** @brief The surfaces of a room cut into cells of nearly one size: upright surfaces along their
- * elements and up their heights, each into equal parts; floor and ceilings by a grid in plan. The
- * cells cover the whole room without gaps, so the empty ones are its holes (paper, section 2.4). */
+/** @brief The surfaces of a room cut into cells of nearly one size: upright surfaces
+ * along their elements and up their heights, each into equal parts; floor and ceilings
+ * by a grid in plan. The cells cover the whole room without gaps, so the empty ones are
+ * its holes (paper, section 2.4). */
 class SurfaceCells {
 public:
   /** @param room must stay where it is
-   * @param size edge of a cell, metres, > 0; surfaceCellsProblem() of the plan must be empty */
+   * @param size edge of a cell, metres, > 0; surfaceCellsProblem() of the plan must be
+   * empty */
   SurfaceCells(const PlanRoom& room, double size);
 
-  /** @brief Says that point `source` of the scan, on the structure already, lies in its cell.
+  /** @brief Says that point `source` of the scan, on the structure already, lies in its
+   * cell.
    * @return false where the room has no such surface */
-  bool
-  occupy(const SurfacePoint& point, std::size_t source);
+  bool occupy(const SurfacePoint& point, std::size_t source);
 
   /** @brief All cells: walls, columns and risers, then floor, then ceiling. */
-  const std::vector<SurfaceCell>&
-  cells() const
-  {
-    return cells_;
-  }
+  const std::vector<SurfaceCell>& cells() const { return cells_; }
 
 private:
   /** @brief Cells of an upright surface: column after column along the element. */
@@ -56,18 +54,14 @@ private:
     std::vector<UprightSpan> spans; ///< of each column
   };
 
-  void
-  addStrip(const UprightSurface& surface);
+  void addStrip(const UprightSurface& surface);
 
-  void
-  addSlabs();
+  void addSlabs();
 
   /** @brief Index of a plan cell in the grid of floor and ceiling. */
-  bool
-  planIndex(const Eigen::Vector2d& place, std::size_t& index) const;
+  bool planIndex(const Eigen::Vector2d& place, std::size_t& index) const;
 
-  std::size_t
-  findUpright(const SurfacePoint& point) const;
+  std::size_t findUpright(const SurfacePoint& point) const;
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

@@ -10,20 +10,22 @@
 
 namespace pcl {
 
-/** @brief Fills the holes of a refined structure (paper, section 2.4): per cell of a wall, the empty
- * cells in z between floor and ceiling are filled, so that doors, windows and what furniture hid
- * are closed; likewise the faces of columns, the risers of details, floor and ceilings. Frame: z
- * up, metres.
+/** @brief Fills the holes of a refined structure (paper, section 2.4): per cell of a
+ * wall, the empty cells in z between floor and ceiling are filled, so that doors,
+ * windows and what furniture hid are closed; likewise the faces of columns, the risers
+ * of details, floor and ceilings. Frame: z up, metres.
  *
- * The input is what StructureRefinement gives: points on the surfaces of the plan. The output has
- * one point for every cell of every surface: the scanned point nearest to the cell's middle, or a
- * new one there, so that it covers the structure evenly and wholly. Normals, labels and rooms are
- * set where the point type has them; other fields of new points are zero. Non-finite points and
- * points on no surface are removed. O(n e + c) for n points, e elements and c cells.
+ * The input is what StructureRefinement gives: points on the surfaces of the plan. The
+ * output has one point for every cell of every surface: the scanned point nearest to
+ * the cell's middle, or a new one there, so that it covers the structure evenly and
+ * wholly. Normals, labels and rooms are set where the point type has them; other fields
+ * of new points are zero. Non-finite points and points on no surface are removed. O(n e
+ * + c) for n points, e elements and c cells.
  *
- * No input, no plan, a grid size that is not above 0 or so small that the plan would have more than
- * sedr::most_surface_cells cells, an index beyond the cloud, labels or rooms of another number than
- * the points: PCL_ERROR, an empty output, all indices removed, and getErrorMessage() says why.
+ * No input, no plan, a grid size that is not above 0 or so small that the plan would
+ * have more than sedr::most_surface_cells cells, an index beyond the cloud, labels or
+ * rooms of another number than the points: PCL_ERROR, an empty output, all indices
+ * removed, and getErrorMessage() says why.
  * @code
  * pcl::VerticalHoleRepair<pcl::PointStructure> repair;
  * repair.setInputCloud(refined);
@@ -37,79 +39,52 @@ public:
   using ConstPtr = shared_ptr<const VerticalHoleRepair<PointT>>;
   using PointCloud = typename Filter<PointT>::PointCloud;
 
-  /** @param extract_removed_indices whether getRemovedIndices() is filled: with the points that are
-   * in no cell, and those that share their cell with one nearer to its middle */
+  /** @param extract_removed_indices whether getRemovedIndices() is filled: with the
+   * points that are in no cell, and those that share their cell with one nearer to its
+   * middle */
   explicit VerticalHoleRepair(bool extract_removed_indices = false)
-  : sedr::StageFilter<PointT>(extract_removed_indices)
+      : sedr::StageFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "VerticalHoleRepair";
   }
 
   /** @brief The model that the points lie on. Needed. */
-  void
-  setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
+  void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
   {
     plan_ = plan;
   }
-  std::shared_ptr<const sedr::Floorplan>
-  getFloorplan() const
-  {
-    return plan_;
-  }
+  std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
-  /** @brief sedr::StructureLabel of every point of the cloud; empty: from the point type. */
-  void
-  setLabels(std::vector<std::uint32_t> labels)
-  {
-    labels_ = std::move(labels);
-  }
+  /** @brief sedr::StructureLabel of every point of the cloud; empty: from the point
+   * type. */
+  void setLabels(std::vector<std::uint32_t> labels) { labels_ = std::move(labels); }
 
   /** @brief Room of every point of the cloud, 0 none; empty: from the point type. */
-  void
-  setRooms(std::vector<std::uint32_t> rooms)
-  {
-    rooms_ = std::move(rooms);
-  }
+  void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
   /** @brief Edge of a cell, metres, > 0. Default 0.05. */
-  void
-  setGridSize(double size)
-  {
-    grid_size_ = size;
-  }
-  double
-  getGridSize() const
-  {
-    return grid_size_;
-  }
+  void setGridSize(double size) { grid_size_ = size; }
+  double getGridSize() const { return grid_size_; }
 
-  /** @brief Source in the input cloud of every point of the output, -1 for one that fills a hole. */
-  const Indices&
-  getSourceIndices() const
-  {
-    return sources_;
-  }
+  /** @brief Source in the input cloud of every point of the output, -1 for one that
+   * fills a hole. */
+  const Indices& getSourceIndices() const { return sources_; }
 
-  /** @brief Indices in the output of the points that fill holes, increasing: what was not seen. */
-  const Indices&
-  getRepairedIndices() const
-  {
-    return repaired_;
-  }
+  /** @brief Indices in the output of the points that fill holes, increasing: what was
+   * not seen. */
+  const Indices& getRepairedIndices() const { return repaired_; }
 
-  /** @brief Position, normal, label and room of every point of the output, in double precision. */
-  const std::vector<sedr::SurfacePoint>&
-  getSurfacePoints() const
+  /** @brief Position, normal, label and room of every point of the output, in double
+   * precision. */
+  const std::vector<sedr::SurfacePoint>& getSurfacePoints() const
   {
     return surface_points_;
   }
 
 protected:
-  void
-  applyFilter(PointCloud& output) override;
+  void applyFilter(PointCloud& output) override;
 
-  void
-  clearResults() override;
+  void clearResults() override;
 
 private:
   using PCLBase<PointT>::input_;
@@ -119,8 +94,7 @@ private:
   using sedr::StageFilter<PointT>::fail;
 
   /** @brief Checks all that was set, and fills labels and rooms where none were. */
-  bool
-  validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
+  bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   std::shared_ptr<const sedr::Floorplan> plan_;
   std::vector<std::uint32_t> labels_;

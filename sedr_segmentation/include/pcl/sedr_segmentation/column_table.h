@@ -16,8 +16,8 @@ struct ColumnRun {
   float high = 0;
 };
 
-/** @brief The points of each grid column within a box of cells, sorted by height. Points that are
- * not finite or outside of the box are left out. O(n log n). */
+/** @brief The points of each grid column within a box of cells, sorted by height.
+ * Points that are not finite or outside of the box are left out. O(n log n). */
 class ColumnTable {
 public:
   ColumnTable(const CellGrid& grid,
@@ -31,29 +31,21 @@ public:
     int index;
   };
 
-  const Entry*
-  begin(Cell cell) const;
-  const Entry*
-  end(Cell cell) const;
+  const Entry* begin(Cell cell) const;
+  const Entry* end(Cell cell) const;
 
   /** @brief Whether a point of the column lies within [low, high]. */
-  bool
-  hasWithin(Cell cell, double low, double high) const;
+  bool hasWithin(Cell cell, double low, double high) const;
 
-  /** @brief Share of the `bins` equal parts of [low, high] in which the column or one of its
-   * neighbours within `radius` cells holds a point. */
-  double
-  share(Cell cell, double low, double high, int bins, int radius) const;
+  /** @brief Share of the `bins` equal parts of [low, high] in which the column or one
+   * of its neighbours within `radius` cells holds a point. */
+  double share(Cell cell, double low, double high, int bins, int radius) const;
 
-  /** @brief The stretches of the column that gaps of more than `gap` metres part, lowest first. */
-  std::vector<ColumnRun>
-  runs(Cell cell, double gap) const;
+  /** @brief The stretches of the column that gaps of more than `gap` metres part,
+   * lowest first. */
+  std::vector<ColumnRun> runs(Cell cell, double gap) const;
 
-  const CellBox&
-  box() const
-  {
-    return frame_.box();
-  }
+  const CellBox& box() const { return frame_.box(); }
 
 private:
   CellMask frame_; ///< holds the box and numbers the cells

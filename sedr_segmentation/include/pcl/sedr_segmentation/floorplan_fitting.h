@@ -12,13 +12,14 @@
 
 namespace pcl {
 
-/** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7): lines and circles by
- * seeded 2D RANSAC along the outline of ceiling and details, then by robust least squares to the
- * wall points; closed loops of segments and arcs a room, columns as inner loops, details as loops
- * with a height of their own. Frame: z up, metres.
+/** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7): lines and
+ * circles by seeded 2D RANSAC along the outline of ceiling and details, then by robust
+ * least squares to the wall points; closed loops of segments and arcs a room, columns
+ * as inner loops, details as loops with a height of their own. Frame: z up, metres.
  *
- * Room numbers of the points part the rooms, see setRooms(); without them all is one room.
- * Non-finite points are left out. O(n log n) for n points plus the cells of the rooms' boxes.
+ * Room numbers of the points part the rooms, see setRooms(); without them all is one
+ * room. Non-finite points are left out. O(n log n) for n points plus the cells of the
+ * rooms' boxes.
  * @code
  * pcl::FloorplanFitting<pcl::PointXYZ> fitting;
  * fitting.setInputCloud(thinned);
@@ -35,167 +36,81 @@ public:
   using ConstPtr = shared_ptr<const FloorplanFitting<PointT>>;
 
   /** @brief Points of the main ceilings. Needed. */
-  void
-  setCeilingIndices(const IndicesConstPtr& ceiling)
-  {
-    ceiling_ = ceiling;
-  }
-  IndicesConstPtr
-  getCeilingIndices() const
-  {
-    return ceiling_;
-  }
+  void setCeilingIndices(const IndicesConstPtr& ceiling) { ceiling_ = ceiling; }
+  IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
   /** @brief Points of the floors. Needed. */
-  void
-  setFloorIndices(const IndicesConstPtr& floor)
-  {
-    floor_ = floor;
-  }
-  IndicesConstPtr
-  getFloorIndices() const
-  {
-    return floor_;
-  }
+  void setFloorIndices(const IndicesConstPtr& floor) { floor_ = floor; }
+  IndicesConstPtr getFloorIndices() const { return floor_; }
 
-  /** @brief Points of structural details, as GridSliceDetail gives them. May be left out. */
-  void
-  setDetailIndices(const IndicesConstPtr& details)
-  {
-    details_ = details;
-  }
-  IndicesConstPtr
-  getDetailIndices() const
-  {
-    return details_;
-  }
+  /** @brief Points of structural details, as GridSliceDetail gives them. May be left
+   * out. */
+  void setDetailIndices(const IndicesConstPtr& details) { details_ = details; }
+  IndicesConstPtr getDetailIndices() const { return details_; }
 
-  /** @brief Points of walls, as CeilingBoundaryWallGrowing gives them; left out: all points. */
-  void
-  setWallIndices(const IndicesConstPtr& walls)
-  {
-    walls_ = walls;
-  }
-  IndicesConstPtr
-  getWallIndices() const
-  {
-    return walls_;
-  }
+  /** @brief Points of walls, as CeilingBoundaryWallGrowing gives them; left out: all
+   * points. */
+  void setWallIndices(const IndicesConstPtr& walls) { walls_ = walls; }
+  IndicesConstPtr getWallIndices() const { return walls_; }
 
-  /** @brief Room of every point of the cloud, 0 none; empty (default): the field `room` of the
-   * point type, or one room where it has none. */
-  void
-  setRooms(std::vector<std::uint32_t> rooms)
-  {
-    rooms_ = std::move(rooms);
-  }
+  /** @brief Room of every point of the cloud, 0 none; empty (default): the field `room`
+   * of the point type, or one room where it has none. */
+  void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
-  /** @brief Distance of an inlier from its line or circle, metres, above 0 and at most 1. Default
-   * 0.05 (paper, Table 1). */
-  void
-  setDistanceThreshold(double threshold)
+  /** @brief Distance of an inlier from its line or circle, metres, above 0 and at
+   * most 1. Default 0.05 (paper, Table 1). */
+  void setDistanceThreshold(double threshold)
   {
     parameters_.loop.tolerance = threshold;
   }
-  double
-  getDistanceThreshold() const
-  {
-    return parameters_.loop.tolerance;
-  }
+  double getDistanceThreshold() const { return parameters_.loop.tolerance; }
 
   /** @brief Edge of a grid cell, metres, > 0. Default 0.05. */
-  void
-  setGridSize(double size)
-  {
-    parameters_.cell_size = size;
-  }
-  double
-  getGridSize() const
-  {
-    return parameters_.cell_size;
-  }
+  void setGridSize(double size) { parameters_.cell_size = size; }
+  double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Shortest element with a line or circle of its own, metres, > 0. Default 0.2. */
-  void
-  setMinimumLength(double length)
-  {
-    parameters_.loop.minimum_length = length;
-  }
-  double
-  getMinimumLength() const
-  {
-    return parameters_.loop.minimum_length;
-  }
+  /** @brief Shortest element with a line or circle of its own, metres, > 0. Default
+   * 0.2. */
+  void setMinimumLength(double length) { parameters_.loop.minimum_length = length; }
+  double getMinimumLength() const { return parameters_.loop.minimum_length; }
 
-  /** @brief Radii of arcs, metres, 0 < minimum < maximum; flatter walls are segments. Default 0.15
-   * to 25. */
-  void
-  setRadiusLimits(double minimum, double maximum)
+  /** @brief Radii of arcs, metres, 0 < minimum < maximum; flatter walls are segments.
+   * Default 0.15 to 25. */
+  void setRadiusLimits(double minimum, double maximum)
   {
     parameters_.loop.minimum_radius = minimum;
     parameters_.loop.maximum_radius = maximum;
   }
-  double
-  getMinimumRadius() const
-  {
-    return parameters_.loop.minimum_radius;
-  }
-  double
-  getMaximumRadius() const
-  {
-    return parameters_.loop.maximum_radius;
-  }
+  double getMinimumRadius() const { return parameters_.loop.minimum_radius; }
+  double getMaximumRadius() const { return parameters_.loop.maximum_radius; }
 
-  /** @brief Smallest detail that becomes part of the plan, square metres, > 0. Default 0.25. */
-  void
-  setMinimumDetailArea(double area)
-  {
-    parameters_.minimum_detail_area = area;
-  }
-  double
-  getMinimumDetailArea() const
-  {
-    return parameters_.minimum_detail_area;
-  }
+  /** @brief Smallest detail that becomes part of the plan, square metres, > 0. Default
+   * 0.25. */
+  void setMinimumDetailArea(double area) { parameters_.minimum_detail_area = area; }
+  double getMinimumDetailArea() const { return parameters_.minimum_detail_area; }
 
   /** @brief Seed of the random samples. Default 1. */
-  void
-  setSeed(std::uint64_t seed)
-  {
-    parameters_.loop.seed = seed;
-  }
-  std::uint64_t
-  getSeed() const
-  {
-    return parameters_.loop.seed;
-  }
+  void setSeed(std::uint64_t seed) { parameters_.loop.seed = seed; }
+  std::uint64_t getSeed() const { return parameters_.loop.seed; }
 
   /** @brief Fits the plan.
    * @param[out] plan its rooms by increasing number; empty where there is none
-   * @return false, with a reason in getErrorMessage(), for bad input or parameters or where no room
-   * could be fitted */
-  bool
-  segment(sedr::Floorplan& plan);
+   * @return false, with a reason in getErrorMessage(), for bad input or parameters or
+   * where no room could be fitted */
+  bool segment(sedr::Floorplan& plan);
 
   /** @brief A sentence for every room that could not be fitted while others could. */
-  const std::vector<std::string>&
-  getWarnings() const
-  {
-    return warnings_;
-  }
+  const std::vector<std::string>& getWarnings() const { return warnings_; }
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool
-  validate();
+  bool validate();
 
-  bool
-  checkPart(const char* name, const IndicesConstPtr& indices, bool is_needed);
+  bool checkPart(const char* name, const IndicesConstPtr& indices, bool is_needed);
 
-  bool
-  run(sedr::Floorplan& plan);
+  bool run(sedr::Floorplan& plan);
 
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;

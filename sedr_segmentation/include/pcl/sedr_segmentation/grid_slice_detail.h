@@ -11,16 +11,18 @@
 
 namespace pcl {
 
-/** @brief Finds structural details of a ceiling (soffits, beams, recesses) by grid-slices analysis
- * (paper, section 2.3.1): horizontal slices at a quarter and a half, then at an eighth and three
- * eighths of the room's height below the ceiling show where walls stand; cells that slice and
- * ceiling enclose together, and the ceiling alone does not, may be detail. Beyond the paper, so are
- * regions of undersides of one height that join the ceiling, and heads of doors and windows are
- * left out: see sedr::findSliceDetails(). Frame: z up, metres.
+/** @brief Finds structural details of a ceiling (soffits, beams, recesses) by
+ * grid-slices analysis (paper, section 2.3.1): horizontal slices at a quarter and a
+ * half, then at an eighth and three eighths of the room's height below the ceiling show
+ * where walls stand; cells that slice and ceiling enclose together, and the ceiling
+ * alone does not, may be detail. Beyond the paper, so are regions of undersides of one
+ * height that join the ceiling, and heads of doors and windows are left out: see
+ * sedr::findSliceDetails(). Frame: z up, metres.
  *
  * Works on one room: give its points by setIndices() and those of its main ceiling by
- * setCeilingIndices(). The planes of ceiling and floor are fitted to the indices unless they are
- * set. Non-finite points are never detail. O(n log n) plus the cells of the room's bounding box.
+ * setCeilingIndices(). The planes of ceiling and floor are fitted to the indices unless
+ * they are set. Non-finite points are never detail. O(n log n) plus the cells of the
+ * room's bounding box.
  * @code
  * pcl::GridSliceDetail<pcl::PointXYZ> analysis;
  * analysis.setInputCloud(thinned);
@@ -36,172 +38,75 @@ public:
   using ConstPtr = shared_ptr<const GridSliceDetail<PointT>>;
 
   /** @brief Points of the main ceiling. Needed. */
-  void
-  setCeilingIndices(const IndicesConstPtr& ceiling)
-  {
-    ceiling_ = ceiling;
-  }
-  IndicesConstPtr
-  getCeilingIndices() const
-  {
-    return ceiling_;
-  }
+  void setCeilingIndices(const IndicesConstPtr& ceiling) { ceiling_ = ceiling; }
+  IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
-  /** @brief Points of the floor; their mean height is the room's lower end. Needed unless
-   * setFloorHeight() is given. */
-  void
-  setFloorIndices(const IndicesConstPtr& floor)
-  {
-    floor_ = floor;
-  }
-  IndicesConstPtr
-  getFloorIndices() const
-  {
-    return floor_;
-  }
+  /** @brief Points of the floor; their mean height is the room's lower end. Needed
+   * unless setFloorHeight() is given. */
+  void setFloorIndices(const IndicesConstPtr& floor) { floor_ = floor; }
+  IndicesConstPtr getFloorIndices() const { return floor_; }
 
   /** @brief Height of the floor, metres; NaN (default): that of the floor points. */
-  void
-  setFloorHeight(double height)
-  {
-    floor_height_ = height;
-  }
-  double
-  getFloorHeight() const
-  {
-    return floor_height_;
-  }
+  void setFloorHeight(double height) { floor_height_ = height; }
+  double getFloorHeight() const { return floor_height_; }
 
   /** @brief Edge of a grid cell, metres, > 0. Default 0.05. */
-  void
-  setGridSize(double size)
-  {
-    parameters_.cell_size = size;
-  }
-  double
-  getGridSize() const
-  {
-    return parameters_.cell_size;
-  }
+  void setGridSize(double size) { parameters_.cell_size = size; }
+  double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Distance within which a point belongs to the ceiling, metres, > 0. Default 0.07. */
-  void
-  setDistanceThreshold(double threshold)
-  {
-    parameters_.tolerance = threshold;
-  }
-  double
-  getDistanceThreshold() const
-  {
-    return parameters_.tolerance;
-  }
+  /** @brief Distance within which a point belongs to the ceiling, metres, > 0. Default
+   * 0.07. */
+  void setDistanceThreshold(double threshold) { parameters_.tolerance = threshold; }
+  double getDistanceThreshold() const { return parameters_.tolerance; }
 
   /** @brief Fewest cells of a detail. Default 20 (paper, Table 1). */
-  void
-  setMinimumCells(std::size_t cells)
-  {
-    parameters_.minimum_cells = cells;
-  }
-  std::size_t
-  getMinimumCells() const
-  {
-    return parameters_.minimum_cells;
-  }
+  void setMinimumCells(std::size_t cells) { parameters_.minimum_cells = cells; }
+  std::size_t getMinimumCells() const { return parameters_.minimum_cells; }
 
-  /** @brief Number of trials, 1 to 3: a quarter; a half; an eighth and three eighths. Default 3. */
-  void
-  setTrials(int trials)
-  {
-    parameters_.trials = trials;
-  }
-  int
-  getTrials() const
-  {
-    return parameters_.trials;
-  }
+  /** @brief Number of trials, 1 to 3: a quarter; a half; an eighth and three eighths.
+   * Default 3. */
+  void setTrials(int trials) { parameters_.trials = trials; }
+  int getTrials() const { return parameters_.trials; }
 
   /** @brief Thickness of a slice, metres, > 0. Default 0.1. */
-  void
-  setSliceThickness(double thickness)
-  {
-    parameters_.slice_thickness = thickness;
-  }
-  double
-  getSliceThickness() const
-  {
-    return parameters_.slice_thickness;
-  }
+  void setSliceThickness(double thickness) { parameters_.slice_thickness = thickness; }
+  double getSliceThickness() const { return parameters_.slice_thickness; }
 
-  /** @brief What is enclosed by the ceiling all around and smaller is a lamp or a vent, square
-   * metres, >= 0. Default 0.5. */
-  void
-  setMinimumIslandArea(double area)
-  {
-    parameters_.minimum_island_area = area;
-  }
-  double
-  getMinimumIslandArea() const
-  {
-    return parameters_.minimum_island_area;
-  }
+  /** @brief What is enclosed by the ceiling all around and smaller is a lamp or a vent,
+   * square metres, >= 0. Default 0.5. */
+  void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
+  double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
 
   /** @brief Seed of the random samples of the ceiling's plane. Default 1. */
-  void
-  setSeed(std::uint64_t seed)
-  {
-    seed_ = seed;
-  }
-  std::uint64_t
-  getSeed() const
-  {
-    return seed_;
-  }
+  void setSeed(std::uint64_t seed) { seed_ = seed; }
+  std::uint64_t getSeed() const { return seed_; }
 
   /** @brief Finds the points of the details.
    * @param[out] details increasing indices; empty where the ceiling has no details
    * @return false, with a reason in getErrorMessage(), for bad input or parameters */
-  bool
-  segment(PointIndices& details);
+  bool segment(PointIndices& details);
 
   /** @brief Region of every index that segment() gave, 0 is the largest. */
-  const std::vector<std::size_t>&
-  getRegionLabels() const
-  {
-    return result_.region;
-  }
+  const std::vector<std::size_t>& getRegionLabels() const { return result_.region; }
 
   /** @brief Sizes of the regions in cells, decreasing. */
-  const std::vector<std::size_t>&
-  getRegionSizes() const
-  {
-    return result_.sizes;
-  }
+  const std::vector<std::size_t>& getRegionSizes() const { return result_.sizes; }
 
-  /** @brief Height above which all details lie and below which walls go to the outer outline,
-   * metres; NaN where there are none. */
-  double
-  getSliceHeight() const
-  {
-    return result_.slice_height;
-  }
+  /** @brief Height above which all details lie and below which walls go to the outer
+   * outline, metres; NaN where there are none. */
+  double getSliceHeight() const { return result_.slice_height; }
 
-  /** @brief The trial whose slice enclosed a detail, 1 to 3; 0 if none did, as where an opening breaks
-   * the outline of every slice. */
-  int
-  getTrial() const
-  {
-    return result_.trial;
-  }
+  /** @brief The trial whose slice enclosed a detail, 1 to 3; 0 if none did, as where an
+   * opening breaks the outline of every slice. */
+  int getTrial() const { return result_.trial; }
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool
-  validate();
+  bool validate();
 
-  bool
-  run();
+  bool run();
 
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;

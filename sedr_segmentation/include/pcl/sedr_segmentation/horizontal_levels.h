@@ -17,8 +17,8 @@ enum class LevelKind { Other, Ceiling, Floor };
 
 /** @brief How levels are looked for; lengths in metres, angles in radians. */
 struct LevelParameters {
-  double tolerance = 0.07;          ///< distance of an inlier from its plane (paper, Table 1)
-  double cell_size = 0.05;          ///< cell of the grid in which sizes are counted
+  double tolerance = 0.07; ///< distance of an inlier from its plane (paper, Table 1)
+  double cell_size = 0.05; ///< cell of the grid in which sizes are counted
   double maximum_tilt = 0.0524;     ///< a plane leans at most so much, 3 degrees
   double minimum_area = 1.0;        ///< square metres of occupied cells
   double minimum_room_height = 1.8; ///< from a floor to its ceiling
@@ -28,39 +28,40 @@ struct LevelParameters {
 /** @brief A horizontal plane of a scan, with all points within the tolerance. */
 struct Level {
   PlanSlab slab;
-  double height = 0;        ///< of the slab in the middle of its cells, metres
-  CellSet cells;            ///< cells where the plane was seen, walls left out
-  std::vector<int> inliers; ///< indices into the points, increasing; see collectInliers()
+  double height = 0; ///< of the slab in the middle of its cells, metres
+  CellSet cells;     ///< cells where the plane was seen, walls left out
+  std::vector<int>
+      inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
 };
 
-/** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper, section 2.3.1).
+/** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper,
+ * section 2.3.1).
  *
- * Points of walls are set aside first: those with neighbours both above and below in their own
- * grid column. The density of the others' heights, counted in distinct cells, says where a level
- * is; RANSAC finds the plane there, and the search goes on without its points until the best level
- * left is smaller than the minimum area. O(n log n) plus O(n) for each level. */
-std::vector<Level>
-findLevels(const PointView& points,
-           const std::vector<int>& indices,
-           const LevelParameters& parameters);
+ * Points of walls are set aside first: those with neighbours both above and below in
+ * their own grid column. The density of the others' heights, counted in distinct cells,
+ * says where a level is; RANSAC finds the plane there, and the search goes on without
+ * its points until the best level left is smaller than the minimum area. O(n log n)
+ * plus O(n) for each level. */
+std::vector<Level> findLevels(const PointView& points,
+                              const std::vector<int>& indices,
+                              const LevelParameters& parameters);
 
-/** @brief Collects the inliers of classified levels: the points within the tolerance, but for those
- * of columns that go on below a ceiling or above a floor, and of narrow fringes where no point is on
- * the plane itself. So the wall points that reach a slab are not the slab's, and the ceilings of two
- * rooms stay apart at a thin partition. O(n log n). */
-void
-collectInliers(std::vector<Level>& levels,
-               const PointView& points,
-               const std::vector<int>& indices,
-               const LevelParameters& parameters);
+/** @brief Collects the inliers of classified levels: the points within the tolerance,
+ * but for those of columns that go on below a ceiling or above a floor, and of narrow
+ * fringes where no point is on the plane itself. So the wall points that reach a slab
+ * are not the slab's, and the ceilings of two rooms stay apart at a thin partition. O(n
+ * log n). */
+void collectInliers(std::vector<Level>& levels,
+                    const PointView& points,
+                    const std::vector<int>& indices,
+                    const LevelParameters& parameters);
 
-/** @brief Decides what each level is. A ceiling is the highest level over most of its cells and has
- * a level at least a room's height below; under each of its regions the lowest level that is seen
- * in a tenth of the region is its floor. All others (table tops, shelves, the ground outside) are
- * neither. */
-void
-classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters);
+/** @brief Decides what each level is. A ceiling is the highest level over most of its
+ * cells and has a level at least a room's height below; under each of its regions the
+ * lowest level that is seen in a tenth of the region is its floor. All others (table
+ * tops, shelves, the ground outside) are neither. */
+void classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters);
 
 } // namespace sedr
 } // namespace pcl

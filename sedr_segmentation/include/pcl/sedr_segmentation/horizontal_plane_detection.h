@@ -14,23 +14,28 @@ namespace pcl {
 
 /** @brief A horizontal plane as HorizontalPlaneDetection finds it. */
 struct HorizontalPlane {
-  pcl::PointIndices inliers;           ///< points within the distance threshold, increasing; not those of walls
-  pcl::ModelCoefficients coefficients; ///< a, b, c, d of a x + b y + c z + d = 0, unit normal up
+  pcl::PointIndices
+      inliers; ///< points within the distance threshold, increasing; not those of walls
+  pcl::ModelCoefficients
+      coefficients; ///< a, b, c, d of a x + b y + c z + d = 0, unit normal up
   sedr::LevelKind kind = sedr::LevelKind::Other;
   double height = 0;     ///< z in the middle of its cells, metres
   std::size_t cells = 0; ///< occupied grid cells, those of walls left out
   double area = 0;       ///< of these cells, square metres
-  double residual = 0;   ///< root mean square distance of the points it was fitted to, metres
-  sedr::PlanSlab slab;   ///< the same plane in double precision
+  double residual =
+      0; ///< root mean square distance of the points it was fitted to, metres
+  sedr::PlanSlab slab; ///< the same plane in double precision
 };
 
-/** @brief Finds the horizontal planes of a scan and tells which are ceiling and which floor (paper,
- * section 2.3.1): the heights at which many grid cells are occupied say where to look, RANSAC with a
- * tilt limit finds the plane there. Frame: z up. Non-finite points are never inliers.
+/** @brief Finds the horizontal planes of a scan and tells which are ceiling and which
+ * floor (paper, section 2.3.1): the heights at which many grid cells are occupied say
+ * where to look, RANSAC with a tilt limit finds the plane there. Frame: z up.
+ * Non-finite points are never inliers.
  *
- * A scan may hold several ceilings and floors at different heights; a table top is neither. Size
- * counts in occupied cells, so that the density of the scan does not matter. Time O(n log n) for n
- * points plus O(n) a plane; input thinned to the grid size is enough.
+ * A scan may hold several ceilings and floors at different heights; a table top is
+ * neither. Size counts in occupied cells, so that the density of the scan does not
+ * matter. Time O(n log n) for n points plus O(n) a plane; input thinned to the grid
+ * size is enough.
  * @code
  * pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
  * detection.setInputCloud(thinned);
@@ -43,91 +48,44 @@ public:
   using Ptr = shared_ptr<HorizontalPlaneDetection<PointT>>;
   using ConstPtr = shared_ptr<const HorizontalPlaneDetection<PointT>>;
 
-  /** @brief Distance within which a point belongs to a plane, metres, > 0. Default 0.07. */
-  void
-  setDistanceThreshold(double threshold)
-  {
-    parameters_.tolerance = threshold;
-  }
-  double
-  getDistanceThreshold() const
-  {
-    return parameters_.tolerance;
-  }
+  /** @brief Distance within which a point belongs to a plane, metres, > 0. Default
+   * 0.07. */
+  void setDistanceThreshold(double threshold) { parameters_.tolerance = threshold; }
+  double getDistanceThreshold() const { return parameters_.tolerance; }
 
-  /** @brief Edge of the grid cells in which sizes are counted, metres, > 0. Default 0.05. */
-  void
-  setGridSize(double size)
-  {
-    parameters_.cell_size = size;
-  }
-  double
-  getGridSize() const
-  {
-    return parameters_.cell_size;
-  }
+  /** @brief Edge of the grid cells in which sizes are counted, metres, > 0. Default
+   * 0.05. */
+  void setGridSize(double size) { parameters_.cell_size = size; }
+  double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Largest angle of a plane with the horizontal, radians, 0 to pi/4. Default 3 degrees. */
-  void
-  setMaximumTilt(double tilt)
-  {
-    parameters_.maximum_tilt = tilt;
-  }
-  double
-  getMaximumTilt() const
-  {
-    return parameters_.maximum_tilt;
-  }
+  /** @brief Largest angle of a plane with the horizontal, radians, 0 to pi/4. Default 3
+   * degrees. */
+  void setMaximumTilt(double tilt) { parameters_.maximum_tilt = tilt; }
+  double getMaximumTilt() const { return parameters_.maximum_tilt; }
 
   /** @brief Smallest plane, square metres of occupied cells, > 0. Default 1. */
-  void
-  setMinimumArea(double area)
-  {
-    parameters_.minimum_area = area;
-  }
-  double
-  getMinimumArea() const
-  {
-    return parameters_.minimum_area;
-  }
+  void setMinimumArea(double area) { parameters_.minimum_area = area; }
+  double getMinimumArea() const { return parameters_.minimum_area; }
 
   /** @brief Smallest height of a ceiling above its floor, metres, > 0. Default 1.8. */
-  void
-  setMinimumRoomHeight(double height)
-  {
-    parameters_.minimum_room_height = height;
-  }
-  double
-  getMinimumRoomHeight() const
-  {
-    return parameters_.minimum_room_height;
-  }
+  void setMinimumRoomHeight(double height) { parameters_.minimum_room_height = height; }
+  double getMinimumRoomHeight() const { return parameters_.minimum_room_height; }
 
   /** @brief Seed of the random samples. Default 1. */
-  void
-  setSeed(std::uint64_t seed)
-  {
-    parameters_.seed = seed;
-  }
-  std::uint64_t
-  getSeed() const
-  {
-    return parameters_.seed;
-  }
+  void setSeed(std::uint64_t seed) { parameters_.seed = seed; }
+  std::uint64_t getSeed() const { return parameters_.seed; }
 
   /** @brief Finds the planes, lowest first.
    * @param[out] planes cleared first; empty where nothing was found
-   * @return false, with a reason in getErrorMessage(), for bad input or parameters or where there
-   * is no plane of the minimum area */
-  bool
-  segment(std::vector<HorizontalPlane>& planes);
+   * @return false, with a reason in getErrorMessage(), for bad input or parameters or
+   * where there is no plane of the minimum area */
+  bool segment(std::vector<HorizontalPlane>& planes);
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool
-  checkParameters();
+  bool checkParameters();
 
   sedr::LevelParameters parameters_;
 };

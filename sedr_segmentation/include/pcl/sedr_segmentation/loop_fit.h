@@ -15,12 +15,14 @@ namespace sedr {
 
 /** @brief How a loop is fitted to a contour; metres. */
 struct LoopParameters {
-  double tolerance = 0.05;      ///< distance of an inlier from its curve (paper, Table 1)
-  double expected_offset = -0.025; ///< where the wall is looked for, from the contour, inside > 0
-  double reach = 0.06;          ///< how far from there it may be: a farther one is another wall
-  double evidence_span = 0.05;  ///< how far along the contour a sample looks for it to each side
-  double corner_reach = 0.15;   ///< how far from the contour two curves meet in a corner
-  double minimum_length = 0.2;  ///< of an element that has a curve of its own
+  double tolerance = 0.05; ///< distance of an inlier from its curve (paper, Table 1)
+  double expected_offset =
+      -0.025;          ///< where the wall is looked for, from the contour, inside > 0
+  double reach = 0.06; ///< how far from there it may be: a farther one is another wall
+  double evidence_span =
+      0.05; ///< how far along the contour a sample looks for it to each side
+  double corner_reach = 0.15;  ///< how far from the contour two curves meet in a corner
+  double minimum_length = 0.2; ///< of an element that has a curve of its own
   double minimum_radius = 0.15; ///< of an arc
   double maximum_radius = 25.0; ///< of an arc; flatter ones are segments
   std::uint64_t seed = 1;
@@ -30,63 +32,57 @@ struct LoopParameters {
 struct ContourSample {
   Eigen::Vector2d position;
   Eigen::Vector2d tangent; ///< unit, along the contour
-  double support = 0;      ///< points that show the wall here, 1 for the median of the loop or more
+  double support =
+      0; ///< points that show the wall here, 1 for the median of the loop or more
 
   /** @brief Whether points show the wall here. */
-  bool
-  isSupported() const
-  {
-    return support > 0;
-  }
+  bool isSupported() const { return support > 0; }
 
-  /** @brief What the sample counts for in a fit: little where only the contour shows the wall. */
-  double
-  weight() const
-  {
-    return isSupported() ? support : 0.3;
-  }
+  /** @brief What the sample counts for in a fit: little where only the contour shows
+   * the wall. */
+  double weight() const { return isSupported() ? support : 0.3; }
 };
 
-/** @brief Samples of a contour, one a cell edge, each at the densest of the `evidence` that lies
- * across the contour within reach. */
-std::vector<ContourSample>
-sampleContour(const Contour& contour,
-              const PlanPoints& evidence,
-              const LoopParameters& parameters);
+/** @brief Samples of a contour, one a cell edge, each at the densest of the `evidence`
+ * that lies across the contour within reach. */
+std::vector<ContourSample> sampleContour(const Contour& contour,
+                                         const PlanPoints& evidence,
+                                         const LoopParameters& parameters);
 
-/** @brief The distance within which samples belong to a curve: four standard deviations of their
- * own noise, measured across neighbours, between half of the tolerance and all of it. */
-double
-sampleTolerance(const std::vector<ContourSample>& samples, const LoopParameters& parameters);
+/** @brief The distance within which samples belong to a curve: four standard deviations
+ * of their own noise, measured across neighbours, between half of the tolerance and all
+ * of it. */
+double sampleTolerance(const std::vector<ContourSample>& samples,
+                       const LoopParameters& parameters);
 
-/** @brief Lines and circles through the samples by seeded RANSAC, the best supported first
- * (paper, section 2.4). `known` curves come first and as they are. */
-std::vector<PlanCurve>
-findCurves(const std::vector<ContourSample>& samples,
-           const std::vector<PlanCurve>& known,
-           const LoopParameters& parameters);
+/** @brief Lines and circles through the samples by seeded RANSAC, the best supported
+ * first (paper, section 2.4). `known` curves come first and as they are. */
+std::vector<PlanCurve> findCurves(const std::vector<ContourSample>& samples,
+                                  const std::vector<PlanCurve>& known,
+                                  const LoopParameters& parameters);
 
-/** @brief The curve of every sample: the cheapest closed sequence, where a sample costs its squared
- * distance, up to a limit, and every change of curve costs a constant, more where the two run side
- * by side (Viterbi 1967, around the loop). O(n k^2) for n samples and k curves. */
-std::vector<std::size_t>
-assignCurves(const std::vector<ContourSample>& samples,
-             const std::vector<PlanCurve>& curves,
-             const LoopParameters& parameters);
+/** @brief The curve of every sample: the cheapest closed sequence, where a sample costs
+ * its squared distance, up to a limit, and every change of curve costs a constant, more
+ * where the two run side by side (Viterbi 1967, around the loop). O(n k^2) for n
+ * samples and k curves. */
+std::vector<std::size_t> assignCurves(const std::vector<ContourSample>& samples,
+                                      const std::vector<PlanCurve>& curves,
+                                      const LoopParameters& parameters);
 
-/** @brief A closed loop of segments and arcs along a contour, corners where neighbouring curves
- * meet.
+/** @brief A closed loop of segments and arcs along a contour, corners where
+ * neighbouring curves meet.
  *
  * @param contour closed, the room on its left
- * @param evidence points of the walls, in plan; curves are fitted to them where there are any
- * @param known curves that are already known exactly, such as the walls of the room for a detail
- * @return a loop that does not cross itself; where no sequence of curves gives one, the simplified
- * contour. Empty for a contour of fewer than four corners. */
-PlanLoop
-fitLoop(const Contour& contour,
-        const PlanPoints& evidence,
-        const std::vector<PlanCurve>& known,
-        const LoopParameters& parameters);
+ * @param evidence points of the walls, in plan; curves are fitted to them where there
+ * are any
+ * @param known curves that are already known exactly, such as the walls of the room for
+ * a detail
+ * @return a loop that does not cross itself; where no sequence of curves gives one, the
+ * simplified contour. Empty for a contour of fewer than four corners. */
+PlanLoop fitLoop(const Contour& contour,
+                 const PlanPoints& evidence,
+                 const std::vector<PlanCurve>& known,
+                 const LoopParameters& parameters);
 
 } // namespace sedr
 } // namespace pcl

@@ -10,8 +10,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a floor plan is fitted to: indices into the points; `room` as long as the cloud, 0
- * none, or empty for one room. */
+/** @brief What a floor plan is fitted to: indices into the points; `room` as long as
+ * the cloud, 0 none, or empty for one room. */
 struct PlanEvidence {
   std::vector<int> all;     ///< every point that may be looked at
   std::vector<int> ceiling; ///< of the main ceilings
@@ -23,17 +23,17 @@ struct PlanEvidence {
 
 /** @brief Fits every room of a plan, by increasing number, see fitRoom().
  *
- * Ceiling and detail points belong to the room they are labelled with; walls, floor and everything
- * else to the room whose ceiling is nearest in plan, so that each face of a thin partition is
- * looked at from its own room.
+ * Ceiling and detail points belong to the room they are labelled with; walls, floor and
+ * everything else to the room whose ceiling is nearest in plan, so that each face of a
+ * thin partition is looked at from its own room.
  * @param[out] problem why there is no room, a sentence; empty if there is one
- * @param[out] warnings a sentence for every room that could not be fitted while others could */
-Floorplan
-fitPlan(const PointView& points,
-        const PlanEvidence& evidence,
-        const RoomFitParameters& parameters,
-        std::string& problem,
-        std::vector<std::string>& warnings);
+ * @param[out] warnings a sentence for every room that could not be fitted while others
+ * could */
+Floorplan fitPlan(const PointView& points,
+                  const PlanEvidence& evidence,
+                  const RoomFitParameters& parameters,
+                  std::string& problem,
+                  std::vector<std::string>& warnings);
 
 } // namespace sedr
 } // namespace pcl

@@ -13,23 +13,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points in plan, found by place: sorted by the cells of a grid. Exact; results come in the
- * order of cells and then of the points, so they are repeatable. */
+/** @brief Points in plan, found by place: sorted by the cells of a grid. Exact; results
+ * come in the order of cells and then of the points, so they are repeatable. */
 class PlanPoints {
 public:
   /** @param cell_size edge of the cells, metres; about the radius of most queries */
   PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size);
 
-  std::size_t
-  size() const
-  {
-    return points_.size();
-  }
+  std::size_t size() const { return points_.size(); }
 
   /** @brief Calls `visit(point)` for every point within `radius` of `p`. */
   template <typename Visitor>
-  void
-  forEachWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
+  void forEachWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
   {
     if (points_.empty() || !grid_.holds(p.x(), p.y()))
       return;
@@ -39,7 +34,8 @@ public:
       const auto from = std::lower_bound(keys_.begin(), keys_.end(), keyOf({low.x, y}));
       const auto to = std::upper_bound(from, keys_.end(), keyOf({high.x, y}));
       for (auto it = from; it != to; ++it) {
-        const Eigen::Vector2d& q = points_[static_cast<std::size_t>(it - keys_.begin())];
+        const Eigen::Vector2d& q =
+            points_[static_cast<std::size_t>(it - keys_.begin())];
         if ((q - p).squaredNorm() <= radius * radius)
           visit(q);
       }

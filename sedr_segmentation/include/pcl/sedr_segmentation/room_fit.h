@@ -29,15 +29,14 @@ struct RoomEvidence {
   std::vector<int> walls;
 };
 
-/** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust least squares,
- * the loop of walls along the outline of ceiling and details, the loops of columns in it, and for
- * every detail its plane and its loop.
+/** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust
+ * least squares, the loop of walls along the outline of ceiling and details, the loops
+ * of columns in it, and for every detail its plane and its loop.
  * @param[out] problem why there is no room, a sentence; empty otherwise */
-PlanRoom
-fitRoom(const PointView& points,
-        const RoomEvidence& evidence,
-        const RoomFitParameters& parameters,
-        std::string& problem);
+PlanRoom fitRoom(const PointView& points,
+                 const RoomEvidence& evidence,
+                 const RoomFitParameters& parameters,
+                 std::string& problem);
 
 } // namespace sedr
 } // namespace pcl

@@ -12,26 +12,27 @@ namespace sedr {
 
 /** @brief The cells of a room, and of the columns that stand in it. */
 struct RoomOutline {
-  CellMask room;                 ///< what lies below its ceilings, gaps of the scan closed
-  std::vector<CellMask> columns; ///< holes of the room with a wall around, floor to ceiling
+  CellMask room; ///< what lies below its ceilings, gaps of the scan closed
+  std::vector<CellMask>
+      columns; ///< holes of the room with a wall around, floor to ceiling
 };
 
 /** @brief Makes a room's cells whole.
  *
- * `seen` are the cells in which a ceiling or a detail was seen. Notches of its outline are closed
- * and thin protrusions cut off where no wall stands along them: there, something hid the ceiling,
- * or it was seen through an opening. Holes are closed unless a wall goes up to the ceiling around
- * them: such a hole is a column; a lamp and a cupboard are not.
+ * `seen` are the cells in which a ceiling or a detail was seen. Notches of its outline
+ * are closed and thin protrusions cut off where no wall stands along them: there,
+ * something hid the ceiling, or it was seen through an opening. Holes are closed unless
+ * a wall goes up to the ceiling around them: such a hole is a column; a lamp and a
+ * cupboard are not.
  *
  * @param seen in a box with a margin of at least 12 cells
  * @param columns all points around the room
  * @param ceiling,floor planes of the room */
-RoomOutline
-outlineRoom(const CellMask& seen,
-            const CellGrid& grid,
-            const ColumnTable& columns,
-            const PlanSlab& ceiling,
-            const PlanSlab& floor);
+RoomOutline outlineRoom(const CellMask& seen,
+                        const CellGrid& grid,
+                        const ColumnTable& columns,
+                        const PlanSlab& ceiling,
+                        const PlanSlab& floor);
 
 } // namespace sedr
 } // namespace pcl

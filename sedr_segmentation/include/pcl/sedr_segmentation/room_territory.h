@@ -10,24 +10,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Which room a place belongs to: rooms grow from the cells of their ceilings outwards until
- * they meet or have gone as far as walls can be, 0.7 m. So each face of a thin
- * partition lies in its own room. O(cells of the box around all rooms). */
+/** @brief Which room a place belongs to: rooms grow from the cells of their ceilings
+ * outwards until they meet or have gone as far as walls can be, 0.7 m. So each face of
+ * a thin partition lies in its own room. O(cells of the box around all rooms). */
 class RoomTerritory {
 public:
   /** @param scopes the cells of each room */
   RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes);
 
   /** @brief What is wrong, a sentence; empty if nothing is. */
-  const std::string&
-  problem() const
-  {
-    return problem_;
-  }
+  const std::string& problem() const { return problem_; }
 
-  /** @brief Position in `scopes` of the room at `p`, -1 for none and for points not finite. */
-  std::int32_t
-  roomAt(const Eigen::Vector3f& p) const;
+  /** @brief Position in `scopes` of the room at `p`, -1 for none and for points not
+   * finite. */
+  std::int32_t roomAt(const Eigen::Vector3f& p) const;
 
 private:
   /** @brief Rooms near each other. */

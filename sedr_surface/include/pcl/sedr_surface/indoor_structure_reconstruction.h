@@ -12,17 +12,18 @@
 
 namespace pcl {
 
-/** @brief From an indoor scan to the closed model of its ceilings, floors and walls: all stages of
- * the paper (section 2.1) as one SurfaceReconstruction. Frame: z up, metres; no trajectory or
- * scanner position is needed. Non-finite points are left out.
+/** @brief From an indoor scan to the closed model of its ceilings, floors and walls:
+ * all stages of the paper (section 2.1) as one SurfaceReconstruction. Frame: z up,
+ * metres; no trajectory or scanner position is needed. Non-finite points are left out.
  *
- * A thin composition: getVoxelGrid() and getChain() reach every stage, to be set as it is set
- * alone; the setters here carry the names of the paper's Table 1 and pass on what several stages
- * share.
+ * A thin composition: getVoxelGrid() and getChain() reach every stage, to be set as it
+ * is set alone; the setters here carry the names of the paper's Table 1 and pass on
+ * what several stages share.
  *
- * After reconstruct() the mesh has one closed component a room; its points by label, the floor plan
- * and what every stage did can be asked for. Where a stage finds nothing, the mesh is empty and
- * getErrorMessage() says which stage and what it looked for.
+ * After reconstruct() the mesh has one closed component a room; its points by label,
+ * the floor plan and what every stage did can be asked for. Where a stage finds
+ * nothing, the mesh is empty and getErrorMessage() says which stage and what it looked
+ * for.
  * @code
  * pcl::IndoorStructureReconstruction<pcl::PointXYZ> sedr;
  * sedr.setInputCloud(scan);
@@ -40,173 +41,103 @@ public:
   IndoorStructureReconstruction();
 
   /** @brief Size of a voxel in down-sampling, metres. Default 0.05. */
-  void
-  setVoxelSize(float size);
-  float
-  getVoxelSize() const
-  {
-    return voxel_grid_.getLeafSize().x();
-  }
+  void setVoxelSize(float size);
+  float getVoxelSize() const { return voxel_grid_.getLeafSize().x(); }
 
   /** @brief Tolerance of plane, metres. Default 0.07. */
-  void
-  setPlaneTolerance(double tolerance);
-  double
-  getPlaneTolerance() const
+  void setPlaneTolerance(double tolerance);
+  double getPlaneTolerance() const
   {
     return chain_.plane_detection.getDistanceThreshold();
   }
 
   /** @brief Grid size of all stages, metres. Default 0.05. */
-  void
-  setGridSize(double size);
-  double
-  getGridSize() const
-  {
-    return chain_.outlier_removal.getGridSize();
-  }
+  void setGridSize(double size);
+  double getGridSize() const { return chain_.outlier_removal.getGridSize(); }
 
-  /** @brief Angle and neighbours of boundary estimation: radians, number of points. Default 60
-   * degrees and 200. */
-  void
-  setBoundaryEstimation(double angle, unsigned neighbours);
-  double
-  getBoundaryAngle() const
-  {
-    return chain_.wall_growing.getAngleThreshold();
-  }
-  unsigned
-  getBoundaryNeighbors() const
+  /** @brief Angle and neighbours of boundary estimation: radians, number of points.
+   * Default 60 degrees and 200. */
+  void setBoundaryEstimation(double angle, unsigned neighbours);
+  double getBoundaryAngle() const { return chain_.wall_growing.getAngleThreshold(); }
+  unsigned getBoundaryNeighbors() const
   {
     return static_cast<unsigned>(chain_.wall_growing.getNumberOfNeighbors());
   }
 
   /** @brief Minimum of grids in a structural detail. Default 20. */
-  void
-  setMinimumDetailCells(std::size_t cells)
+  void setMinimumDetailCells(std::size_t cells)
   {
     chain_.slice_detail.setMinimumCells(cells);
   }
-  std::size_t
-  getMinimumDetailCells() const
+  std::size_t getMinimumDetailCells() const
   {
     return chain_.slice_detail.getMinimumCells();
   }
 
   /** @brief Tolerance of boundary, metres. Default 0.05. */
-  void
-  setBoundaryTolerance(double tolerance)
+  void setBoundaryTolerance(double tolerance)
   {
     chain_.floorplan_fitting.setDistanceThreshold(tolerance);
   }
-  double
-  getBoundaryTolerance() const
+  double getBoundaryTolerance() const
   {
     return chain_.floorplan_fitting.getDistanceThreshold();
   }
 
   /** @brief Maximum tree depth of the Poisson reconstruction. Default 9. */
-  void
-  setTreeDepth(int depth)
-  {
-    chain_.poisson.setDepth(depth);
-  }
-  int
-  getTreeDepth() const
-  {
-    return chain_.poisson.getDepth();
-  }
+  void setTreeDepth(int depth) { chain_.poisson.setDepth(depth); }
+  int getTreeDepth() const { return chain_.poisson.getDepth(); }
 
-  /** @brief Threads of all stages, 0 for all processors. Default 0. The result does not depend on
-   * it. */
-  void
-  setNumberOfThreads(unsigned threads = 0);
-  unsigned
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
+  /** @brief Threads of all stages, 0 for all processors. Default 0. The result does not
+   * depend on it. */
+  void setNumberOfThreads(unsigned threads = 0);
+  unsigned getNumberOfThreads() const { return threads_; }
 
   /** @brief Seed of all random samples. Default 1. */
-  void
-  setSeed(std::uint64_t seed);
-  std::uint64_t
-  getSeed() const
-  {
-    return chain_.plane_detection.getSeed();
-  }
+  void setSeed(std::uint64_t seed);
+  std::uint64_t getSeed() const { return chain_.plane_detection.getSeed(); }
 
-  ParallelVoxelGrid<PointT>&
-  getVoxelGrid()
-  {
-    return voxel_grid_;
-  }
+  ParallelVoxelGrid<PointT>& getVoxelGrid() { return voxel_grid_; }
 
   /** @brief The stages after thinning, and what the last run left of each. */
-  sedr::StructureChain&
-  getChain()
-  {
-    return chain_;
-  }
-  const sedr::StructureChain&
-  getChain() const
-  {
-    return chain_;
-  }
+  sedr::StructureChain& getChain() { return chain_; }
+  const sedr::StructureChain& getChain() const { return chain_; }
 
   /** @brief The mesh with the room of every triangle. */
-  void
-  reconstruct(pcl::PolygonMesh& output) override;
+  void reconstruct(pcl::PolygonMesh& output) override;
 
   /** @brief As above; the points are those of the mesh. */
-  void
-  reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
+  void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
   /** @brief Finds the structure without making the mesh.
    * @return false where a stage found nothing, with the reason in getErrorMessage() */
-  bool
-  findStructure();
+  bool findStructure();
 
   /** @brief Refined and repaired points with normal, label and room. */
-  sedr::StructureChain::StructureCloud::ConstPtr
-  getStructure() const
+  sedr::StructureChain::StructureCloud::ConstPtr getStructure() const
   {
     return chain_.structure;
   }
 
-  std::shared_ptr<const sedr::Floorplan>
-  getFloorplan() const
-  {
-    return chain_.plan;
-  }
+  std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return chain_.plan; }
 
   /** @brief What every stage did, in order. */
-  const std::vector<sedr::StageReport>&
-  getStageReports() const
-  {
-    return reports_;
-  }
+  const std::vector<sedr::StageReport>& getStageReports() const { return reports_; }
 
   /** @brief The stage that found nothing in the last run; empty after a good one. */
-  const std::string&
-  getFailedStage() const
-  {
-    return chain_.failed_stage;
-  }
+  const std::string& getFailedStage() const { return chain_.failed_stage; }
 
 protected:
-  void
-  performReconstruction(pcl::PolygonMesh& output) override;
+  void performReconstruction(pcl::PolygonMesh& output) override;
 
-  void
-  performReconstruction(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
+  void performReconstruction(PointCloud& points,
+                             std::vector<pcl::Vertices>& polygons) override;
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool
-  thin(sedr::StructureChain::Cloud& thinned);
+  bool thin(sedr::StructureChain::Cloud& thinned);
 
   ParallelVoxelGrid<PointT> voxel_grid_;
   sedr::StructureChain chain_;

@@ -31,9 +31,10 @@ struct StageReport {
   double seconds = 0;
 };
 
-/** @brief The stages 2 to 10 on a thinned cloud, one after the other (paper, section 2.1): each is
- * PCL's kind of object, reached by its name and set as it is alone. What flows through is one
- * cloud with a label and a room a point; recovered floor points are appended to it. */
+/** @brief The stages 2 to 10 on a thinned cloud, one after the other (paper,
+ * section 2.1): each is PCL's kind of object, reached by its name and set as it is
+ * alone. What flows through is one cloud with a label and a room a point; recovered
+ * floor points are appended to it. */
 class StructureChain {
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -43,7 +44,8 @@ public:
 
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
   pcl::GridRegionOutlierRemoval<pcl::PointXYZ> outlier_removal;
-  RoomParameters room_segmentation; ///< of segmentRooms(), which has no class of its own
+  RoomParameters
+      room_segmentation; ///< of segmentRooms(), which has no class of its own
   pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
   pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery;
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
@@ -59,17 +61,15 @@ public:
   bool trust_up = false;
 
   /** @brief Finds the structure: all stages but the mesh.
-   * @return false where a stage found nothing; failed_stage and problem say which and why */
-  bool
-  findStructure(const Cloud::ConstPtr& thinned);
+   * @return false where a stage found nothing; failed_stage and problem say which and
+   * why */
+  bool findStructure(const Cloud::ConstPtr& thinned);
 
   /** @brief Makes the mesh of what findStructure() found. */
-  bool
-  makeMesh();
+  bool makeMesh();
 
   /** @brief Forgets the last run, and takes `thinned` as the cloud. */
-  void
-  reset(const Cloud::ConstPtr& thinned);
+  void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
   Cloud::Ptr cloud;                  ///< thinned points, then recovered floor points
@@ -86,44 +86,29 @@ public:
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
   template <typename Step>
-  bool
-  runStage(const std::string& name, std::size_t points_in, Step step);
+  bool runStage(const std::string& name, std::size_t points_in, Step step);
 
-  bool
-  fail(const std::string& reason);
+  bool fail(const std::string& reason);
 
   /** @brief Notes that a stage could not do one room; the others go on. */
-  void
-  warn(std::uint32_t room, const std::string& reason);
+  void warn(std::uint32_t room, const std::string& reason);
 
-  bool
-  checkScan();
-  bool
-  findPlanes(StageReport& report);
-  bool
-  removeOutliers(StageReport& report);
-  bool
-  partRooms(StageReport& report);
-  bool
-  findDetails(StageReport& report);
-  bool
-  recoverFloors(StageReport& report);
-  bool
-  growWalls(StageReport& report);
-  bool
-  fitPlan(StageReport& report);
-  bool
-  refine(StageReport& report);
-  bool
-  repair(StageReport& report);
+  bool checkScan();
+  bool findPlanes(StageReport& report);
+  bool removeOutliers(StageReport& report);
+  bool partRooms(StageReport& report);
+  bool findDetails(StageReport& report);
+  bool recoverFloors(StageReport& report);
+  bool growWalls(StageReport& report);
+  bool fitPlan(StageReport& report);
+  bool refine(StageReport& report);
+  bool repair(StageReport& report);
 
   /** @brief Points of a label, of one room or (0) of all. */
-  pcl::IndicesPtr
-  labelled(StructureLabel label, std::uint32_t room) const;
+  pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
 
   /** @brief Points that lie in each room's territory. */
-  std::vector<pcl::IndicesPtr>
-  territories() const;
+  std::vector<pcl::IndicesPtr> territories() const;
 
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;

@@ -17,9 +17,8 @@ StructureRefinement<PointT>::validate(std::vector<std::uint32_t>& labels,
 {
   constexpr const char* name = "StructureRefinement";
   if (!(maximum_distance_ > 0) || !std::isfinite(maximum_distance_))
-    return fail(name,
-                "the maximum distance must be above 0 m, it is " +
-                    std::to_string(maximum_distance_));
+    return fail(name, "the maximum distance must be above 0 m, it is " +
+                          std::to_string(maximum_distance_));
   const std::string problem =
       sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   return problem.empty() || fail(name, problem);
@@ -46,13 +45,9 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
     return;
   }
 
-  sedr::Refinement refinement = sedr::refineToPlan(sedr::PointView(*input_),
-                                                   *indices_,
-                                                   labels,
-                                                   rooms,
-                                                   *plan_,
-                                                   maximum_distance_,
-                                                   threads_);
+  sedr::Refinement refinement =
+      sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
+                         maximum_distance_, threads_);
   sources_ = std::move(refinement.sources);
   surface_points_ = std::move(refinement.points);
   output.reserve(sources_.size());
@@ -74,5 +69,5 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_StructureRefinement(T)                                           \
+#define PCL_INSTANTIATE_StructureRefinement(T)                                         \
   template class PCL_EXPORTS pcl::StructureRefinement<T>;

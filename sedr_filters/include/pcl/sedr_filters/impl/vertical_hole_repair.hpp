@@ -18,7 +18,8 @@ VerticalHoleRepair<PointT>::validate(std::vector<std::uint32_t>& labels,
 {
   constexpr const char* name = "VerticalHoleRepair";
   if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
-    return fail(name, "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
+    return fail(name,
+                "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
   std::string problem =
       sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   if (problem.empty())
@@ -48,7 +49,8 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
     return;
   }
 
-  // Points that were refined lie on the plan already: this finds their surface and its normal.
+  // Points that were refined lie on the plan already: this finds their surface and its
+  // normal.
   constexpr double on_surface = 0.01;
   const sedr::Refinement refined = sedr::refineToPlan(
       sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);
@@ -81,5 +83,5 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_VerticalHoleRepair(T)                                            \
+#define PCL_INSTANTIATE_VerticalHoleRepair(T)                                          \
   template class PCL_EXPORTS pcl::VerticalHoleRepair<T>;

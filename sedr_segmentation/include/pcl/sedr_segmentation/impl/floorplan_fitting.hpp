@@ -30,8 +30,8 @@ FloorplanFitting<PointT>::validate()
   const auto& p = parameters_;
   const auto isPositive = [&](const char* what, double value) {
     return (value > 0 && std::isfinite(value)) ||
-           fail(name,
-                std::string(what) + " must be above 0 m, it is " + std::to_string(value));
+           fail(name, std::string(what) + " must be above 0 m, it is " +
+                          std::to_string(value));
   };
   if (!isPositive("the distance threshold", p.loop.tolerance) ||
       !isPositive("the grid size", p.cell_size) ||
@@ -39,25 +39,22 @@ FloorplanFitting<PointT>::validate()
       !isPositive("the minimum radius", p.loop.minimum_radius))
     return false;
   if (!(p.minimum_detail_area > 0))
-    return fail(name,
-                "the minimum detail area must be above 0 square metres, it is " +
-                    std::to_string(p.minimum_detail_area));
+    return fail(name, "the minimum detail area must be above 0 square metres, it is " +
+                          std::to_string(p.minimum_detail_area));
   if (p.loop.tolerance > 1)
-    return fail(name,
-                "the distance threshold must be at most 1 m, it is " +
-                    std::to_string(p.loop.tolerance));
+    return fail(name, "the distance threshold must be at most 1 m, it is " +
+                          std::to_string(p.loop.tolerance));
   if (!(p.loop.maximum_radius > p.loop.minimum_radius))
-    return fail(name,
-                "the maximum radius " + std::to_string(p.loop.maximum_radius) +
-                    " m must be above the minimum radius " +
-                    std::to_string(p.loop.minimum_radius) + " m");
+    return fail(name, "the maximum radius " + std::to_string(p.loop.maximum_radius) +
+                          " m must be above the minimum radius " +
+                          std::to_string(p.loop.minimum_radius) + " m");
   const std::string problem = sedr::indicesProblem(*indices_, input_->size());
   if (!problem.empty())
     return fail(name, problem);
   if (!rooms_.empty() && rooms_.size() != input_->size())
-    return fail(name,
-                "the cloud has " + std::to_string(input_->size()) + " points, but rooms of " +
-                    std::to_string(rooms_.size()) + " were set");
+    return fail(name, "the cloud has " + std::to_string(input_->size()) +
+                          " points, but rooms of " + std::to_string(rooms_.size()) +
+                          " were set");
   return checkPart("ceiling", ceiling_, true) && checkPart("floor", floor_, true) &&
          checkPart("detail", details_, false) && checkPart("wall", walls_, false);
 }
@@ -78,7 +75,8 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
     evidence.walls = *walls_;
   evidence.room = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
   std::string problem;
-  plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem, warnings_);
+  plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem,
+                       warnings_);
   return problem.empty() || fail("FloorplanFitting", problem);
 }
 
@@ -98,4 +96,5 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_FloorplanFitting(T) template class PCL_EXPORTS pcl::FloorplanFitting<T>;
+#define PCL_INSTANTIATE_FloorplanFitting(T)                                            \
+  template class PCL_EXPORTS pcl::FloorplanFitting<T>;

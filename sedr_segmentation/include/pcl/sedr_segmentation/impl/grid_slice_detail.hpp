@@ -17,7 +17,9 @@ GridSliceDetail<PointT>::validate()
   const auto bad = [&](const std::string& what, double value) {
     return fail(name, what + ", it is " + std::to_string(value));
   };
-  const auto isPositive = [](double value) { return value > 0 && std::isfinite(value); };
+  const auto isPositive = [](double value) {
+    return value > 0 && std::isfinite(value);
+  };
   if (!isPositive(parameters_.cell_size))
     return bad("the grid size must be above 0 m", parameters_.cell_size);
   if (!isPositive(parameters_.tolerance))
@@ -77,8 +79,8 @@ GridSliceDetail<PointT>::run()
     floor_height = sum / static_cast<double>(floor.size());
   }
   std::string problem;
-  result_ = sedr::findSliceDetails(
-      points, *indices_, ceiling, slab, floor_height, parameters_, problem);
+  result_ = sedr::findSliceDetails(points, *indices_, ceiling, slab, floor_height,
+                                   parameters_, problem);
   return problem.empty() || fail("GridSliceDetail", problem);
 }
 
@@ -100,4 +102,5 @@ GridSliceDetail<PointT>::segment(PointIndices& details)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_GridSliceDetail(T) template class PCL_EXPORTS pcl::GridSliceDetail<T>;
+#define PCL_INSTANTIATE_GridSliceDetail(T)                                             \
+  template class PCL_EXPORTS pcl::GridSliceDetail<T>;

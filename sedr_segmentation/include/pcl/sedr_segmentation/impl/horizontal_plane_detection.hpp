@@ -11,9 +11,9 @@ pcl::HorizontalPlaneDetection<PointT>::checkParameters()
 {
   const auto& p = parameters_;
   const auto bad = [&](const char* what, double value, const char* range) {
-    return this->fail("HorizontalPlaneDetection",
-                      std::string(what) + " must be " + range + ", it is " +
-                          std::to_string(value));
+    return this->fail("HorizontalPlaneDetection", std::string(what) + " must be " +
+                                                      range + ", it is " +
+                                                      std::to_string(value));
   };
   if (!(p.tolerance > 0) || !std::isfinite(p.tolerance))
     return bad("the distance threshold", p.tolerance, "above 0 m");
@@ -59,21 +59,20 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
     plane.kind = level.kind;
     plane.height = level.height;
     plane.cells = level.cells.size();
-    plane.area =
-        static_cast<double>(plane.cells) * parameters_.cell_size * parameters_.cell_size;
+    plane.area = static_cast<double>(plane.cells) * parameters_.cell_size *
+                 parameters_.cell_size;
     plane.residual = level.slab.residual;
     plane.slab = level.slab;
     planes.push_back(std::move(plane));
   }
   this->deinitCompute();
   if (planes.empty())
-    return this->fail("HorizontalPlaneDetection",
-                      "no horizontal plane of at least " +
-                          std::to_string(parameters_.minimum_area) +
-                          " square metres in " + std::to_string(indices_->size()) +
-                          " points");
+    return this->fail(
+        "HorizontalPlaneDetection",
+        "no horizontal plane of at least " + std::to_string(parameters_.minimum_area) +
+            " square metres in " + std::to_string(indices_->size()) + " points");
   return true;
 }
 
-#define PCL_INSTANTIATE_HorizontalPlaneDetection(T)                                      \
+#define PCL_INSTANTIATE_HorizontalPlaneDetection(T)                                    \
   template class PCL_EXPORTS pcl::HorizontalPlaneDetection<T>;

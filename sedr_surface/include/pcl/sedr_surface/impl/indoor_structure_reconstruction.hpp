@@ -50,7 +50,8 @@ IndoorStructureReconstruction<PointT>::setGridSize(double size)
 
 template <typename PointT>
 void
-IndoorStructureReconstruction<PointT>::setBoundaryEstimation(double angle, unsigned neighbours)
+IndoorStructureReconstruction<PointT>::setBoundaryEstimation(double angle,
+                                                             unsigned neighbours)
 {
   chain_.wall_growing.setAngleThreshold(static_cast<float>(angle));
   chain_.wall_growing.setNumberOfNeighbors(neighbours);
@@ -105,8 +106,10 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
     return fail(name, "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
   pcl::copyPointCloud(means, thinned);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  reports_.push_back({"ParallelVoxelGrid", indices_->size(), thinned.size(), seconds.count()});
+  const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+  reports_.push_back(
+      {"ParallelVoxelGrid", indices_->size(), thinned.size(), seconds.count()});
   return true;
 }
 
@@ -176,7 +179,8 @@ IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& o
 template <typename PointT>
 void
 IndoorStructureReconstruction<PointT>::performReconstruction(
-    PointCloud& points, std::vector<pcl::Vertices>& polygons)
+    PointCloud& points,
+    std::vector<pcl::Vertices>& polygons)
 {
   pcl::PolygonMesh mesh;
   performReconstruction(mesh);
@@ -188,5 +192,5 @@ IndoorStructureReconstruction<PointT>::performReconstruction(
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_IndoorStructureReconstruction(T)                                 \
+#define PCL_INSTANTIATE_IndoorStructureReconstruction(T)                               \
   template class PCL_EXPORTS pcl::IndoorStructureReconstruction<T>;
