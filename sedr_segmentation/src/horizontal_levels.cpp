@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "level_candidates.h"
+
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
@@ -11,61 +13,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief A point on its way to a level. */
-struct Candidate {
-  int index;
-  float z;
-  std::size_t cell;
-};
-
-/** @brief The points with their cells, sorted by cell and height. */
-std::vector<Candidate>
-sortIntoColumns(const PointView& points,
-                const std::vector<int>& indices,
-                const CellGrid& grid,
-                const CellSet& cells)
-{
-  std::vector<Candidate> columns;
-  columns.reserve(indices.size());
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (std::isfinite(p.z()) && grid.holds(p.x(), p.y()))
-      columns.push_back({i, p.z(), cells.find(grid.at(p.x(), p.y()))});
-  }
-  std::sort(columns.begin(), columns.end(), [](const Candidate& a, const Candidate& b) {
-    if (a.cell != b.cell)
-      return a.cell < b.cell;
-    return a.z != b.z ? a.z < b.z : a.index < b.index;
-  });
-  return columns;
-}
-
-/** @brief Leaves out the points of vertical surfaces: those that see others of their
- * column both above and below, between one and three tolerances away. */
-std::vector<Candidate>
-withoutWalls(const std::vector<Candidate>& columns, double tolerance)
-{
-  const auto hasWithin = [&](std::size_t i, double from, double to) {
-    const auto before = [](const Candidate& a, const Candidate& b) {
-      return a.cell != b.cell ? a.cell < b.cell : a.z < b.z;
-    };
-    const Candidate low{0, static_cast<float>(columns[i].z + from), columns[i].cell};
-    const auto it = std::lower_bound(columns.begin(), columns.end(), low, before);
-    return it != columns.end() && it->cell == columns[i].cell &&
-           it->z <= columns[i].z + to;
-  };
-  std::vector<Candidate> horizontal;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (!hasWithin(i, tolerance, 3 * tolerance) ||
-        !hasWithin(i, -3 * tolerance, -tolerance))
-      horizontal.push_back(columns[i]);
-  std::sort(horizontal.begin(), horizontal.end(),
-            [](const Candidate& a, const Candidate& b) {
-              return a.z != b.z ? a.z < b.z : a.index < b.index;
-            });
-  return horizontal;
-}
 
 /** @brief A stretch [first, last) of candidates sorted by height, and its number of
  * cells. */
@@ -97,15 +44,26 @@ densestWindow(const std::vector<Candidate>& sorted,
   return best;
 }
 
-CellSet
+/** @brief Marks the cells that hold a chosen candidate. */
+std::vector<std::uint8_t>
 cellsOf(const std::vector<Candidate>& candidates,
         const std::vector<std::size_t>& chosen,
-        const CellSet& cells)
+        std::size_t cell_count)
+{
+  std::vector<std::uint8_t> marked(cell_count, 0);
+  for (const std::size_t k : chosen)
+    marked[candidates[k].cell] = 1;
+  return marked;
+}
+
+CellSet
+markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 {
   std::vector<CellKey> keys;
-  for (const std::size_t k : chosen)
-    keys.push_back(cells.keys()[candidates[k].cell]);
-  return CellSet(std::move(keys));
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i])
+      keys.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(keys));
 }
 
 /** @brief Positions of the candidates within `band` of the slab. */
@@ -124,27 +82,42 @@ nearSlab(const PointView& points,
   return near;
 }
 
-/** @brief Whether the candidates are denser at the slab than around it: within half a
- * tolerance more of them than in the two shells, twice as thick together, one to two
- * tolerances away. Clutter is as dense everywhere; what was set aside as such still
- * counts. */
+/** @brief The marked cells and those around them. */
+std::vector<std::uint8_t>
+withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
+{
+  std::vector<std::uint8_t> result(marked.size(), 0);
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i])
+      for (const std::size_t k : blockAround(cells, i))
+        result[k] = 1;
+  return result;
+}
+
+/** @brief Whether the points over some cells are denser at the slab than beside it:
+ * within half a tolerance there are more than twice as many as between one and two
+ * tolerances above, and below. Clutter is as dense everywhere, and has an end.
+ * @param chosen the slab's cells and some more: those alone were chosen for their
+ * points at the slab */
 bool
 standsOut(const PointView& points,
-          const std::vector<Candidate>& candidates,
-          const std::vector<Candidate>& clutter,
+          const std::vector<Candidate>& columns,
+          const std::vector<std::uint8_t>& chosen,
           const PlanSlab& slab,
           double tolerance)
 {
   std::size_t at_slab = 0;
-  std::size_t around = 0;
-  for (const auto* part : {&candidates, &clutter})
-    for (const auto& c : *part) {
-      const double d =
-          std::abs(distanceAbove(slab, points[static_cast<std::size_t>(c.index)]));
-      at_slab += d <= tolerance / 2 ? 1 : 0;
-      around += d > tolerance && d <= 2 * tolerance ? 1 : 0;
-    }
-  return at_slab > around;
+  std::size_t above = 0;
+  std::size_t below = 0;
+  for (const Candidate& c : columns) {
+    if (!chosen[c.cell])
+      continue;
+    const double d = distanceAbove(slab, points[static_cast<std::size_t>(c.index)]);
+    at_slab += std::abs(d) <= tolerance / 2 ? 1 : 0;
+    above += d > tolerance && d <= 2 * tolerance ? 1 : 0;
+    below += d < -tolerance && d >= -2 * tolerance ? 1 : 0;
+  }
+  return at_slab > 2 * std::max(above, below);
 }
 
 /** @brief Height of a level in the middle of its cells: far from there, a small one may
@@ -156,6 +129,16 @@ heightOverOwnCells(const Level& level, const CellGrid& grid)
   for (std::size_t i = 0; i < level.cells.size(); ++i)
     middle += grid.centre(level.cells[i]) / static_cast<double>(level.cells.size());
   return level.slab.heightAt(middle);
+}
+
+/** @brief How far from a plane the noise of its own points reaches: six standard
+ * deviations, at least the tolerance, at most twice. What lies evenly within the
+ * tolerance is no noise but a surface that bends away. */
+double
+reachOfNoise(const PlanSlab& slab, double tolerance)
+{
+  const bool is_noise = slab.residual < 0.45 * tolerance;
+  return is_noise ? std::clamp(6 * slab.residual, tolerance, 2 * tolerance) : tolerance;
 }
 
 /** @brief Takes `positions`, increasing, out of the candidates. */
@@ -267,14 +250,14 @@ findLevels(const PointView& points,
 {
   const CellGrid grid(parameters.cell_size);
   const CellSet cells(grid, points, indices);
+  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
   std::vector<Candidate> candidates =
-      withoutWalls(sortIntoColumns(points, indices, grid, cells), parameters.tolerance);
+      withoutWalls(columns, cells, parameters.tolerance);
   const auto minimum_cells = std::max<std::size_t>(
       1, static_cast<std::size_t>(
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
-  std::vector<Candidate> clutter;
   while (true) {
     const Window window =
         densestWindow(candidates, 2 * parameters.tolerance, cells.size());
@@ -285,16 +268,19 @@ findLevels(const PointView& points,
                               parameters.seed + levels.size());
     std::vector<std::size_t> own =
         nearSlab(points, candidates, level.slab, parameters.tolerance);
-    level.cells = cellsOf(candidates, own, cells);
+    const std::vector<std::uint8_t> marked = cellsOf(candidates, own, cells.size());
+    level.cells = markedCells(cells, marked);
     if (level.cells.size() >= minimum_cells &&
-        standsOut(points, candidates, clutter, level.slab, parameters.tolerance))
+        standsOut(points, columns, withNeighbours(cells, marked), level.slab,
+                  parameters.tolerance)) {
+      // Its tails would look like further levels, just above and below.
+      own = nearSlab(points, candidates, level.slab,
+                     reachOfNoise(level.slab, parameters.tolerance));
       levels.push_back(std::move(level));
+    }
     else { // no plane there after all: the window's points are clutter
       own.resize(window.last - window.first);
       std::iota(own.begin(), own.end(), window.first);
-      clutter.insert(clutter.end(),
-                     candidates.begin() + static_cast<std::ptrdiff_t>(window.first),
-                     candidates.begin() + static_cast<std::ptrdiff_t>(window.last));
     }
     erase(candidates, own);
   }

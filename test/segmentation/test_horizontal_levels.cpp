@@ -97,6 +97,35 @@ TEST(Levels, WallPointsNearASlabAreNotItsInliers)
   }
 }
 
+TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
+{
+  RoomPoints points(0.01, 0.02);
+  points.slab(rectangle(0, 0, 5, 4), 2.5);
+  LevelParameters parameters;
+  parameters.tolerance = 0.05; // one in eighty points lies farther off
+  parameters.minimum_area = 0.25;
+  const auto levels = findLevels(points.view(), points.all(), parameters);
+  expectHeights(levels, {2.5}, 1e-3);
+}
+
+TEST(Levels, WallsBlurredByNoiseDoNotHideThatASoffitIsACeiling)
+{
+  RoomPoints points(0.02, 0.02);
+  const auto room = rectangle(0, 0, 4, 3);
+  points.slab(room, 0);
+  points.slab(room, 2.5, [](double x, double) { return x > 0.4; });
+  points.slab(rectangle(0, 0, 0.4, 3), 2.2);
+  for (std::size_t e = 0; e < 3; ++e) // the fourth is hidden by the soffit
+    points.wall(room.elements[e], 0, 2.5);
+  const auto levels = levelsOf(points);
+  const auto soffit =
+      std::find_if(levels.begin(), levels.end(), [](const Level& level) {
+        return std::abs(level.height - 2.2) < 0.02;
+      });
+  ASSERT_NE(soffit, levels.end());
+  EXPECT_EQ(soffit->kind, Ceiling);
+}
+
 TEST(Levels, ATableTopIsNeither)
 {
   RoomPoints points;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A point on its way to a level. */
+struct Candidate {
+  int index;
+  float z;
+  std::size_t cell; ///< position of its cell in the set of all cells
+};
+
+/** @brief The points with their cells, sorted by cell and height. O(n log n). */
+std::vector<Candidate> sortIntoColumns(const PointView& points,
+                                       const std::vector<int>& indices,
+                                       const CellGrid& grid,
+                                       const CellSet& cells);
+
+/** @brief Positions of a cell and of the eight around it, those that are in the set. */
+std::vector<std::size_t> blockAround(const CellSet& cells, std::size_t at);
+
+/** @brief Leaves out the points of vertical surfaces, and sorts the others by height:
+ * those that see others both above and below, between one and three tolerances away, in
+ * their own column or one of the eight around it. Noise spreads a wall over several
+ * columns, of which the outer ones alone hold too few points to tell. A ceiling has
+ * nothing above it, a floor nothing below, and a soffit hides the wall that it meets.
+ * O(n log n).
+ * @param columns as sortIntoColumns() gives them
+ * @param cells   the set that their cells are positions in */
+std::vector<Candidate> withoutWalls(const std::vector<Candidate>& columns,
+                                    const CellSet& cells,
+                                    double tolerance);
+
+} // namespace sedr
+} // namespace pcl
