@@ -79,24 +79,25 @@ private:
            columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
-  /** @brief Whether the hole is closed by a wall, from near the floor up to the
-   * ceiling. */
+  /** @brief Whether something stands in the column or beside it, up to just below the
+   * ceiling and over half of the room's height. */
+  bool isFloorToCeiling(Cell cell) const
+  {
+    const double top = ceiling_.heightAt(grid_.centre(cell));
+    const double floor = floor_.heightAt(grid_.centre(cell));
+    return columns_.share(cell, top - 0.25, top - 0.08, 1, 1) >= 1 &&
+           columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5;
+  }
+
+  /** @brief Whether the hole is closed by a wall from the floor up to the ceiling, along
+   * two fifths of its rim: from where people stand, half of a column is in view. */
   bool isColumn(const CellMask& hole) const
   {
-    const CellMask rim = subtract(dilated(hole, 1.5), eroded(hole, 1));
-    std::size_t tall = 0;
-    std::size_t full = 0;
-    for (std::size_t i = 0; i < rim.values().size(); ++i) {
-      if (!rim.values()[i])
-        continue;
-      const Cell cell = rim.cellAt(i);
-      const double top = ceiling_.heightAt(grid_.centre(cell));
-      const double floor = floor_.heightAt(grid_.centre(cell));
-      tall += columns_.hasWithin(cell, top - 0.25, top - 0.08) ? 1 : 0;
-      full += columns_.share(cell, floor + 0.1, top - 0.1, 10, 0) >= 0.5 ? 1 : 0;
-    }
-    // The rim is two to three cells wide, and the column's face is in one of them.
-    return 3 * tall >= rim.count() && 4 * full >= rim.count();
+    const CellMask rim = subtract(hole, eroded(hole, 1));
+    std::size_t walled = 0;
+    for (std::size_t i = 0; i < rim.values().size(); ++i)
+      walled += rim.values()[i] && isFloorToCeiling(rim.cellAt(i)) ? 1 : 0;
+    return 5 * walled >= 2 * rim.count();
   }
 
   /** @brief Share of the common edge of `part` and `other` along which a wall stands.
