@@ -240,11 +240,43 @@ PlanRoom::contains(const Eigen::Vector2d& p) const
   return isBetween(boundary, columns, p);
 }
 
+namespace {
+
+/** @brief The last of some details that contains `p`, or -1. */
 int
-PlanRoom::detailAt(const Eigen::Vector2d& p) const
+lastAround(const std::vector<PlanDetail>& details, const Eigen::Vector2d& p)
 {
   for (std::size_t i = details.size(); i-- > 0;)
     if (details[i].contains(p))
+      return static_cast<int>(i);
+  return -1;
+}
+
+} // namespace
+
+int
+PlanRoom::detailAt(const Eigen::Vector2d& p) const
+{
+  return lastAround(details, p);
+}
+
+int
+PlanRoom::floorDetailAt(const Eigen::Vector2d& p) const
+{
+  return lastAround(floor_details, p);
+}
+
+double
+PlanRoom::floorAt(const Eigen::Vector2d& p) const
+{
+  return floorSlab(floorDetailAt(p)).heightAt(p);
+}
+
+int
+PlanRoom::nicheAt(const Eigen::Vector2d& p) const
+{
+  for (std::size_t i = 0; i < niches.size(); ++i)
+    if (niches[i].boundary.contains(p))
       return static_cast<int>(i);
   return -1;
 }

@@ -202,13 +202,38 @@ slabFrom(const Json& json)
 }
 
 Json
+detailsToJson(const std::vector<PlanDetail>& details)
+{
+  Json json = Json::array();
+  for (const auto& detail : details)
+    json.push_back({{"slab", toJson(detail.slab)},
+                    {"boundary", toJson(detail.boundary)},
+                    {"holes", loopsToJson(detail.holes)}});
+  return json;
+}
+
+std::vector<PlanDetail>
+detailsFrom(const Json& json)
+{
+  std::vector<PlanDetail> details;
+  for (const auto& d : json) {
+    PlanDetail detail;
+    detail.slab = slabFrom(d.at("slab"));
+    detail.boundary = outerLoopFrom(d.at("boundary"));
+    detail.holes = loopsFrom(d.at("holes"));
+    details.push_back(std::move(detail));
+  }
+  return details;
+}
+
+Json
 toJson(const PlanRoom& room)
 {
-  Json details = Json::array();
-  for (const auto& detail : room.details)
-    details.push_back({{"slab", toJson(detail.slab)},
-                       {"boundary", toJson(detail.boundary)},
-                       {"holes", loopsToJson(detail.holes)}});
+  Json niches = Json::array();
+  for (const auto& niche : room.niches)
+    niches.push_back({{"bottom", toJson(niche.bottom)},
+                      {"top", toJson(niche.top)},
+                      {"boundary", toJson(niche.boundary)}});
   return {{"id", room.id},
           {"area", room.area()},
           {"perimeter", room.perimeter()},
@@ -216,7 +241,9 @@ toJson(const PlanRoom& room)
           {"ceiling", toJson(room.ceiling)},
           {"boundary", toJson(room.boundary)},
           {"columns", loopsToJson(room.columns)},
-          {"details", details}};
+          {"details", detailsToJson(room.details)},
+          {"floor_details", detailsToJson(room.floor_details)},
+          {"niches", niches}};
 }
 
 /** @brief The id of a room, which none of `rooms` may have. */
@@ -244,13 +271,14 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
   room.ceiling = slabFrom(json.at("ceiling"));
   room.boundary = outerLoopFrom(json.at("boundary"));
   room.columns = loopsFrom(json.at("columns"));
-  for (const auto& d : json.at("details")) {
-    PlanDetail detail;
-    detail.slab = slabFrom(d.at("slab"));
-    detail.boundary = outerLoopFrom(d.at("boundary"));
-    detail.holes = loopsFrom(d.at("holes"));
-    room.details.push_back(std::move(detail));
-  }
+  room.details = detailsFrom(json.at("details"));
+  // Files of before there were these do not have them.
+  if (json.contains("floor_details"))
+    room.floor_details = detailsFrom(json.at("floor_details"));
+  if (json.contains("niches"))
+    for (const auto& n : json.at("niches"))
+      room.niches.push_back({outerLoopFrom(n.at("boundary")), slabFrom(n.at("bottom")),
+                             slabFrom(n.at("top"))});
   return room;
 }
 

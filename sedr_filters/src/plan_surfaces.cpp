@@ -13,30 +13,81 @@ namespace {
 /** @brief How far from an element its two sides are looked at, metres. */
 constexpr double beside = 0.01;
 
-/** @brief Heights of a wall or a column's face: from the floor to whatever ceiling is
- * there. */
-UprightSpan
-wallSpan(const PlanRoom& room, const PlanElement& element, double s)
+/** @brief The two sides of an element at one place of it. */
+struct Sides {
+  Eigen::Vector2d place;
+  Eigen::Vector2d left;
+  Eigen::Vector2d right;
+};
+
+Sides
+sidesOf(const PlanElement& element, double s)
 {
   const Eigen::Vector2d p = element.pointAt(s);
-  return {room.floor.heightAt(p), room.ceilingAt(p + beside * element.normalAt(s)),
-          true};
+  const Eigen::Vector2d across = beside * element.normalAt(s);
+  return {p, p + across, p - across};
 }
 
-/** @brief Heights of a riser: between what is above the two sides of the edge. An edge
- * between two details belongs to the later one; an edge on a wall is no riser. */
+/** @brief Heights of a wall or a column's face: from whatever floor is there to
+ * whatever ceiling is. */
 UprightSpan
-riserSpan(const PlanRoom& room, const PlanElement& element, int detail, double s)
+wallSpan(const PlanRoom& room, const Sides& at)
 {
-  const Eigen::Vector2d p = element.pointAt(s);
-  const Eigen::Vector2d left = p + beside * element.normalAt(s);
-  const Eigen::Vector2d right = p - beside * element.normalAt(s);
-  if (!room.contains(left) || !room.contains(right) ||
-      std::max(room.detailAt(left), room.detailAt(right)) != detail)
+  const double floor = room.floorSlab(room.floorDetailAt(at.left)).heightAt(at.place);
+  return {floor, room.ceilingAt(at.left), true};
+}
+
+/** @brief The part of a wall below a niche, or above it, where there is one. */
+UprightSpan
+wallBesideNiche(const PlanRoom& room, const Sides& at, bool is_above)
+{
+  UprightSpan span = wallSpan(room, at);
+  const int n = room.nicheAt(at.right);
+  if (n < 0)
+    return is_above ? UprightSpan{} : span;
+  const PlanNiche& niche = room.niches[static_cast<std::size_t>(n)];
+  if (is_above)
+    span.low = std::max(span.low, niche.top.heightAt(at.place));
+  else
+    span.high = std::min(span.high, niche.bottom.heightAt(at.place));
+  return span;
+}
+
+/** @brief Heights of a riser of the ceiling: between what is above the two sides of the
+ * edge. An edge between two details belongs to the later one; an edge on a wall is no
+ * riser. */
+UprightSpan
+ceilingRiserSpan(const PlanRoom& room, const Sides& at, int detail)
+{
+  if (!room.contains(at.left) || !room.contains(at.right) ||
+      std::max(room.detailAt(at.left), room.detailAt(at.right)) != detail)
     return {};
-  const double a = room.ceilingAt(left);
-  const double b = room.ceilingAt(right);
+  const double a = room.ceilingAt(at.left);
+  const double b = room.ceilingAt(at.right);
   return {std::min(a, b), std::max(a, b), a > b};
+}
+
+/** @brief Likewise of the floor: the room is on the side of the lower one. */
+UprightSpan
+floorRiserSpan(const PlanRoom& room, const Sides& at, int detail)
+{
+  if (!room.contains(at.left) || !room.contains(at.right) ||
+      std::max(room.floorDetailAt(at.left), room.floorDetailAt(at.right)) != detail)
+    return {};
+  const double a = room.floorAt(at.left);
+  const double b = room.floorAt(at.right);
+  return {std::min(a, b), std::max(a, b), a < b};
+}
+
+/** @brief Heights of a side of a niche; where the room is on the other side, the niche
+ * is open. */
+UprightSpan
+nicheSpan(const PlanRoom& room, const Sides& at, int part)
+{
+  if (room.boundary.contains(at.right))
+    return {};
+  const PlanNiche& niche = room.niches[static_cast<std::size_t>(part)];
+  return {niche.bottom.heightAt(at.place), niche.top.heightAt(at.place), true};
 }
 
 double
@@ -83,52 +134,143 @@ mayBelong(StructureLabel label, StructureLabel surface)
 UprightSpan
 UprightSurface::spanAt(double s) const
 {
-  return detail < 0 ? wallSpan(*room, *element, s)
-                    : riserSpan(*room, *element, detail, s);
+  const Sides at = sidesOf(*element, s);
+  switch (kind) {
+  case UprightKind::Wall:
+    return wallBesideNiche(*room, at, false);
+  case UprightKind::WallAboveNiche:
+    return wallBesideNiche(*room, at, true);
+  case UprightKind::ColumnFace:
+    return wallSpan(*room, at);
+  case UprightKind::CeilingRiser:
+    return ceilingRiserSpan(*room, at, part);
+  case UprightKind::FloorRiser:
+    return floorRiserSpan(*room, at, part);
+  case UprightKind::NicheSide:
+    return nicheSpan(*room, at, part);
+  }
+  return {};
 }
 
 Eigen::Vector3d
 UprightSurface::normalAt(double s) const
 {
   const Eigen::Vector2d n = element->normalAt(s);
-  const double sign = detail < 0 || spanAt(s).faces_left ? 1 : -1;
+  const bool is_riser =
+      kind == UprightKind::CeilingRiser || kind == UprightKind::FloorRiser;
+  const double sign = !is_riser || spanAt(s).faces_left ? 1 : -1;
   return {sign * n.x(), sign * n.y(), 0};
 }
+
+namespace {
+
+/** @brief Whether some niche is open along a part of the element. */
+bool
+hasNiche(const PlanRoom& room, const PlanElement& element)
+{
+  constexpr double on_wall = 0.02;
+  return std::any_of(room.niches.begin(), room.niches.end(), [&](const auto& niche) {
+    const auto& sides = niche.boundary.elements;
+    return std::any_of(sides.begin(), sides.end(), [&](const PlanElement& side) {
+      return element.distance(side.pointAt(side.length() / 2)) <= on_wall;
+    });
+  });
+}
+
+} // namespace
 
 std::vector<UprightSurface>
 uprightSurfaces(const PlanRoom& room)
 {
   std::vector<UprightSurface> surfaces;
-  const auto append = [&](const PlanLoop& loop, StructureLabel label, int detail) {
+  const auto append = [&](const PlanLoop& loop, UprightKind kind, StructureLabel label,
+                          std::size_t part) {
     for (const auto& element : loop.elements)
-      if (element.length() > 0)
-        surfaces.push_back({&room, &element, label, detail});
+      if (element.length() > 0 &&
+          (kind != UprightKind::WallAboveNiche || hasNiche(room, element)))
+        surfaces.push_back({&room, &element, kind, label, static_cast<int>(part)});
   };
-  append(room.boundary, StructureLabel::Wall, -1);
+  const auto appendRisers = [&](const std::vector<PlanDetail>& details,
+                                UprightKind kind) {
+    for (std::size_t d = 0; d < details.size(); ++d) {
+      append(details[d].boundary, kind, StructureLabel::Detail, d);
+      for (const auto& hole : details[d].holes)
+        append(hole, kind, StructureLabel::Detail, d);
+    }
+  };
+  append(room.boundary, UprightKind::Wall, StructureLabel::Wall, 0);
+  append(room.boundary, UprightKind::WallAboveNiche, StructureLabel::Wall, 0);
   for (const auto& column : room.columns)
-    append(column, StructureLabel::Column, -1);
-  for (std::size_t d = 0; d < room.details.size(); ++d) {
-    append(room.details[d].boundary, StructureLabel::Detail, static_cast<int>(d));
-    for (const auto& hole : room.details[d].holes)
-      append(hole, StructureLabel::Detail, static_cast<int>(d));
-  }
+    append(column, UprightKind::ColumnFace, StructureLabel::Column, 0);
+  appendRisers(room.details, UprightKind::CeilingRiser);
+  appendRisers(room.floor_details, UprightKind::FloorRiser);
+  for (std::size_t n = 0; n < room.niches.size(); ++n)
+    append(room.niches[n].boundary, UprightKind::NicheSide, StructureLabel::Detail, n);
   return surfaces;
 }
+
+namespace {
+
+/** @brief The point of a slab at a place, its normal up or down. */
+SurfacePoint
+pointOn(const PlanSlab& slab,
+        const Eigen::Vector2d& place,
+        bool faces_up,
+        StructureLabel label,
+        std::uint32_t room)
+{
+  SurfacePoint point;
+  point.position << place, slab.heightAt(place);
+  point.normal = (faces_up ? 1.0 : -1.0) * slab.plane.head<3>();
+  point.label = label;
+  point.room = room;
+  return point;
+}
+
+} // namespace
 
 SurfacePoint
 slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor)
 {
-  const int detail = is_floor ? -1 : room.detailAt(place);
-  const PlanSlab& slab = is_floor ? room.floor : room.ceilingSlab(detail);
-  SurfacePoint point;
-  point.position << place, slab.heightAt(place);
-  point.normal = (is_floor ? 1.0 : -1.0) * slab.plane.head<3>();
-  point.label = is_floor     ? StructureLabel::Floor
-                : detail < 0 ? StructureLabel::Ceiling
-                             : StructureLabel::Detail;
-  point.room = room.id;
-  return point;
+  if (is_floor)
+    return pointOn(room.floorSlab(room.floorDetailAt(place)), place, true,
+                   StructureLabel::Floor, room.id);
+  const int detail = room.detailAt(place);
+  return pointOn(room.ceilingSlab(detail), place, false,
+                 detail < 0 ? StructureLabel::Ceiling : StructureLabel::Detail,
+                 room.id);
 }
+
+SurfacePoint
+nichePointAt(const PlanRoom& room,
+             const PlanNiche& niche,
+             const Eigen::Vector2d& place,
+             bool is_bottom)
+{
+  return pointOn(is_bottom ? niche.bottom : niche.top, place, is_bottom,
+                 StructureLabel::Detail, room.id);
+}
+
+namespace {
+
+/** @brief The bottom or top of the niche around a place that is nearer to a point;
+ * infinity where there is no niche. */
+double
+nearestInNiche(const PlanRoom& room, const Eigen::Vector3d& p, SurfacePoint& nearest)
+{
+  const int n = room.nicheAt(p.head<2>());
+  if (n < 0)
+    return std::numeric_limits<double>::infinity();
+  const PlanNiche& niche = room.niches[static_cast<std::size_t>(n)];
+  const SurfacePoint bottom = nichePointAt(room, niche, p.head<2>(), true);
+  const SurfacePoint top = nichePointAt(room, niche, p.head<2>(), false);
+  const double to_bottom = std::abs(p.z() - bottom.position.z());
+  const double to_top = std::abs(p.z() - top.position.z());
+  nearest = to_bottom < to_top ? bottom : top;
+  return std::min(to_bottom, to_top);
+}
+
+} // namespace
 
 bool
 snapToRoom(const PlanRoom& room,
@@ -146,6 +288,8 @@ snapToRoom(const PlanRoom& room,
     snapped = slabPointAt(room, position.head<2>(), label == StructureLabel::Floor);
     least = std::abs(position.z() - snapped.position.z());
   }
+  else if (label == StructureLabel::Detail)
+    least = nearestInNiche(room, position, snapped);
   if (label == StructureLabel::Wall || label == StructureLabel::Column ||
       label == StructureLabel::Detail)
     for (const auto& surface : uprights) {

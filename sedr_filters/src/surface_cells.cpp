@@ -50,9 +50,17 @@ greatestHeight(const PlanRoom& room, const PlanBox& box)
       const Eigen::Vector2d corner(x, y);
       double low = room.floor.heightAt(corner);
       double high = low;
-      for (int d = -1; d < static_cast<int>(room.details.size()); ++d) {
-        low = std::min(low, room.ceilingSlab(d).heightAt(corner));
-        high = std::max(high, room.ceilingSlab(d).heightAt(corner));
+      const auto widen = [&](double height) {
+        low = std::min(low, height);
+        high = std::max(high, height);
+      };
+      for (int d = -1; d < static_cast<int>(room.details.size()); ++d)
+        widen(room.ceilingSlab(d).heightAt(corner));
+      for (const auto& detail : room.floor_details)
+        widen(detail.slab.heightAt(corner));
+      for (const auto& niche : room.niches) {
+        widen(niche.bottom.heightAt(corner));
+        widen(niche.top.heightAt(corner));
       }
       greatest = std::max(greatest, high - low);
     }
@@ -75,13 +83,21 @@ estimatedCells(const PlanRoom& room, double size)
   add(room.boundary);
   for (const auto& column : room.columns)
     add(column);
-  for (const auto& detail : room.details) {
-    add(detail.boundary);
-    for (const auto& hole : detail.holes)
-      add(hole);
+  for (const auto* details : {&room.details, &room.floor_details})
+    for (const auto& detail : *details) {
+      add(detail.boundary);
+      for (const auto& hole : detail.holes)
+        add(hole);
+    }
+  double niches = 0;
+  for (const auto& niche : room.niches) {
+    add(niche.boundary);
+    const PlanBox around = boxOf(niche.boundary, size / 10);
+    const Eigen::Vector2d sides = around.high - around.low;
+    niches += 2 * (sides.x() / size + 1) * (sides.y() / size + 1);
   }
   return columns * (greatestHeight(room, box) / size + 1) +
-         2 * (extent.x() / size + 1) * (extent.y() / size + 1);
+         2 * (extent.x() / size + 1) * (extent.y() / size + 1) + niches;
 }
 
 } // namespace
@@ -140,41 +156,70 @@ SurfaceCells::addStrip(const UprightSurface& surface)
   strips_.push_back(std::move(strip));
 }
 
+template <typename PointAt>
+void
+SurfaceCells::addSheet(const PlanLoop& loop, PointAt pointAt)
+{
+  Sheet sheet;
+  const PlanBox box = boxOf(loop, size_ / 10);
+  if (box.low.allFinite()) {
+    sheet.origin = box.low;
+    const Eigen::Vector2d extent = (box.high - box.low) / size_;
+    sheet.width = static_cast<std::size_t>(extent.x()) + 1;
+    sheet.height = static_cast<std::size_t>(extent.y()) + 1;
+  }
+  sheet.cell.assign(sheet.width * sheet.height, none);
+  for (std::size_t i = 0; i < sheet.cell.size(); ++i) {
+    const Eigen::Vector2d place =
+        sheet.origin +
+        size_ * Eigen::Vector2d(static_cast<double>(i % sheet.width) + 0.5,
+                                static_cast<double>(i / sheet.width) + 0.5);
+    SurfaceCell cell;
+    if (!pointAt(place, cell.centre))
+      continue;
+    sheet.cell[i] = cells_.size();
+    cells_.push_back(cell);
+  }
+  sheets_.push_back(std::move(sheet));
+}
+
 void
 SurfaceCells::addSlabs()
 {
-  const PlanBox box = boxOf(room_.boundary, size_ / 10);
-  if (!box.low.allFinite())
-    return;
-  origin_ = box.low;
-  width_ = static_cast<std::size_t>((box.high.x() - box.low.x()) / size_) + 1;
-  height_ = static_cast<std::size_t>((box.high.y() - box.low.y()) / size_) + 1;
-  floor_.assign(width_ * height_, none);
-  ceiling_.assign(width_ * height_, none);
   for (const bool is_floor : {true, false})
-    for (std::size_t i = 0; i < floor_.size(); ++i) {
-      const Eigen::Vector2d place =
-          origin_ + size_ * Eigen::Vector2d(static_cast<double>(i % width_) + 0.5,
-                                            static_cast<double>(i / width_) + 0.5);
-      if (!room_.contains(place))
-        continue;
-      SurfaceCell cell;
-      cell.centre = slabPointAt(room_, place, is_floor);
-      (is_floor ? floor_ : ceiling_)[i] = cells_.size();
-      cells_.push_back(cell);
-    }
+    addSheet(room_.boundary, [&](const Eigen::Vector2d& place, SurfacePoint& point) {
+      point = slabPointAt(room_, place, is_floor);
+      return room_.contains(place);
+    });
+  for (const PlanNiche& niche : room_.niches)
+    for (const bool is_bottom : {true, false})
+      addSheet(niche.boundary, [&](const Eigen::Vector2d& place, SurfacePoint& point) {
+        point = nichePointAt(room_, niche, place, is_bottom);
+        return niche.boundary.contains(place) && !room_.boundary.contains(place);
+      });
 }
 
-bool
-SurfaceCells::planIndex(const Eigen::Vector2d& place, std::size_t& index) const
+std::size_t
+SurfaceCells::cellOf(const Sheet& sheet, const Eigen::Vector2d& place) const
 {
-  const Eigen::Vector2d cell = ((place - origin_) / size_).array().floor();
-  if (cell.x() < 0 || cell.y() < 0 || cell.x() >= static_cast<double>(width_) ||
-      cell.y() >= static_cast<double>(height_))
-    return false;
-  index =
-      static_cast<std::size_t>(cell.y()) * width_ + static_cast<std::size_t>(cell.x());
-  return true;
+  const Eigen::Vector2d at = ((place - sheet.origin) / size_).array().floor();
+  if (!(at.x() >= 0 && at.y() >= 0 && at.x() < static_cast<double>(sheet.width) &&
+        at.y() < static_cast<double>(sheet.height)))
+    return none;
+  return sheet.cell[static_cast<std::size_t>(at.y()) * sheet.width +
+                    static_cast<std::size_t>(at.x())];
+}
+
+std::size_t
+SurfaceCells::findLevel(const SurfacePoint& point) const
+{
+  const Eigen::Vector2d place = point.position.head<2>();
+  const bool faces_up = point.normal.z() > 0;
+  const int n = room_.nicheAt(place);
+  if (n >= 0 && !room_.boundary.contains(place))
+    return cellOf(sheets_[2 + 2 * static_cast<std::size_t>(n) + (faces_up ? 0 : 1)],
+                  place);
+  return cellOf(sheets_[faces_up ? 0 : 1], place);
 }
 
 std::size_t
@@ -211,12 +256,7 @@ SurfaceCells::occupy(const SurfacePoint& point, std::size_t source)
 {
   // Undersides and risers of details share a label: the normal tells them apart.
   const bool is_slab = std::abs(point.normal.z()) > 0.5;
-  std::size_t index = none;
-  std::size_t plan = 0;
-  if (!is_slab)
-    index = findUpright(point);
-  else if (planIndex(point.position.head<2>(), plan))
-    index = (point.label == StructureLabel::Floor ? floor_ : ceiling_)[plan];
+  const std::size_t index = is_slab ? findLevel(point) : findUpright(point);
   if (index == none)
     return false;
   SurfaceCell& cell = cells_[index];

@@ -28,6 +28,8 @@ samplePlan()
   room.details = {detailOf(stadium(2, 0.3), 2.2), detailOf(rectangle(0, 0, 1, 1), 2.7)};
   room.details[0].holes = {reversed(circle({1, 0}, 0.1)),
                            reversed(rectangle(0, 0, 0.1, 0.1))};
+  room.floor_details = {detailOf(rectangle(1, 1, 2, 1 + M_E), 0.1 / 3)};
+  room.niches = {{stadium(1, 0.1 / 3), slabAt(0.1), slabAt(2.0 / 3)}};
   plan.rooms.push_back(room);
   plan.rooms.push_back(
       roomOf(rectangle(-1.0 / 3, 5e-324, 0.1, 1.0 / 7), 3, 4294967295u));
@@ -69,6 +71,17 @@ expectSame(const PlanSlab& a, const PlanSlab& b)
   EXPECT_EQ(a.residual, b.residual);
 }
 
+void
+expectSame(const std::vector<PlanDetail>& a, const std::vector<PlanDetail>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t d = 0; d < a.size(); ++d) {
+    expectSame(a[d].boundary, b[d].boundary);
+    expectSame(a[d].holes, b[d].holes);
+    expectSame(a[d].slab, b[d].slab);
+  }
+}
+
 std::string
 problemOf(const std::string& text)
 {
@@ -102,14 +115,35 @@ TEST(FloorplanJson, ReadsBackExactly)
     expectSame(a.columns, b.columns);
     expectSame(a.floor, b.floor);
     expectSame(a.ceiling, b.ceiling);
-    ASSERT_EQ(a.details.size(), b.details.size());
-    for (std::size_t d = 0; d < a.details.size(); ++d) {
-      expectSame(a.details[d].boundary, b.details[d].boundary);
-      expectSame(a.details[d].holes, b.details[d].holes);
-      expectSame(a.details[d].slab, b.details[d].slab);
+    expectSame(a.details, b.details);
+    expectSame(a.floor_details, b.floor_details);
+    ASSERT_EQ(a.niches.size(), b.niches.size());
+    for (std::size_t n = 0; n < a.niches.size(); ++n) {
+      expectSame(a.niches[n].boundary, b.niches[n].boundary);
+      expectSame(a.niches[n].bottom, b.niches[n].bottom);
+      expectSame(a.niches[n].top, b.niches[n].top);
     }
   }
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
+}
+
+TEST(FloorplanJson, WithoutFloorDetailsAndNichesIsReadAsOneThatHasNone)
+{
+  const std::string text = R"({"format": "sedr-floorplan", "version": 1, "unit": "m",
+    "rooms": [{"id": 1,
+      "floor": {"plane": [0, 0, 1, 0], "inliers": 9, "residual": 0},
+      "ceiling": {"plane": [0, 0, 1, -2.5], "inliers": 9, "residual": 0},
+      "boundary": [
+        {"type": "segment", "start": [0, 0], "end": [4, 0], "inliers": 1, "residual": 0},
+        {"type": "segment", "start": [4, 0], "end": [4, 3], "inliers": 1, "residual": 0},
+        {"type": "segment", "start": [4, 3], "end": [0, 0], "inliers": 1, "residual": 0}],
+      "columns": [], "details": []}]})";
+  std::string problem;
+  const Floorplan plan = floorplanFromJson(text, problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  EXPECT_TRUE(plan.rooms[0].floor_details.empty());
+  EXPECT_TRUE(plan.rooms[0].niches.empty());
 }
 
 TEST(FloorplanJson, OfAnEmptyPlanReadsBackAsOne)

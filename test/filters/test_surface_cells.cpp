@@ -15,8 +15,8 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
-/** An L with a curved wall, two columns, a soffit around with a beam on it, and a
- * recess: every kind of surface there is. */
+/** An L with a curved wall, two columns, a soffit around with a beam on it, a recess, a
+ * platform in a corner, a pit and a niche: every kind of surface there is. */
 PlanRoom
 richRoom()
 {
@@ -30,6 +30,9 @@ richRoom()
   room.details = {detailOf(rectangle(0, 0, 5, 0.8), 2.3),
                   detailOf(rectangle(2.2, 0, 2.6, 3), 2.0),
                   detailOf(rectangle(0.4, 3.2, 1.6, 4.1), 2.9)};
+  room.floor_details = {detailOf(rectangle(0, 3.5, 1, 4.5), 0.35),
+                        detailOf(rectangle(2.2, 1.2, 3, 2.5), -0.4)};
+  room.niches = {{rectangle(-0.3, 1, 0, 2.2), slabAt(0.8), slabAt(1.9)}};
   return room;
 }
 
@@ -47,7 +50,11 @@ bool
 isAir(const PlanRoom& room, const Vector3d& p)
 {
   const Eigen::Vector2d place = p.head<2>();
-  return room.contains(place) && p.z() > room.floor.heightAt(place) &&
+  const int n = room.nicheAt(place);
+  if (n >= 0 && !room.boundary.contains(place))
+    return p.z() > room.niches[n].bottom.heightAt(place) &&
+           p.z() < room.niches[n].top.heightAt(place);
+  return room.contains(place) && p.z() > room.floorAt(place) &&
          p.z() < room.ceilingAt(place);
 }
 
@@ -95,6 +102,22 @@ TEST(SurfaceCells, LieOnTheStructureWithNormalsIntoTheRoom)
         << c.position.transpose() << " towards " << c.normal.transpose() << ", "
         << toString(c.label);
   }
+}
+
+TEST(SurfaceCells, OfAPlatformAndANicheAreAsManyAsTheirAreasHold)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+  const double size = 0.05;
+  const double cell = size * size;
+  room.floor_details = {detailOf(rectangle(0, 0, 1, 2), 0.4)};
+  room.niches = {{rectangle(4, 1, 4.3, 2), slabAt(1), slabAt(2)}};
+  auto counts = countsOf(SurfaceCells(room, size));
+  EXPECT_EQ(counts[StructureLabel::Floor], std::lround(12 / cell));
+  EXPECT_EQ(counts[StructureLabel::Ceiling], std::lround(12 / cell));
+  EXPECT_EQ(counts[StructureLabel::Wall], std::lround((14 * 2.5 - 3 * 0.4 - 1) / cell));
+  const double risers = 3 * 0.4;
+  const double niche = 1.0 * 1.6 + 2 * 0.3;
+  EXPECT_EQ(counts[StructureLabel::Detail], std::lround((risers + niche) / cell));
 }
 
 TEST(SurfaceCells, CoverTheStructureEvenly)

@@ -115,7 +115,7 @@ meanHeight(const PlanRoom& room)
       const Eigen::Vector2d p(x, y);
       if (!room.contains(p))
         continue;
-      sum += room.ceilingAt(p) - room.floor.heightAt(p);
+      sum += room.ceilingAt(p) - room.floorAt(p);
       ++count;
     }
   return count == 0 ? 0 : sum / static_cast<double>(count);

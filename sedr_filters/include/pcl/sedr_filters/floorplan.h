@@ -109,6 +109,14 @@ struct PlanDetail {
   bool contains(const Eigen::Vector2d& p) const;
 };
 
+/** @brief A closed recess in a wall between two heights: it lies outside of the room's
+ * boundary, to which it is open along a part of its own. */
+struct PlanNiche {
+  PlanLoop boundary; ///< counter-clockwise
+  PlanSlab bottom;
+  PlanSlab top;
+};
+
 /** @brief A room: its walls and columns in plan, its floor and its ceiling. */
 struct PlanRoom {
   std::uint32_t id = 0; ///< the `room` of its points, from 1
@@ -116,7 +124,9 @@ struct PlanRoom {
   std::vector<PlanLoop> columns;
   PlanSlab floor;
   PlanSlab ceiling;
-  std::vector<PlanDetail> details;
+  std::vector<PlanDetail> details;       ///< of the ceiling
+  std::vector<PlanDetail> floor_details; ///< steps, platforms, pits: parts of the floor
+  std::vector<PlanNiche> niches;
 
   /** @brief Whether `p` lies in the room: inside the boundary, outside every column. */
   bool contains(const Eigen::Vector2d& p) const;
@@ -133,7 +143,22 @@ struct PlanRoom {
   /** @brief Height of whatever ceiling is above `p`. */
   double ceilingAt(const Eigen::Vector2d& p) const;
 
-  /** @brief Floor area without columns, square metres. */
+  /** @brief Index of the floor detail below `p`, or -1 above the main floor. */
+  int floorDetailAt(const Eigen::Vector2d& p) const;
+
+  /** @brief The slab of floor detail `detail`; of -1 the main floor. */
+  const PlanSlab& floorSlab(int detail) const
+  {
+    return detail < 0 ? floor : floor_details[static_cast<std::size_t>(detail)].slab;
+  }
+
+  /** @brief Height of whatever floor is below `p`. */
+  double floorAt(const Eigen::Vector2d& p) const;
+
+  /** @brief Index of the niche around `p`, or -1. */
+  int nicheAt(const Eigen::Vector2d& p) const;
+
+  /** @brief Floor area without columns and niches, square metres. */
   double area() const;
 
   /** @brief Length of the outer loop, metres. */

@@ -18,13 +18,24 @@ struct UprightSpan {
   bool faces_left = true; ///< whether the room is on the left of the element's way
 };
 
-/** @brief A wall, the face of a column or the riser of a detail: an element of a room's
- * plan, upright from one height to another. */
+/** @brief What an upright surface of a room is. */
+enum class UprightKind {
+  Wall,           ///< from the floor to the ceiling, or to a niche
+  WallAboveNiche, ///< from the top of a niche to the ceiling
+  ColumnFace,
+  CeilingRiser, ///< between two heights of the ceiling
+  FloorRiser,   ///< between two heights of the floor
+  NicheSide     ///< a side or the back of a niche
+};
+
+/** @brief A wall, the face of a column, the riser of a detail or a side of a niche: an
+ * element of a room's plan, upright from one height to another. */
 struct UprightSurface {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
+  UprightKind kind = UprightKind::Wall;
   StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
-  int detail = -1;                             ///< of a riser: index in room->details
+  int part = -1; ///< of a riser or a niche: index in the room's list
 
   /** @brief What the surface covers at distance `s` along the element. */
   UprightSpan spanAt(double s) const;
@@ -33,8 +44,8 @@ struct UprightSurface {
   Eigen::Vector3d normalAt(double s) const;
 };
 
-/** @brief The upright surfaces of a room: walls, then columns, then risers. They point
- * into `room`, which must stay where it is. */
+/** @brief The upright surfaces of a room: walls, then columns, risers of ceiling and
+ * floor, and niches. They point into `room`, which must stay where it is. */
 std::vector<UprightSurface> uprightSurfaces(const PlanRoom& room);
 
 /** @brief A point of the structure, in double precision. */
@@ -45,15 +56,22 @@ struct SurfacePoint {
   std::uint32_t room = 0;
 };
 
-/** @brief The point at a place in plan of the floor, or of whatever ceiling or detail
- * is above the place; whether the place is in the room is not asked. */
+/** @brief The point at a place in plan of whatever floor is below, or of whatever
+ * ceiling or detail is above the place; whether the place is in the room is not asked.
+ * The floor is labelled Floor at all its heights. */
 SurfacePoint
 slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor);
+
+/** @brief The point at a place in plan of a niche's bottom or top. */
+SurfacePoint nichePointAt(const PlanRoom& room,
+                          const PlanNiche& niche,
+                          const Eigen::Vector2d& place,
+                          bool is_bottom);
 
 /** @brief The point of the room's structure that a scanned point with a label stands
  * for (paper, section 2.4): ceiling and floor points move to the plane, wall and column
  * points to their line or circle in x and y while z stays, detail points to the
- * underside or the riser, whichever is nearer.
+ * underside, the riser or the niche, whichever is nearest.
  * @return false where that would be farther than `farthest` metres, or beside the room:
  * then the point is not of this structure */
 bool snapToRoom(const PlanRoom& room,

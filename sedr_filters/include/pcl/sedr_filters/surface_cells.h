@@ -27,9 +27,9 @@ constexpr double most_surface_cells = 2e8;
 std::string surfaceCellsProblem(const Floorplan& plan, double size);
 
 /** @brief The surfaces of a room cut into cells of nearly one size: upright surfaces
- * along their elements and up their heights, each into equal parts; floor and ceilings
- * by a grid in plan. The cells cover the whole room without gaps, so the empty ones are
- * its holes (paper, section 2.4). */
+ * along their elements and up their heights, each into equal parts; floors, ceilings
+ * and the bottoms and tops of niches by grids in plan. The cells cover the whole room
+ * without gaps, so the empty ones are its holes (paper, section 2.4). */
 class SurfaceCells {
 public:
   /** @param room must stay where it is
@@ -42,7 +42,7 @@ public:
    * @return false where the room has no such surface */
   bool occupy(const SurfacePoint& point, std::size_t source);
 
-  /** @brief All cells: walls, columns and risers, then floor, then ceiling. */
+  /** @brief All cells: upright surfaces, then floor, then ceiling, then niches. */
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
 private:
@@ -56,10 +56,25 @@ private:
 
   void addStrip(const UprightSurface& surface);
 
+  /** @brief Cells of a level surface: a grid in plan. */
+  struct Sheet {
+    Eigen::Vector2d origin;
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<std::size_t> cell; ///< of each cell of the grid, or none
+  };
+
+  /** @brief Appends the cells of a sheet over the inside of `loop`: `pointAt(place,
+   * point)` gives the surface there, or says that there is none. */
+  template <typename PointAt>
+  void addSheet(const PlanLoop& loop, PointAt pointAt);
+
   void addSlabs();
 
-  /** @brief Index of a plan cell in the grid of floor and ceiling. */
-  bool planIndex(const Eigen::Vector2d& place, std::size_t& index) const;
+  /** @brief The cell of a sheet at a place, or none. */
+  std::size_t cellOf(const Sheet& sheet, const Eigen::Vector2d& place) const;
+
+  std::size_t findLevel(const SurfacePoint& point) const;
 
   std::size_t findUpright(const SurfacePoint& point) const;
 
@@ -69,11 +84,7 @@ private:
   double size_;
   std::vector<Strip> strips_;
   std::vector<SurfaceCell> cells_;
-  Eigen::Vector2d origin_;
-  std::size_t width_ = 0;
-  std::size_t height_ = 0;
-  std::vector<std::size_t> floor_;   ///< cell of each plan cell, or none
-  std::vector<std::size_t> ceiling_; ///< likewise
+  std::vector<Sheet> sheets_; ///< floor, ceiling, then bottom and top of each niche
 };
 
 } // namespace sedr
