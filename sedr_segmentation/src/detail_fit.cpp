@@ -14,19 +14,25 @@ namespace sedr {
 
 namespace {
 
-/** @brief The height of every cell of a room: 0 the main ceiling, k the k-th underside,
- * -1 none. */
+/** @brief The height of every cell of a room: 0 the main slab, k the k-th detail, -1
+ * none. */
 struct HeightMap {
   CellMask room;
   std::vector<std::int32_t> label;
-  std::vector<PlanSlab> undersides; ///< of labels 1, 2, ...
+  PlanSlab main;
+  std::vector<PlanSlab> details; ///< of labels 1, 2, ...
+
+  const PlanSlab& slabOf(std::int32_t of) const
+  {
+    return of == 0 ? main : details[static_cast<std::size_t>(of - 1)];
+  }
 };
 
 /** @brief The levels among the detail points. */
 std::vector<Level>
-undersideLevels(const PointView& points,
-                const RoomEvidence& evidence,
-                const RoomFitParameters& parameters)
+detailLevels(const PointView& points,
+             const SlabEvidence& evidence,
+             const RoomFitParameters& parameters)
 {
   LevelParameters p;
   p.tolerance = parameters.slab_tolerance;
@@ -39,12 +45,12 @@ undersideLevels(const PointView& points,
 /** @brief A step of less than this between two heights is unevenness, metres. */
 constexpr double least_step = 0.06;
 
-/** @brief Mean height of a slab over the main ceiling, above the cells of a mask. */
+/** @brief Mean height of a slab over the main one, above the cells of a mask. */
 double
-heightOverCeiling(const PlanRoom& room,
-                  const PlanSlab& slab,
-                  const CellMask& cells,
-                  const CellGrid& grid)
+heightOverMain(const PlanSlab& main,
+               const PlanSlab& slab,
+               const CellMask& cells,
+               const CellGrid& grid)
 {
   double sum = 0;
   std::size_t count = 0;
@@ -52,21 +58,21 @@ heightOverCeiling(const PlanRoom& room,
     if (!cells.values()[i])
       continue;
     const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
-    sum += slab.heightAt(p) - room.ceiling.heightAt(p);
+    sum += slab.heightAt(p) - main.heightAt(p);
     ++count;
   }
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-/** @brief The plane of the underside above some cells: parallel to the main ceiling,
- * unless its points say clearly otherwise. */
+/** @brief The plane of the detail over some cells: parallel to the main slab, unless
+ * its points say clearly otherwise. */
 PlanSlab
-undersideOf(const PointView& points,
-            const RoomEvidence& evidence,
-            const PlanRoom& room,
-            const Level& level,
-            const CellMask& cells,
-            const RoomFitParameters& parameters)
+detailSlab(const PointView& points,
+           const SlabEvidence& evidence,
+           const PlanSlab& main,
+           const Level& level,
+           const CellMask& cells,
+           const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
   std::vector<int> own;
@@ -79,45 +85,48 @@ undersideOf(const PointView& points,
   const PlanSlab leaning =
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
-      fitParallel(points, own, room.ceiling, level.slab, parameters.slab_tolerance);
+      fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
   const bool is_clear =
       leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
   return is_clear ? leaning : parallel;
 }
 
-/** @brief Labels the cells of the ceiling and of each connected underside. */
+/** @brief Labels the cells of the main slab and of each connected detail. */
 HeightMap
 seenHeights(const PointView& points,
-            const RoomEvidence& evidence,
-            const PlanRoom& room_plan,
+            const SlabEvidence& evidence,
+            const PlanSlab& main_slab,
             const CellMask& room,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
   const auto least = static_cast<std::size_t>(parameters.minimum_detail_area /
                                               (grid.size() * grid.size()));
-  HeightMap map{room, std::vector<std::int32_t>(room.values().size(), -1), {}};
-  const CellMask ceiling =
-      intersect(CellMask(CellSet(grid, points, evidence.ceiling), room.box()), room);
+  HeightMap map{room,
+                std::vector<std::int32_t>(room.values().size(), -1),
+                main_slab,
+                {}};
+  const CellMask main =
+      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
   for (std::size_t i = 0; i < map.label.size(); ++i)
-    if (ceiling.values()[i])
+    if (main.values()[i])
       map.label[i] = 0;
-  for (const Level& level : undersideLevels(points, evidence, parameters)) {
+  for (const Level& level : detailLevels(points, evidence, parameters)) {
     CellMask cells = intersect(CellMask(level.cells, room.box()), room);
-    if (std::abs(heightOverCeiling(room_plan, level.slab, cells, grid)) < least_step)
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < least_step)
       continue;
-    cells = subtract(eroded(dilated(cells, 2), 2), ceiling);
+    cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells = intersect(cells, dilated(eroded(cells, 1), 2));
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < least)
         continue;
-      map.undersides.push_back(undersideOf(
-          points, evidence, room_plan, level,
+      map.details.push_back(detailSlab(
+          points, evidence, main_slab, level,
           regionMask(cells, regions, static_cast<std::int32_t>(r)), parameters));
       for (std::size_t i = 0; i < map.label.size(); ++i)
         if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
-          map.label[i] = static_cast<std::int32_t>(map.undersides.size());
+          map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }
   return map;
@@ -155,19 +164,10 @@ appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
       points.push_back(e.pointAt(s));
 }
 
-/** @brief Slab of a label. */
-const PlanSlab&
-slabOf(const HeightMap& map, const PlanRoom& room, std::int32_t label)
-{
-  return label == 0 ? room.ceiling
-                    : map.undersides[static_cast<std::size_t>(label - 1)];
-}
-
-/** @brief Lowest and highest ceiling within two cells of a cell; false where there is
- * one only. */
+/** @brief Lowest and highest slab within two cells of a cell; false where there is one
+ * only. */
 bool
 stepBeside(const HeightMap& map,
-           const PlanRoom& room,
            const CellGrid& grid,
            Cell cell,
            double& low,
@@ -182,32 +182,29 @@ stepBeside(const HeightMap& map,
           map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
       if (label < 0)
         continue;
-      const double height = slabOf(map, room, label).heightAt(grid.centre(cell));
+      const double height = map.slabOf(label).heightAt(grid.centre(cell));
       low = std::min(low, height);
       high = std::max(high, height);
     }
   return high - low >= least_step;
 }
 
-/** @brief Points in plan that show edges of details: those between two ceilings beside
+/** @brief Points in plan that show edges of details: those between two heights beside
  * each other. */
 std::vector<Eigen::Vector2d>
 riserPoints(const PointView& points,
-            const RoomEvidence& evidence,
-            const PlanRoom& room,
+            const std::vector<int>& around,
             const HeightMap& map,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
   std::vector<Eigen::Vector2d> risers;
-  for (const int i : evidence.around) {
+  for (const int i : around) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Cell cell = grid.at(p.x(), p.y());
     double low = 0;
     double high = 0;
-    if (!map.room.isInside(cell) ||
-        p.z() < room.floor.heightAt(grid.centre(cell)) + 1.0 ||
-        !stepBeside(map, room, grid, cell, low, high))
+    if (!map.room.isInside(cell) || !stepBeside(map, grid, cell, low, high))
       continue;
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
     if (p.z() > low + margin && p.z() < high - margin)
@@ -216,11 +213,10 @@ riserPoints(const PointView& points,
   return risers;
 }
 
-/** @brief Whether something closes the step along most of the edge between an underside
- * and what is beside it. A shelf below a soffit has no riser: it is furniture. */
+/** @brief Whether something closes the step along most of the edge between a detail and
+ * what is beside it. A shelf below a soffit has no riser: it is furniture. */
 bool
 hasRisers(const HeightMap& map,
-          const PlanRoom& room,
           const ColumnTable& columns,
           const CellGrid& grid,
           std::int32_t label)
@@ -238,8 +234,8 @@ hasRisers(const HeightMap& map,
       if (other < 0 || other == label)
         continue;
       const Eigen::Vector2d p = grid.centre(cell);
-      const double a = slabOf(map, room, label).heightAt(p);
-      const double b = slabOf(map, room, other).heightAt(p);
+      const double a = map.slabOf(label).heightAt(p);
+      const double b = map.slabOf(other).heightAt(p);
       ++edges;
       if (std::abs(a - b) < 0.1 || columns.share(cell, std::min(a, b) + 0.02,
                                                  std::max(a, b) - 0.02, 4, 2) >= 0.5)
@@ -249,17 +245,44 @@ hasRisers(const HeightMap& map,
   return 2 * closed >= edges;
 }
 
-/** @brief Takes out the undersides without risers, one by one, and gives their cells to
+/** @brief Gives the parts of a floor that platforms and walls enclose, but no riser
+ * does, to the platforms: where one is hidden, the recovered floor lies below it. */
+void
+fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
+{
+  CellMask rest = map.room;
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] > 0)
+      rest.values()[i] = 0;
+  const MaskRegions parts = labelRegions(rest, false);
+  const auto largest =
+      std::max_element(parts.sizes.begin(), parts.sizes.end()) - parts.sizes.begin();
+  map.details.push_back(map.main);
+  const auto tried = static_cast<std::int32_t>(map.details.size());
+  const auto relabel = [&](std::int32_t part, std::int32_t label) {
+    for (std::size_t i = 0; i < map.label.size(); ++i)
+      if (parts.label[i] == part)
+        map.label[i] = label;
+  };
+  for (std::size_t r = 0; r < parts.sizes.size(); ++r) {
+    const auto part = static_cast<std::int32_t>(r);
+    if (part == largest)
+      continue;
+    relabel(part, tried);
+    relabel(part, hasRisers(map, columns, grid, tried) ? 0 : -1);
+  }
+  map.details.pop_back();
+  fillHeights(map);
+}
+
+/** @brief Takes out the details without risers, one by one, and gives their cells to
  * what is beside them. */
 void
-dropUnsupported(HeightMap& map,
-                const PlanRoom& room,
-                const ColumnTable& columns,
-                const CellGrid& grid)
+dropUnsupported(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
 {
-  for (std::size_t k = map.undersides.size(); k >= 1; --k) {
+  for (std::size_t k = map.details.size(); k >= 1; --k) {
     const auto label = static_cast<std::int32_t>(k);
-    if (hasRisers(map, room, columns, grid, label))
+    if (hasRisers(map, columns, grid, label))
       continue;
     for (auto& l : map.label)
       l = l == label ? -1 : l;
@@ -269,7 +292,7 @@ dropUnsupported(HeightMap& map,
 
 PlanDetail
 fitDetail(const HeightMap& map,
-          const PlanRoom& room,
+          bool is_floor,
           std::int32_t label,
           const PlanPoints& risers,
           const std::vector<PlanCurve>& walls,
@@ -279,12 +302,13 @@ fitDetail(const HeightMap& map,
   for (std::size_t i = 0; i < map.label.size(); ++i)
     cells.values()[i] = map.label[i] == label ? 1 : 0;
   PlanDetail detail;
-  detail.slab = map.undersides[static_cast<std::size_t>(label - 1)];
-  // The cells of a riser belong to the lower of its two ceilings.
+  detail.slab = map.slabOf(label);
+  // The cells of a riser belong to the lower of its two ceilings, the higher of its
+  // floors.
   const bool is_low =
-      heightOverCeiling(room, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
+      heightOverMain(map.main, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
   LoopParameters loop = parameters.loop;
-  loop.expected_offset = (is_low ? 0.5 : -0.5) * parameters.cell_size;
+  loop.expected_offset = (is_low != is_floor ? 0.5 : -0.5) * parameters.cell_size;
   loop.reach = 2 * parameters.cell_size;
   loop.evidence_span =
       2 * parameters.cell_size; // a riser has few points above each other
@@ -306,18 +330,22 @@ fitDetail(const HeightMap& map,
 
 std::vector<PlanDetail>
 fitDetails(const PointView& points,
-           const RoomEvidence& evidence,
+           const SlabEvidence& evidence,
            const PlanRoom& room,
            const CellMask& cells,
            const RoomFitParameters& parameters)
 {
-  HeightMap map = seenHeights(points, evidence, room, cells, parameters);
+  HeightMap map =
+      seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
+                  cells, parameters);
   fillHeights(map);
   const CellGrid grid(parameters.cell_size);
-  dropUnsupported(map, room, ColumnTable(grid, cells.box(), points, evidence.around),
-                  grid);
+  const ColumnTable columns(grid, cells.box(), points, evidence.around);
+  if (evidence.is_floor)
+    fillHiddenParts(map, columns, grid);
+  dropUnsupported(map, columns, grid);
   std::vector<Eigen::Vector2d> edges =
-      riserPoints(points, evidence, room, map, parameters);
+      riserPoints(points, evidence.around, map, parameters);
   appendPoints(room.boundary, edges);
   const PlanPoints risers(std::move(edges), 0.1);
   std::vector<PlanCurve> walls;
@@ -326,9 +354,9 @@ fitDetails(const PointView& points,
     appendCurves(column, walls);
 
   std::vector<PlanDetail> details;
-  for (std::size_t k = 1; k <= map.undersides.size(); ++k) {
-    PlanDetail detail =
-        fitDetail(map, room, static_cast<std::int32_t>(k), risers, walls, parameters);
+  for (std::size_t k = 1; k <= map.details.size(); ++k) {
+    PlanDetail detail = fitDetail(map, evidence.is_floor, static_cast<std::int32_t>(k),
+                                  risers, walls, parameters);
     if (!detail.boundary.elements.empty())
       details.push_back(std::move(detail));
   }

@@ -314,7 +314,8 @@ collectInliers(std::vector<Level>& levels,
     std::vector<CellKey> on;
     std::vector<CellKey> near;
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (nearest[k] != l || goes_on[columns[k].cell])
+      if (nearest[k] != l || goes_on[columns[k].cell] ||
+          !(level.within.empty() || level.within.contains(cells[columns[k].cell])))
         continue;
       const auto p = points[static_cast<std::size_t>(columns[k].index)];
       (std::abs(distanceAbove(level.slab, p)) <= on_plane ? on : near)

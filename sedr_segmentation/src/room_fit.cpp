@@ -92,6 +92,23 @@ outerContour(const CellMask& mask, double cell_size)
   return best;
 }
 
+/** @brief The floor's points, those beyond the noise of the main plane apart. */
+SlabEvidence
+floorEvidence(const PointView& points,
+              const RoomEvidence& evidence,
+              const PlanSlab& floor,
+              const RoomFitParameters& parameters)
+{
+  SlabEvidence slab;
+  slab.is_floor = true;
+  slab.around = evidence.around;
+  for (const int i : evidence.floor) {
+    const double d = distanceAbove(floor, points[static_cast<std::size_t>(i)]);
+    (std::abs(d) <= parameters.slab_tolerance ? slab.main : slab.details).push_back(i);
+  }
+  return slab;
+}
+
 PlanLoop
 columnLoop(const CellMask& column,
            const PlanPoints& walls,
@@ -142,7 +159,12 @@ fitRoom(const PointView& points,
       room.columns.push_back(loop);
   }
   if (!evidence.details.empty())
-    room.details = fitDetails(points, evidence, room, outline.room, parameters);
+    room.details =
+        fitDetails(points, {evidence.ceiling, evidence.details, evidence.around, false},
+                   room, outline.room, parameters);
+  const SlabEvidence floor = floorEvidence(points, evidence, room.floor, parameters);
+  if (!floor.details.empty())
+    room.floor_details = fitDetails(points, floor, room, outline.room, parameters);
   return room;
 }
 

@@ -215,6 +215,7 @@ StructureChain::removeOutliers(StageReport& report)
   for (const auto& plane : planes) {
     Level level;
     level.slab = plane.slab;
+    level.height = plane.height;
     level.kind = plane.kind;
     level.inliers = plane.inliers.indices;
     if (level.kind == LevelKind::Ceiling) {
@@ -320,16 +321,29 @@ StructureChain::findDetails(StageReport& report)
   return true;
 }
 
+pcl::IndicesPtr
+StructureChain::floorPoints(std::size_t region) const
+{
+  const double main = levels_[regions_[region].floor_level].height;
+  const double ceiling = levels_[regions_[region].ceiling_level].height;
+  pcl::IndicesPtr seen(new pcl::Indices);
+  for (const Level& level : levels_)
+    if (level.kind == LevelKind::Floor && level.height > main - 1 &&
+        level.height < ceiling - plane_detection.getMinimumRoomHeight())
+      std::set_intersection(level.inliers.begin(), level.inliers.end(),
+                            territory_[region]->begin(), territory_[region]->end(),
+                            std::back_inserter(*seen));
+  std::sort(seen->begin(), seen->end());
+  return seen;
+}
+
 bool
 StructureChain::recoverFloors(StageReport& report)
 {
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Level& floor = levels_[regions_[r].floor_level];
-    pcl::IndicesPtr seen(new pcl::Indices);
-    std::set_intersection(floor.inliers.begin(), floor.inliers.end(),
-                          territory_[r]->begin(), territory_[r]->end(),
-                          std::back_inserter(*seen));
+    const pcl::IndicesPtr seen = floorPoints(r);
     pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
     for (int k = 0; k < 4; ++k)
       plane->values.push_back(static_cast<float>(floor.slab.plane[k]));

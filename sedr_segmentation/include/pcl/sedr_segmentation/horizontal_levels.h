@@ -33,6 +33,7 @@ struct Level {
   std::vector<int>
       inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
+  CellSet within; ///< if not empty, only points of these cells are inliers
 };
 
 /** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper,

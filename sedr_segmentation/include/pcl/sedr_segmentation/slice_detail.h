@@ -21,7 +21,7 @@ struct SliceParameters {
   int trials = 3;               ///< 1/4; then 1/2; then 1/8 and 3/8 of the room height
   double slice_thickness = 0.1; ///< of the slab of points that a slice is
   double widest_niche = 1.6;    ///< a narrower straight opening to a lower head is a
-                             ///< door's or a window's
+                                ///< door's or a window's
   double minimum_island_area = 0.5; ///< square metres; what hangs free of the walls and
                                     ///< is smaller is a lamp or a vent
 };

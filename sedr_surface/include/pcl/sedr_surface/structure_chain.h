@@ -110,6 +110,9 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
+  /** @brief The points of a room's floor and of its platforms, increasing. */
+  pcl::IndicesPtr floorPoints(std::size_t region) const;
+
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_segmentation/floor_platforms.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
 #include <cmath>
@@ -49,6 +50,7 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
   const sedr::PointView points(*input_);
   std::vector<sedr::Level> levels = sedr::findLevels(points, *indices_, parameters_);
   sedr::classifyLevels(levels, parameters_);
+  sedr::markPlatforms(levels, points, *indices_, parameters_);
   sedr::collectInliers(levels, points, *indices_, parameters_);
   for (auto& level : levels) {
     HorizontalPlane plane;
