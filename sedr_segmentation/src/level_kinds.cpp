@@ -119,7 +119,7 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
 }
 
 /** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of
- * the region, and any other that has a third of it. */
+ * the region, and any other that has half of it. */
 void
 markFloorsBelow(std::vector<Level>& levels,
                 const std::vector<CellSet>& coarse,
@@ -132,7 +132,7 @@ markFloorsBelow(std::vector<Level>& levels,
       continue;
     const double share =
         shareBelow(levels, region.coarse, region.main_level, coarse[f], f, parameters);
-    if (share < (has_floor ? 1.0 / 3 : 0.1))
+    if (share < (has_floor ? 0.5 : 0.1))
       continue;
     levels[f].kind = LevelKind::Floor;
     has_floor = true;

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/detail_fit.h>
+#include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_outline.h>
 
 #include <algorithm>
@@ -165,6 +166,7 @@ fitRoom(const PointView& points,
   const SlabEvidence floor = floorEvidence(points, evidence, room.floor, parameters);
   if (!floor.details.empty())
     room.floor_details = fitDetails(points, floor, room, outline.room, parameters);
+  room.niches = fitNiches(points, evidence.around, room);
   return room;
 }
 

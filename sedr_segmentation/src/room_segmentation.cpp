@@ -153,11 +153,11 @@ judgeMeeting(const Storey& storey,
     ++frontier.plain;
 }
 
-/** @brief Where pieces face each other across at most 0.3 m each. */
+/** @brief Where pieces face each other across at most 0.4 m each. */
 std::map<std::pair<std::size_t, std::size_t>, Frontier>
 frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
 {
-  const int steps = cellsFor(0.3, storey.grid.size());
+  const int steps = cellsFor(0.4, storey.grid.size());
   CellMask everywhere(storey.box);
   std::fill(everywhere.values().begin(), everywhere.values().end(), std::uint8_t{1});
   std::vector<std::int32_t> label(everywhere.values().size(), -1);
@@ -204,45 +204,101 @@ perimeterOf(const CellMask& cells)
   return edges;
 }
 
-/** @brief Whether the frontier is open: one room, not two. It must be a good part of
- * the outline of the smaller piece, else it is a passage. */
-bool
-isOpen(const Frontier& frontier,
-       const Piece& a,
-       const Piece& b,
-       const RoomParameters& parameters)
+/** @brief The longest stretch of a frontier below a lintel, in cells; a gap of a cell
+ * ends none. */
+std::size_t
+widestSpan(const std::vector<CellKey>& below_lintel)
 {
-  const double total = static_cast<double>(frontier.wall + frontier.plain +
-                                           frontier.below_lintel.size());
-  const auto around =
-      static_cast<double>(std::min(perimeterOf(a.cells), perimeterOf(b.cells)));
-  const double open =
-      static_cast<double>(frontier.plain + frontier.below_lintel.size());
-  if (open < parameters.minimum_open_share * around)
-    return false;
-  if (static_cast<double>(frontier.plain) >= 0.5 * total)
-    return true;
-  const CellRegions spans = labelRegions(CellSet(frontier.below_lintel));
-  const double widest =
-      spans.sizes.empty() ? 0
-                          : static_cast<double>(spans.sizes[0]) * parameters.cell_size;
-  return widest > parameters.widest_door &&
-         static_cast<double>(frontier.plain + frontier.below_lintel.size()) >
-             0.5 * total;
+  const CellSet cells(below_lintel);
+  std::vector<CellKey> bridged;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        bridged.push_back(keyOf({cells[i].x + dx, cells[i].y + dy}));
+  const CellSet strips(std::move(bridged));
+  const CellRegions regions = labelRegions(strips);
+  std::vector<std::size_t> length(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    ++length[regions.label[strips.find(cells[i])]];
+  return length.empty() ? 0 : *std::max_element(length.begin(), length.end());
 }
 
-/** @brief Group of every piece after joining the open frontiers. */
+/** @brief Whether the frontier is open: one room, not two. It must be a good part of
+ * the outline of the smaller side, else it is a passage.
+ * @param around cell edges around the smaller side */
+bool
+isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& parameters)
+{
+  const std::size_t open = frontier.plain + frontier.below_lintel.size();
+  const std::size_t total = frontier.wall + open;
+  if (static_cast<double>(open) <
+      parameters.minimum_open_share * static_cast<double>(around))
+    return false;
+  if (2 * frontier.plain >= total)
+    return true;
+  const double widest =
+      static_cast<double>(widestSpan(frontier.below_lintel)) * parameters.cell_size;
+  return widest > parameters.widest_door && 2 * open > total;
+}
+
+using Frontiers = std::map<std::pair<std::size_t, std::size_t>, Frontier>;
+
+/** @brief The frontiers between groups of pieces, by the groups' numbers. */
+Frontiers
+betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
+{
+  Frontiers merged;
+  for (const auto& [pair, frontier] : frontiers) {
+    const std::size_t a = group[pair.first];
+    const std::size_t b = group[pair.second];
+    if (a == b)
+      continue;
+    Frontier& sum = merged[{std::min(a, b), std::max(a, b)}];
+    sum.wall += frontier.wall;
+    sum.plain += frontier.plain;
+    sum.below_lintel.insert(sum.below_lintel.end(), frontier.below_lintel.begin(),
+                            frontier.below_lintel.end());
+  }
+  return merged;
+}
+
+/** @brief Cell edges around each group, by its number. */
+std::vector<std::size_t>
+perimetersOf(const std::vector<Piece>& pieces, const std::vector<std::size_t>& group)
+{
+  std::map<std::size_t, CellMask> cells;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const auto [it, is_new] = cells.emplace(group[p], pieces[p].cells);
+    if (!is_new)
+      it->second = unite(it->second, pieces[p].cells);
+  }
+  std::vector<std::size_t> perimeters(pieces.size(), 0);
+  for (const auto& [number, mask] : cells)
+    perimeters[number] = perimeterOf(mask);
+  return perimeters;
+}
+
+/** @brief Group of every piece after joining the open frontiers, first those between
+ * pieces, then those between the groups that come of it: a beam may part each of two
+ * rows of coffers from the other by bits. */
 std::vector<std::size_t>
 groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
 {
+  const Frontiers frontiers = frontiersOf(storey, pieces);
   std::vector<std::size_t> group(pieces.size());
   std::iota(group.begin(), group.end(), std::size_t{0});
-  for (const auto& [pair, frontier] : frontiersOf(storey, pieces)) {
-    if (!isOpen(frontier, pieces[pair.first], pieces[pair.second], storey.parameters))
-      continue;
-    const std::size_t kept = std::min(group[pair.first], group[pair.second]);
-    const std::size_t gone = std::max(group[pair.first], group[pair.second]);
-    std::replace(group.begin(), group.end(), gone, kept);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    const std::vector<std::size_t> perimeters = perimetersOf(pieces, group);
+    for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
+      if (!isOpen(frontier, std::min(perimeters[pair.first], perimeters[pair.second]),
+                  storey.parameters))
+        continue;
+      const std::size_t kept = std::min(group[pair.first], group[pair.second]);
+      const std::size_t gone = std::max(group[pair.first], group[pair.second]);
+      std::replace(group.begin(), group.end(), gone, kept);
+      has_changed = true;
+    }
   }
   return group;
 }

@@ -10,11 +10,11 @@ namespace sedr {
 
 /** @brief What a platform is, a step of a floor: lengths in metres. */
 struct PlatformParameters {
-  double least_height = 0.06;   ///< above the floor beside it
-  double greatest_height = 0.5; ///< a higher one is a bench, a bed, a table
-  double minimum_area = 1.2;    ///< square metres
-  double minimum_width = 0.7;   ///< of its narrowest part that counts
-  double minimum_tread = 0.2;   ///< likewise, of a step up to another platform
+  double least_height = 0.06;    ///< above the floor beside it
+  double greatest_height = 0.45; ///< a higher one is a bench, a bed, a table
+  double minimum_area = 1.2;     ///< square metres
+  double minimum_width = 0.7;    ///< of its narrowest part that counts
+  double minimum_tread = 0.2;    ///< likewise, of a step up to another platform
 };
 
 /** @brief Marks as floors, after classifyLevels(), the levels that are platforms: parts
@@ -23,8 +23,9 @@ struct PlatformParameters {
  * A level a step above a floor is one where it is large and wide enough, where no floor
  * is seen below it, and where its whole rim is closed: by a wall or a higher platform
  * that rises from it along a fifth or more, by a riser down to the floor elsewhere.
- * Furniture stands on legs or beside the wall, or is too small. Such a level keeps only the cells of its
- * platforms, and collectInliers() only their points. O(n) for each candidate. */
+ * Furniture stands on legs or beside the wall, or is too small. Such a level keeps only
+ * the cells of its platforms, and collectInliers() only their points. O(n) for each
+ * candidate. */
 void markPlatforms(std::vector<Level>& levels,
                    const PointView& points,
                    const std::vector<int>& indices,
