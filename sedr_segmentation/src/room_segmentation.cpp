@@ -46,7 +46,7 @@ struct Storey {
    * is not. */
   bool isWall(Cell cell, double floor, double top) const
   {
-    return columns.share(cell, top - 0.36, top - 0.12, 2, 1) >= 1 &&
+    return columns.share(cell, top - 0.36, top - 0.08, 3, 1) >= 1 &&
            columns.share(cell, floor + 0.2, top - 0.15, 8, 0) >= 0.5;
   }
 };
@@ -234,8 +234,8 @@ isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& param
   if (static_cast<double>(open) <
       parameters.minimum_open_share * static_cast<double>(around))
     return false;
-  if (2 * frontier.plain >= total)
-    return true;
+  if (2 * frontier.plain >= total || 4 * open >= 3 * total)
+    return true; // a door is a small part of what is wall else
   const double widest =
       static_cast<double>(widestSpan(frontier.below_lintel)) * parameters.cell_size;
   return widest > parameters.widest_door && 2 * open > total;
@@ -358,6 +358,16 @@ boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& paramete
   return clusterBoxes(boxes, cellsFor(0.6, parameters.cell_size));
 }
 
+/** @brief The cells of a ceiling between the pieces of a room, too narrow to be pieces
+ * of their own: strips between a beam and a coffer. */
+CellMask
+stripsOf(const Storey& storey, std::size_t level, const CellMask& scope)
+{
+  const double gap = cellsFor(0.4, storey.grid.size());
+  const CellMask hull = eroded(dilated(scope, gap), gap);
+  return intersect(CellMask(storey.levels[level].cells, storey.box), hull);
+}
+
 /** @brief Makes a room of the pieces of one group, if it is one. */
 bool
 makeRoom(const Storey& storey,
@@ -378,6 +388,11 @@ makeRoom(const Storey& storey,
       static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
   if (area < storey.parameters.minimum_area || !isWalled(storey, scope, main))
     return false;
+  if (members.size() > 1) {
+    const CellMask strips = stripsOf(storey, main.level, scope);
+    ceiling = unite(ceiling, strips);
+    scope = unite(scope, strips);
+  }
   room.ceiling_level = main.level;
   room.floor_level = main.floor;
   room.ceiling = ceiling.toSet();
