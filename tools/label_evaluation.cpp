@@ -5,6 +5,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -40,15 +41,32 @@ percent(double share)
 }
 
 void
-print(const LabelScores& scores)
+print(const LabelScores& of_scan, const LabelScores& of_structure)
 {
-  std::printf("%-10s %9s %9s %9s %11s\n", "label", "true", "predicted", "recall, %",
-              "precision, %");
-  for (std::size_t k = 0; k < scores.size(); ++k)
-    std::printf("%-10s %9zu %9zu %9s %11s\n", toString(scored_labels[k]),
-                scores[k].truth, scores[k].predicted,
-                percent(scores[k].recall()).c_str(),
-                percent(scores[k].precision()).c_str());
+  std::printf("%-10s %9s %9s %10s %13s %15s\n", "label", "true", "predicted",
+              "recall, %", "precision, %", "of structure, %");
+  for (std::size_t k = 0; k < of_scan.size(); ++k)
+    std::printf("%-10s %9zu %9zu %10s %13s %15s\n", toString(scored_labels[k]),
+                of_scan[k].truth, of_scan[k].predicted,
+                percent(of_scan[k].recall()).c_str(),
+                percent(of_scan[k].precision()).c_str(),
+                percent(of_structure[k].precision()).c_str());
+}
+
+/** @brief What the points of each label of the scan were taken for. */
+void
+print(const LabelTable& table)
+{
+  std::printf("\n%-10s %9s", "of label", "other");
+  for (const auto label : scored_labels)
+    std::printf(" %9s", toString(label));
+  std::printf("\n");
+  for (const auto& [label, counts] : table) {
+    std::printf("%-10u", label);
+    for (const std::size_t count : counts)
+      std::printf(" %9zu", count);
+    std::printf("\n");
+  }
 }
 
 int
@@ -56,19 +74,20 @@ run(const Settings& settings)
 {
   const LabelMap map = labelMapOf(settings.map, "map");
   const LabelledPoints structure = loadLabelled(settings.structure);
-  LabelledPoints scan = loadLabelled(settings.labelled);
-  applyTo(scan.labels, map);
-  const LabelScores scores =
-      scoreLabels(structure, scan, settings.radius, settings.threads);
-  std::size_t labelled = 0;
-  for (const LabelScore& score : scores)
-    labelled += score.truth;
-  if (labelled == 0)
+  const LabelledPoints scan = thinned(loadLabelled(settings.labelled), scoring_spacing);
+  const auto predicted =
+      predictedLabels(structure, *scan.points, settings.radius, settings.threads);
+  const auto truth = mapped(scan.labels, map);
+  if (std::all_of(truth.begin(), truth.end(),
+                  [](std::uint32_t label) { return scoredAs(label) == 0; }))
     throw ToolError("no point of " + settings.labelled +
                         " is a ceiling, floor, wall, detail or column; --map says what "
                         "its labels mean",
                     NothingFound);
-  print(scores);
+  print(compareLabels(truth, predicted),
+        scoreStructure(structure, {scan.points, truth}, settings.radius,
+                       settings.threads));
+  print(tabulateLabels(scan.labels, predicted));
   return Done;
 }
 

@@ -55,14 +55,15 @@ labelMapOf(const std::string& text, const std::string& option)
   return map;
 }
 
-void
-applyTo(std::vector<std::uint32_t>& labels, const LabelMap& map)
+std::vector<std::uint32_t>
+mapped(std::vector<std::uint32_t> labels, const LabelMap& map)
 {
   for (std::uint32_t& label : labels) {
     const auto meaning = map.find(label);
     if (meaning != map.end())
       label = meaning->second;
   }
+  return labels;
 }
 
 } // namespace benchmark

@@ -17,8 +17,9 @@ using LabelMap = std::map<std::uint32_t, std::uint32_t>;
  * tools::ToolError of one sentence, in which `option` is named. */
 LabelMap labelMapOf(const std::string& text, const std::string& option);
 
-/** @brief Gives each label its meaning; those that the map does not name stay. */
-void applyTo(std::vector<std::uint32_t>& labels, const LabelMap& map);
+/** @brief The meaning of each label; those that the map does not name stay. */
+std::vector<std::uint32_t> mapped(std::vector<std::uint32_t> labels,
+                                  const LabelMap& map);
 
 } // namespace benchmark
 } // namespace sedr

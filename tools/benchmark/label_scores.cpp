@@ -3,7 +3,6 @@
 
 #include "benchmark/nearest_points.h"
 
-#include <pcl/common/io.h>
 #include <pcl/sedr_filters/voxel_partition.h>
 
 #include <limits>
@@ -14,8 +13,6 @@ namespace sedr {
 namespace benchmark {
 
 namespace {
-
-constexpr double scan_spacing = 0.02;
 
 double
 shareOf(std::size_t part, std::size_t whole)
@@ -56,13 +53,13 @@ thinned(const LabelledPoints& cloud, double spacing)
   const VoxelPartition voxels = partitionVoxels(PointView(*cloud.points), all,
                                                 Eigen::Array3f::Constant(inverse), 0);
   LabelledPoints result;
-  pcl::Indices first;
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    first.push_back(voxels.order[voxels.begin[v]]);
-    result.labels.push_back(cloud.labels[static_cast<std::size_t>(first.back())]);
-  }
   pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
-  pcl::copyPointCloud(*cloud.points, first, *points);
+  // Not by copyPointCloud(): as many indices as points it takes for all in order.
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    const auto first = static_cast<std::size_t>(voxels.order[voxels.begin[v]]);
+    points->push_back((*cloud.points)[first]);
+    result.labels.push_back(cloud.labels[first]);
+  }
   result.points = points;
   return result;
 }
@@ -98,12 +95,39 @@ compareLabels(const std::vector<std::uint32_t>& truth,
 }
 
 LabelScores
+scoreStructure(const LabelledPoints& structure,
+               const LabelledPoints& scan,
+               double radius,
+               unsigned threads)
+{
+  std::vector<std::uint32_t> truth;
+  std::vector<std::uint32_t> predicted;
+  const auto nearest = nearestWithin(scan.points, *structure.points, radius, threads);
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    if (nearest[i] >= 0) {
+      truth.push_back(scan.labels[static_cast<std::size_t>(nearest[i])]);
+      predicted.push_back(structure.labels[i]);
+    }
+  return compareLabels(truth, predicted);
+}
+
+LabelTable
+tabulateLabels(const std::vector<std::uint32_t>& labels,
+               const std::vector<std::uint32_t>& predicted)
+{
+  LabelTable table;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ++table[labels[i]][scoredAs(predicted[i])];
+  return table;
+}
+
+LabelScores
 scoreLabels(const LabelledPoints& structure,
             const LabelledPoints& scan,
             double radius,
             unsigned threads)
 {
-  const LabelledPoints sample = thinned(scan, scan_spacing);
+  const LabelledPoints sample = thinned(scan, scoring_spacing);
   return compareLabels(sample.labels,
                        predictedLabels(structure, *sample.points, radius, threads));
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pcl {
@@ -43,6 +44,10 @@ using LabelScores = std::array<LabelScore, scored_labels.size()>;
  */
 std::uint32_t scoredAs(std::uint32_t label);
 
+/** @brief Distance between the points of a scan that are scored, metres: so that what
+ * lies near the scanner does not count a hundredfold. */
+constexpr double scoring_spacing = 0.02;
+
 /** @brief At most one point in each cube of `spacing` metres, the first of it; points
  * that are not finite are left out. */
 LabelledPoints thinned(const LabelledPoints& cloud, double spacing);
@@ -58,11 +63,27 @@ std::vector<std::uint32_t> predictedLabels(const LabelledPoints& structure,
 LabelScores compareLabels(const std::vector<std::uint32_t>& truth,
                           const std::vector<std::uint32_t>& predicted);
 
+/** @brief The same the other way round: the points of the structure that have a point
+ * of the scan within `radius` are compared with the nearest of them. What was closed
+ * where nothing was scanned does not count, nor does what stands near a surface. */
+LabelScores scoreStructure(const LabelledPoints& structure,
+                           const LabelledPoints& scan,
+                           double radius,
+                           unsigned threads = 0);
+
+/** @brief How many points of each label, whatever its values mean, were predicted to be
+ * what: index 0 other, then scored_labels in their order. */
+using LabelTable =
+    std::map<std::uint32_t, std::array<std::size_t, scored_labels.size() + 1>>;
+
+/** @brief Counts labels and what they were taken for, as many of either. */
+LabelTable tabulateLabels(const std::vector<std::uint32_t>& labels,
+                          const std::vector<std::uint32_t>& predicted);
+
 /** @brief How well a structure tells the labels of a scan: each of its points is
  * predicted to be what the nearest point of the structure is.
  * @param structure finite points, as the chain leaves them
- * @param scan with true labels; thinned to a point in 2 cm, so that what lies near the
- * scanner does not count a hundredfold
+ * @param scan with true labels; it is thinned to scoring_spacing
  * @param radius metres within which a point of the structure must lie; the diagonal of
  * a voxel leaves none out */
 LabelScores scoreLabels(const LabelledPoints& structure,
