@@ -28,7 +28,7 @@ namespace {
 
 /** @brief What the command line asks for. */
 struct Settings {
-  std::string scenes;
+  std::string scenes = "all";
   std::string noises = "0.001,0.005,0.01,0.02";
   std::string seeds = "1,2,3";
   std::string part = "1/1";
@@ -46,8 +46,8 @@ void
 addOptions(Options& options, Settings& s)
 {
   options.text("scenes", s.scenes,
-               "names of built-in scenes and JSON files of scenes, with commas; all "
-               "built-in scenes if not given");
+               "built-in scenes and JSON files of scenes, with commas between them; "
+               "'all' stands for all built-in ones");
   options.text("noise", s.noises, "noise levels, standard deviations in metres");
   options.text("seeds", s.seeds, "seeds of the simulator");
   options.flag("no-mesh", s.no_mesh,
@@ -75,7 +75,7 @@ struct Task {
 std::vector<sim::Scene>
 loadScenes(const std::string& list)
 {
-  if (list.empty())
+  if (list == "all")
     return sim::allScenes();
   std::vector<sim::Scene> scenes;
   for (const std::string& name : wordsOf(list, "scenes"))

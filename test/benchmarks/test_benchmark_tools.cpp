@@ -57,7 +57,7 @@ TEST_F(BenchmarkTools, runs_scenes_resumes_and_makes_a_table)
   EXPECT_EQ(std::count(resumed.out.begin(), resumed.out.end(), '\n'), 1); // seed 2
   EXPECT_EQ(readRows(in("a.csv")).size(), 2u);
   const std::string table = bytesOf(in("a.md"));
-  EXPECT_NE(table.find("2 runs of 1 scenes"), std::string::npos);
+  EXPECT_NE(table.find("Runs: 2."), std::string::npos);
   EXPECT_NE(table.find("| bls_room | 0.5 | 1/1 |"), std::string::npos);
 
   const ProgramRun again =
@@ -83,7 +83,7 @@ TEST_F(BenchmarkTools, shares_runs_between_processes)
       run(SEDR_BENCHMARK,
           {"--from", in("1.csv") + "," + in("2.csv"), "--table", in("t.md")});
   EXPECT_EQ(merged.exit_code, 0) << merged.err;
-  EXPECT_NE(bytesOf(in("t.md")).find("2 runs of 1 scenes"), std::string::npos);
+  EXPECT_NE(bytesOf(in("t.md")).find("Runs: 2."), std::string::npos);
 }
 
 TEST_F(BenchmarkTools, a_run_that_fails_does_not_stop_the_others)

@@ -58,7 +58,7 @@ TEST(Table, has_a_row_a_scene_and_noise_in_order)
   EXPECT_EQ(linesWith(table, "| attic | 0.1 |").size(), 1u);
   EXPECT_LT(table.find("| hall | 0.1 |"), table.find("| hall | 2 |"));
   EXPECT_LT(table.find("| hall | 2 |"), table.find("| attic | 0.1 |"));
-  EXPECT_NE(table.find("4 runs of 2 scenes, 4 of them reach every bar."),
+  EXPECT_NE(table.find("Scenes: 2. Runs: 4. Runs that reach every bar: 4."),
             std::string::npos);
 }
 
@@ -97,7 +97,7 @@ TEST(Table, marks_what_misses_its_bar)
   EXPECT_EQ(cell(table, "| hall", "≤ 5 cm"), "99.90");
   EXPECT_EQ(cell(table, "| hall", "missed"),
             "rooms 1/2, closed 1/2, mean 1/2, details 1/2");
-  EXPECT_NE(table.find("1 of them reach every bar. Missed: rooms 1/2"),
+  EXPECT_NE(table.find("Runs that reach every bar: 1. Missed: rooms 1/2"),
             std::string::npos);
 }
 
@@ -128,7 +128,7 @@ TEST(Table, counts_the_latest_of_equal_runs)
   old.mesh.truth_to_mesh_mean = 0.1;
   const std::string table = tableOf({old, goodRow("hall")});
   EXPECT_EQ(cell(table, "| hall", "mean, cm"), "0.100");
-  EXPECT_NE(table.find("1 runs of 1 scenes"), std::string::npos);
+  EXPECT_NE(table.find("Runs: 1."), std::string::npos);
 }
 
 TEST(Table, gives_runs_without_mesh_a_table_of_their_own)

@@ -240,9 +240,9 @@ summaryOf(const std::vector<RunRow>& rows)
     return missedBars(row).empty();
   });
   const std::string missed = missesOf(rows);
-  return std::to_string(rows.size()) + " runs of " +
-         std::to_string(groupByScene(rows).size()) + " scenes, " +
-         std::to_string(good) + " of them reach every bar." +
+  return "Scenes: " + std::to_string(groupByScene(rows).size()) +
+         ". Runs: " + std::to_string(rows.size()) +
+         ". Runs that reach every bar: " + std::to_string(good) + "." +
          (missed.empty() ? "" : " Missed: " + missed + ".") + "\n";
 }
 
