@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/formatted.h"
 #include "benchmark/label_map.h"
 #include "benchmark/label_scores.h"
 #include "run_tool.h"
@@ -35,9 +36,7 @@ loadLabelled(const std::string& path)
 std::string
 percent(double share)
 {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.2f", 100 * share);
-  return std::isnan(share) ? "-" : text;
+  return std::isnan(share) ? "-" : formatted("%.2f", 100 * share);
 }
 
 void

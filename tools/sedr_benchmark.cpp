@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/bars.h"
 #include "benchmark/csv_file.h"
+#include "benchmark/formatted.h"
 #include "benchmark/isolated.h"
 #include "benchmark/run.h"
 #include "benchmark/run_list.h"
@@ -114,11 +115,9 @@ run(const Task& task)
   const RunRow asked = rowOf(*task.scene, task.settings);
   try {
     return rowFromCsv(csvHeader(), runIsolated([&task, &asked] {
-                        char name[96];
-                        std::snprintf(name, sizeof name, "%.40s, noise %g m, seed %zu",
-                                      asked.scene.c_str(), asked.noise,
-                                      static_cast<std::size_t>(asked.seed));
-                        const Progress progress(name);
+                        const Progress progress(asked.scene +
+                                                formatted(", noise %g m, seed %zu",
+                                                          asked.noise, asked.seed));
                         return toCsv(runScene(*task.scene, task.settings));
                       }));
   }

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/bars.h"
 
+#include "benchmark/formatted.h"
 #include "benchmark/run_row.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pcl {
 namespace sedr {
 namespace benchmark {
 
 namespace {
-
-std::string
-formatted(const char* format, double a, double b)
-{
-  char text[96];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
 
 /** @brief The misses of a row, collected bar by bar. A figure that is not known misses
  * its bar. */

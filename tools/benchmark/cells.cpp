@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/cells.h"
 
+#include "benchmark/formatted.h"
+
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -24,11 +25,7 @@ refuse(const std::string& cell, const char* what)
 std::string
 cellOf(double value)
 {
-  if (std::isnan(value))
-    return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.7g", value);
-  return text;
+  return std::isnan(value) ? "" : formatted("%.7g", value);
 }
 
 std::string
