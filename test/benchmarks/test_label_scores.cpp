@@ -54,6 +54,9 @@ TEST(LabelScores, counts_what_was_found_and_what_was_right)
 
 TEST(LabelScores, a_column_is_a_wall_and_unknown_labels_are_other)
 {
+  EXPECT_EQ(scoredAs(4), 4u);
+  EXPECT_EQ(scoredAs(5), 3u);
+  EXPECT_EQ(scoredAs(6), 0u);
   const LabelScores scores = compareLabels({3, 5, 5, 7, 255}, {5, 3, 5, 0, 12});
   EXPECT_EQ(scores[wall].truth, 3u);
   EXPECT_EQ(scores[wall].right, 3u);

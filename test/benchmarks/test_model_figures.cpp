@@ -15,6 +15,7 @@ namespace {
 constexpr double underside = 2.0;
 constexpr double soffit_perimeter = 6.0;
 constexpr double drop = 0.3;
+constexpr double zone_width = 0.1; // by the definition of the bar
 constexpr double true_area = 12 + 12 + 14 * 2.5 + soffit_perimeter * drop;
 
 /** The truth against a model whose soffit hangs lower by `shift`. */
@@ -61,7 +62,7 @@ TEST(ModelFigures, a_soffit_moved_by_6_cm_shows_in_the_zone_of_details)
   const ModelFigures figures = withSoffitMoved(shift);
   // The zone: underside, risers, and 10 cm of the ceiling around them.
   const double zone = underside + soffit_perimeter * drop +
-                      soffit_perimeter * detail_zone + M_PI * detail_zone * detail_zone;
+                      soffit_perimeter * zone_width + M_PI * zone_width * zone_width;
   EXPECT_NEAR(figures.detail_within_5cm, 1 - 1.9 * 0.9 / zone, 2e-3);
   EXPECT_NEAR(figures.truth_within_5cm, 1 - 1.9 * 0.9 / true_area, 5e-4);
   // The model's whole underside, and the last centimetre of its risers.
@@ -81,7 +82,7 @@ TEST(ModelFigures, columns_have_a_zone_too)
       measureModel(std::make_shared<const TriangleMesh>(without), truth.mesh);
   // Its sides are lost but for 5 cm at floor and ceiling, which are there.
   const double sides = 1.6 * 2.5;
-  const double around = 2 * (1.6 * detail_zone + M_PI * detail_zone * detail_zone);
+  const double around = 2 * (1.6 * zone_width + M_PI * zone_width * zone_width);
   EXPECT_NEAR(figures.detail_within_5cm, 1 - 1.6 * 2.4 / (sides + around), 2e-3);
 }
 

@@ -72,6 +72,10 @@ TEST(RoomMatch, one_room_found_twice_matches_once)
   const Floorplan plan{{roomOf(rectangle(0, 0, 1.5, 3), 2.5),
                         roomOf(rectangle(1.5, 0, 4, 3), 2.5, 2),
                         roomOf(rectangle(4.1, 0, 6.1, 3), 2.5, 3)}};
+  const auto pairs = matchRooms(plan, twoRooms());
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].found, 1u); // the larger part
+  EXPECT_EQ(pairs[1].found, 2u);
   const RoomFigures figures = measureRooms(plan, twoRooms());
   EXPECT_EQ(figures.rooms_found, 3u);
   EXPECT_EQ(figures.rooms_matched, 2u);

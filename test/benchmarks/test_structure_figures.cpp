@@ -49,7 +49,7 @@ TEST(StructureFigures, tell_what_no_point_shows)
   // The floor of a cube, and of its walls a strip as high as a point reaches, or lower
   // by what lies between points 2.5 cm apart.
   const StructureFigures figures = measureStructure(square(0), cube());
-  EXPECT_NEAR(figures.truth_covered, (4 + 8 * point_reach) / 24, 1e-3);
+  EXPECT_NEAR(figures.truth_covered, (4 + 8 * 0.08) / 24, 1e-3);
 }
 
 TEST(StructureFigures, of_no_points_are_not_measured)
