@@ -101,6 +101,17 @@ TEST(RoomMatch, columns_are_no_floor)
   EXPECT_NEAR(measureRooms(plan, truths).area_error, 1.0 / 11, 1e-9);
 }
 
+TEST(RoomMatch, niches_are_volume_but_no_floor)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+  room.niches.push_back({rectangle(1, -0.3, 3, 0), sedr_test::slabAt(1),
+                         sedr_test::slabAt(2)}); // 0.6 cubic metres
+  const RoomFigures figures = measureRooms({{room}}, {twoRooms()[0]});
+  EXPECT_NEAR(figures.area_error, 0, 1e-9);
+  EXPECT_NEAR(figures.height_error, 0, 1e-9);
+  EXPECT_NEAR(figures.volume_error, 0.6 / 30, 1e-9);
+}
+
 TEST(RoomMatch, no_rooms_have_no_errors)
 {
   const RoomFigures figures = measureRooms(Floorplan(), twoRooms());

@@ -95,7 +95,7 @@ measureRooms(const Floorplan& plan,
     figures.rooms_matched += pair.overlap >= least_overlap * both ? 1 : 0;
     raise(figures.area_error, area, truth.area);
     raise(figures.height_error, height, truth.height);
-    raise(figures.volume_error, height * area, truth.volume);
+    raise(figures.volume_error, tools::volumeOf(room, height), truth.volume);
     const auto mesh = mesh_volumes.find(room.id);
     if (mesh != mesh_volumes.end())
       raise(figures.mesh_volume_error, mesh->second, truth.volume);

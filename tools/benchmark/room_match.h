@@ -31,7 +31,7 @@ struct RoomFigures {
   std::size_t rooms_matched = 0; ///< that share most of their area with a true one
   double area_error = not_known;
   double height_error = not_known; ///< of the mean height
-  double volume_error = not_known; ///< of mean height times area
+  double volume_error = not_known; ///< of mean height times area, and of niches
   double mesh_volume_error = not_known;
 };
 

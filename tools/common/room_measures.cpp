@@ -29,6 +29,18 @@ meanHeight(const PlanRoom& room)
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
+double
+volumeOf(const PlanRoom& room, double mean_height)
+{
+  double volume = mean_height * room.area();
+  for (const PlanNiche& niche : room.niches) {
+    const Eigen::Vector2d somewhere = niche.boundary.elements.front().pointAt(0);
+    volume += niche.boundary.area() *
+              (niche.top.heightAt(somewhere) - niche.bottom.heightAt(somewhere));
+  }
+  return volume;
+}
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

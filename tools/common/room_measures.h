@@ -11,6 +11,9 @@ namespace tools {
  * none lies in it. */
 double meanHeight(const PlanRoom& room);
 
+/** @brief What a room of this mean height encloses, its niches too, cubic metres. */
+double volumeOf(const PlanRoom& room, double mean_height);
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

@@ -140,7 +140,7 @@ roomsOf(const Reconstruction& chain)
                      {"area", room.area()},
                      {"perimeter", room.perimeter()},
                      {"height", height},
-                     {"volume", height * room.area()},
+                     {"volume", volumeOf(room, height)},
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
