@@ -10,9 +10,9 @@
 #include <vector>
 
 /** @file
- * Binary PCD and PLY, and text. Each file is written beside its name and renamed when complete,
- * so that nobody ever reads half of one. Failure throws std::runtime_error with a
- * sentence.
+ * Binary PCD and PLY, and text. Each file is written beside its name and renamed when
+ * complete, so that nobody ever reads half of one. Failure throws std::runtime_error
+ * with a sentence.
  */
 
 namespace pcl::sedr::sim {
