@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator/files.h"
+#include "simulator/room_truth.h"
 #include "simulator/scan.h"
 #include "simulator/scenes.h"
 #include "simulator/truth_mesh.h"
@@ -68,8 +69,9 @@ printHelp(const po::options_description& options)
       << "Usage: pcl_simulate_indoor_scan SCENE OUTPUT_DIR [options]\n"
       << "       pcl_simulate_indoor_scan --list\n\n"
       << "Scans a built-in indoor scene. Writes OUTPUT_DIR/scan.pcd (x y z label\n"
-      << "room) and OUTPUT_DIR/truth.ply (the closed structure, one component a\n"
-      << "room). Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
+      << "room), OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
+      << "and OUTPUT_DIR/truth.json (outline, area, height and volume of each room).\n"
+      << "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
       << options;
 }
 
@@ -180,6 +182,8 @@ simulate(Arguments& arguments)
   const sim::Mesh truth = sim::truthMesh(scene);
   const sim::Scan scan = sim::scan(scene, arguments.scan);
   sim::writePly(arguments.folder / "truth.ply", truth, scene.placement);
+  sim::writeText(arguments.folder / "truth.json",
+                 sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth)));
   sim::writePcd(arguments.folder / "scan.pcd", scan.points);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
             << " rays, truth of " << truth.faces.size() << " triangles\n";

@@ -56,8 +56,10 @@ TEST_F(Program, writesScanAndTruthIntoANewFolder)
   EXPECT_TRUE(outcome.errors.empty()) << outcome.errors;
   EXPECT_EQ(bytesOf(at("new/sub/scan.pcd")).rfind("# .PCD", 0), 0U);
   EXPECT_EQ(bytesOf(at("new/sub/truth.ply")).rfind("ply\n", 0), 0U);
+  EXPECT_NE(bytesOf(at("new/sub/truth.json")).find("\"sedr-room-truth\""),
+            std::string::npos);
   const auto begin = std::filesystem::directory_iterator(at("new/sub"));
-  EXPECT_EQ(std::distance(begin, std::filesystem::directory_iterator()), 2);
+  EXPECT_EQ(std::distance(begin, std::filesystem::directory_iterator()), 3);
 }
 
 TEST_F(Program, writesTheSameBytesWithOneAndTwoThreads)

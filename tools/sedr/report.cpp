@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include "room_measures.h"
+
 #include <pcl/common/angles.h>
 
 #include <nlohmann/json.hpp>
@@ -100,27 +102,6 @@ stagesOf(const RunRecord& run)
   return stages;
 }
 
-/** @brief Mean height of a room, over samples of its floor every 10 cm. */
-double
-meanHeight(const PlanRoom& room)
-{
-  constexpr double step = 0.1;
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
-  double sum = 0;
-  std::size_t count = 0;
-  for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
-    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
-      const Eigen::Vector2d p(x, y);
-      if (!room.contains(p))
-        continue;
-      sum += room.ceilingAt(p) - room.floorAt(p);
-      ++count;
-    }
-  return count == 0 ? 0 : sum / static_cast<double>(count);
-}
-
 /** @brief Share of each room's points that hole repair had to add. */
 std::map<std::uint32_t, double>
 repairedShares(const StructureChain& chain)
@@ -159,7 +140,7 @@ roomsOf(const Reconstruction& chain)
                      {"area", room.area()},
                      {"perimeter", room.perimeter()},
                      {"height", height},
-                     {"volume", height * room.area()},
+                     {"volume", volumeOf(room, height)},
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},

@@ -138,4 +138,10 @@ writePly(const std::filesystem::path& path,
   writeWhole(path, plyHeader(mesh), bytes.get().data(), bytes.get().size());
 }
 
+void
+writeText(const std::filesystem::path& path, const std::string& text)
+{
+  writeWhole(path, text, nullptr, 0);
+}
+
 } // namespace pcl::sedr::sim

@@ -6,12 +6,13 @@
 #include "truth_mesh.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 /** @file
- * Binary PCD and PLY. Each file is written beside its name and renamed when complete,
- * so that nobody ever reads half of one. Failure throws std::runtime_error with a
- * sentence.
+ * Binary PCD and PLY, and text. Each file is written beside its name and renamed when
+ * complete, so that nobody ever reads half of one. Failure throws std::runtime_error
+ * with a sentence.
  */
 
 namespace pcl::sedr::sim {
@@ -26,5 +27,8 @@ void writePcd(const std::filesystem::path& path, const std::vector<ScanPoint>& p
 void writePly(const std::filesystem::path& path,
               const Mesh& mesh,
               const Placement& placement);
+
+/** @brief Writes the text as it is. */
+void writeText(const std::filesystem::path& path, const std::string& text);
 
 } // namespace pcl::sedr::sim

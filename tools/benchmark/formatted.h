@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+/** @brief Numbers as text of at most 95 characters, by a format as std::printf takes
+ * it. */
+template <typename... Numbers>
+std::string
+formatted(const char* format, Numbers... numbers)
+{
+  char text[96];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl

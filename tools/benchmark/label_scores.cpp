@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/label_scores.h"
+
+#include "benchmark/nearest_points.h"
+
+#include <pcl/sedr_filters/voxel_partition.h>
+
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+namespace {
+
+double
+shareOf(std::size_t part, std::size_t whole)
+{
+  return whole == 0 ? std::numeric_limits<double>::quiet_NaN()
+                    : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+} // namespace
+
+double
+LabelScore::recall() const
+{
+  return shareOf(right, truth);
+}
+
+double
+LabelScore::precision() const
+{
+  return shareOf(right, predicted);
+}
+
+std::uint32_t
+scoredAs(std::uint32_t label)
+{
+  constexpr auto column = static_cast<std::uint32_t>(StructureLabel::Column);
+  if (label == column)
+    return static_cast<std::uint32_t>(StructureLabel::Wall);
+  return label < column ? label : 0;
+}
+
+LabelledPoints
+thinned(const LabelledPoints& cloud, double spacing)
+{
+  pcl::Indices all(cloud.points->size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto inverse = static_cast<float>(1 / spacing);
+  const VoxelPartition voxels = partitionVoxels(PointView(*cloud.points), all,
+                                                Eigen::Array3f::Constant(inverse), 0);
+  LabelledPoints result;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
+  // Not by copyPointCloud(): as many indices as points it takes for all in order.
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    const auto first = static_cast<std::size_t>(voxels.order[voxels.begin[v]]);
+    points->push_back((*cloud.points)[first]);
+    result.labels.push_back(cloud.labels[first]);
+  }
+  result.points = points;
+  return result;
+}
+
+std::vector<std::uint32_t>
+predictedLabels(const LabelledPoints& structure,
+                const pcl::PointCloud<pcl::PointXYZ>& points,
+                double radius,
+                unsigned threads)
+{
+  std::vector<std::uint32_t> labels;
+  for (const pcl::index_t i : nearestWithin(structure.points, points, radius, threads))
+    labels.push_back(i < 0 ? 0 : structure.labels[static_cast<std::size_t>(i)]);
+  return labels;
+}
+
+LabelScores
+compareLabels(const std::vector<std::uint32_t>& truth,
+              const std::vector<std::uint32_t>& predicted)
+{
+  LabelScores scores;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const auto label = static_cast<std::uint32_t>(scored_labels[k]);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const bool is_true = scoredAs(truth[i]) == label;
+      const bool is_predicted = scoredAs(predicted[i]) == label;
+      scores[k].truth += is_true ? 1 : 0;
+      scores[k].predicted += is_predicted ? 1 : 0;
+      scores[k].right += is_true && is_predicted ? 1 : 0;
+    }
+  }
+  return scores;
+}
+
+LabelScores
+scoreStructure(const LabelledPoints& structure,
+               const LabelledPoints& scan,
+               double radius,
+               unsigned threads)
+{
+  std::vector<std::uint32_t> truth;
+  std::vector<std::uint32_t> predicted;
+  const auto nearest = nearestWithin(scan.points, *structure.points, radius, threads);
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    if (nearest[i] >= 0) {
+      truth.push_back(scan.labels[static_cast<std::size_t>(nearest[i])]);
+      predicted.push_back(structure.labels[i]);
+    }
+  return compareLabels(truth, predicted);
+}
+
+LabelTable
+tabulateLabels(const std::vector<std::uint32_t>& labels,
+               const std::vector<std::uint32_t>& predicted)
+{
+  LabelTable table;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ++table[labels[i]][scoredAs(predicted[i])];
+  return table;
+}
+
+LabelScores
+scoreLabels(const LabelledPoints& structure,
+            const LabelledPoints& scan,
+            double radius,
+            unsigned threads)
+{
+  const LabelledPoints sample = thinned(scan, scoring_spacing);
+  return compareLabels(sample.labels,
+                       predictedLabels(structure, *sample.points, radius, threads));
+}
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/types.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+/** @brief The point of `cloud` nearest to each of `queries`, or -1 where none is as
+ * near as `radius` metres. The queries must be finite. O((n + q) log n), the same for
+ * any number of threads. */
+std::vector<pcl::index_t>
+nearestWithin(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+              const pcl::PointCloud<pcl::PointXYZ>& queries,
+              double radius,
+              unsigned threads = 0);
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl
