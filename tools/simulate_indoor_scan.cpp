@@ -25,6 +25,8 @@ namespace sim = pcl::sedr::sim;
 
 namespace {
 
+constexpr int kNameWidth = 16; ///< of scenes in a list
+
 /** @brief What the command line asks for. Signed, or -1 would become a huge number. */
 struct Arguments {
   std::string scene;
@@ -37,6 +39,7 @@ struct Arguments {
   sim::ScanOptions scan;
   bool help = false;
   bool list = false;
+  std::string print;
 };
 
 po::options_description
@@ -46,7 +49,9 @@ visibleOptions(Arguments& arguments)
   auto add = options.add_options();
   add("help,h", po::bool_switch(&arguments.help), "print this help");
   add("list", po::bool_switch(&arguments.list),
-      "list the scenes and how they are scanned");
+      "list the built-in scenes and how they are scanned");
+  add("print", po::value(&arguments.print)->value_name("SCENE"),
+      "print the file of a scene, to copy and edit");
   add("seed",
       po::value(&arguments.seed)->default_value(arguments.seed)->value_name("N"),
       "seed of all random numbers, not negative");
@@ -67,9 +72,11 @@ printHelp(const po::options_description& options)
 {
   std::cout
       << "Usage: pcl_simulate_indoor_scan SCENE OUTPUT_DIR [options]\n"
-      << "       pcl_simulate_indoor_scan --list\n\n"
-      << "Scans a built-in indoor scene. Writes OUTPUT_DIR/scan.pcd (x y z label\n"
-      << "room), OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
+      << "       pcl_simulate_indoor_scan --list\n"
+      << "       pcl_simulate_indoor_scan --print SCENE\n\n"
+      << "Scans an indoor scene: SCENE is the name of a built-in one or a scene file,\n"
+      << "which ends in .json. Writes OUTPUT_DIR/scan.pcd (x y z label room),\n"
+      << "OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
       << "and OUTPUT_DIR/truth.json (outline, area, height and volume of each room).\n"
       << "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
       << options;
@@ -79,10 +86,10 @@ void
 printScenes()
 {
   for (const sim::Scene& scene : sim::allScenes()) {
-    std::cout << std::left << std::setw(10) << scene.name << ' ' << scene.summary
-              << '\n';
+    std::cout << std::left << std::setw(kNameWidth) << scene.name << ' '
+              << scene.summary << '\n';
     for (const sim::Scanner& scanner : scene.scanners)
-      std::cout << std::setw(10) << "" << ' ' << scanner.stations.size()
+      std::cout << std::setw(kNameWidth) << "" << ' ' << scanner.stations.size()
                 << " positions, --rays " << scanner.rays_per_station << " --noise "
                 << scanner.noise << " --max-range " << scanner.max_range << '\n';
   }
@@ -144,7 +151,7 @@ parse(int argc, char** argv)
   po::notify(given);
   if (arguments.help)
     printHelp(options);
-  if (arguments.help || arguments.list)
+  if (arguments.help || arguments.list || !arguments.print.empty())
     return arguments;
   if (given.count("folder") == 0)
     throw std::invalid_argument("SCENE and OUTPUT_DIR are needed; see -h");
@@ -198,6 +205,8 @@ main(int argc, char** argv)
     Arguments arguments = parse(argc, argv);
     if (arguments.list)
       printScenes();
+    else if (!arguments.print.empty())
+      std::cout << sim::sceneText(arguments.print);
     else if (!arguments.help)
       simulate(arguments);
     return 0;

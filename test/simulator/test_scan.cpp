@@ -69,7 +69,7 @@ TEST(Scan, noiseFreeStructureLiesOnTheTruth)
 
 TEST(Scan, sameSeedGivesTheSameBytesForAnyNumberOfThreads)
 {
-  const Scene scene = makeBlsRoom();
+  const Scene scene = sceneNamed("bls_room");
   ScanOptions options;
   options.rays_per_station = 700;
   options.threads = 1;

@@ -152,7 +152,7 @@ TEST(TruthMesh, scenesAreClosedWithOneComponentARoom)
 
 TEST(TruthMesh, studyHasTheVolumeOfItsParts)
 {
-  const Mesh mesh = truthMesh(makeBlsRoom());
+  const Mesh mesh = truthMesh(sceneNamed("bls_room"));
   const double soffit = 0.6 * 4.8 + 0.6 * 5.6;
   const double volume = 6.2 * 4.8 * 2.8 - soffit * 0.35 + 1.6 * 1.2 * 0.15;
   EXPECT_NEAR(signedVolume(mesh), volume, 1e-9);
@@ -161,7 +161,7 @@ TEST(TruthMesh, studyHasTheVolumeOfItsParts)
 
 TEST(TruthMesh, flatHasTheVolumesOfItsRooms)
 {
-  const Mesh mesh = truthMesh(makeSynFlat());
+  const Mesh mesh = truthMesh(sceneNamed("syn_flat"));
   const double rooms[] = {5.7 * 3.7, 5.7 * 3.7, 1.5 * 9.0 + 5.8 * 1.4,
                           7.3 * 4.9 - 0.5 * 1.2 * 1.2};
   for (std::uint32_t i = 0; i < 4; ++i)
@@ -170,7 +170,7 @@ TEST(TruthMesh, flatHasTheVolumesOfItsRooms)
 
 TEST(TruthMesh, hallConvergesToTheTrueVolume)
 {
-  const Scene scene = makeHlsHall();
+  const Scene scene = sceneNamed("hls_hall");
   const double sector = 64.0 * std::asin(5.5 / 8.0);
   const double floor = 14.0 * 11.0 + sector - 5.5 * std::sqrt(64.0 - 30.25) -
                        3.0 * pi * 0.35 * 0.35 - 2.0 * 0.36;

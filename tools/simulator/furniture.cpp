@@ -1,37 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
 
+#include "assembly.h"
+
 #include <algorithm>
-#include <utility>
 
 namespace pcl::sedr::sim {
 
 namespace {
-
-/** @brief Adds boxes that are given in the frame of the object's spot. */
-class Assembly {
-public:
-  Assembly(std::string name, const Spot& spot)
-      : spot_(spot)
-  {
-    object_.name = std::move(name);
-  }
-
-  /** @brief Adds a box by its lower and upper corner relative to the spot. */
-  void add(Vec3 low, Vec3 high)
-  {
-    const Vec3 middle = 0.5 * (low + high);
-    const Vec2 center = spot_.center + rotated(plan(middle), spot_.yaw);
-    object_.boxes.push_back(
-        {lifted(center, spot_.floor + middle.z), high - low, spot_.yaw});
-  }
-
-  Object take() { return std::move(object_); }
-
-private:
-  Spot spot_;
-  Object object_;
-};
 
 void
 addLegs(Assembly& assembly, double half_width, double half_depth, double height)
@@ -89,7 +65,7 @@ Object
 makeChair(const Spot& spot)
 {
   Assembly assembly("chair", spot);
-  constexpr double half = 0.225;
+  constexpr double half = 0.5 * kChairWidth;
   addLegs(assembly, half, half, 0.43);
   assembly.add({-half, -half, 0.43}, {half, half, 0.47});
   assembly.add({-half, half - 0.04, 0.47}, {half, half, 0.92});
@@ -130,6 +106,45 @@ makeLamp(Vec2 center, double ceiling, double drop, double radius)
 }
 
 Object
+makeFixture(const std::string& name,
+            Vec2 center,
+            double yaw,
+            const Extent& extent,
+            double ceiling,
+            double drop)
+{
+  constexpr double rod = 0.004;
+  constexpr double inset = 0.05;
+  const double top = ceiling - drop;
+  Object object = makeBlock(name, {center, yaw, top - extent.height}, extent);
+  if (drop > 0.0)
+    for (const double x : {inset - 0.5 * extent.width, 0.5 * extent.width - inset})
+      for (const double y : {inset - 0.5 * extent.depth, 0.5 * extent.depth - inset})
+        object.cylinders.push_back(
+            {lifted(center + rotated({x, y}, yaw), top), rod, drop});
+  return object;
+}
+
+Object
+makeDuct(Vec2 from, Vec2 to, double radius, double top)
+{
+  constexpr int boards = 48;
+  const Vec2 along = to - from;
+  const Vec2 center = 0.5 * (from + to);
+  Object duct;
+  duct.name = "duct";
+  for (int i = 0; i < boards; ++i) {
+    const double low = -radius * std::cos(pi * i / boards);
+    const double high = -radius * std::cos(pi * (i + 1) / boards);
+    const double half_width = radius * std::sin(pi * (i + 0.5) / boards);
+    duct.boxes.push_back({lifted(center, top - radius + 0.5 * (low + high)),
+                          {length(along), 2.0 * half_width, high - low},
+                          std::atan2(along.y, along.x)});
+  }
+  return duct;
+}
+
+Object
 makeTree(const Spot& spot, double height, double crown_radius)
 {
   Object tree;
@@ -147,7 +162,9 @@ Object
 makeCar(const Spot& spot)
 {
   Assembly assembly("car", spot);
-  assembly.add({-2.1, -0.875, 0.25}, {2.1, 0.875, 0.85});
+  constexpr double x = 0.5 * kCarLength;
+  constexpr double y = 0.5 * kCarWidth;
+  assembly.add({-x, -y, 0.25}, {x, y, 0.85});
   assembly.add({-1.3, -0.8, 0.85}, {1.0, 0.8, 1.45});
   return assembly.take();
 }

@@ -35,7 +35,9 @@ Object makeBlock(const std::string& name, const Spot& spot, const Extent& extent
 /** @brief A top 3 cm thick on four legs. */
 Object makeTable(const Spot& spot, const Extent& extent);
 
-/** @brief A chair of 0.45 m with a backrest. */
+constexpr double kChairWidth = 0.45; ///< and depth
+
+/** @brief A chair with a backrest. */
 Object makeChair(const Spot& spot);
 
 /** @brief An open shelf: sides, back, boards about every 0.35 m, and books on them. */
@@ -47,10 +49,30 @@ Object makeShelf(const Spot& spot, const Extent& extent);
  */
 Object makeLamp(Vec2 center, double ceiling, double drop, double radius);
 
+/** @brief A box below the ceiling, such as a vent, a panel of light or a projector.
+ * @param ceiling z of the ceiling above it
+ * @param drop from there to the top of the box; above 0, it hangs on four rods
+ */
+Object makeFixture(const std::string& name,
+                   Vec2 center,
+                   double yaw,
+                   const Extent& extent,
+                   double ceiling,
+                   double drop);
+
+/** @brief A level round duct, of boards that keep to the circle within 3 % of its
+ * radius.
+ * @param top z of its highest line
+ */
+Object makeDuct(Vec2 from, Vec2 to, double radius, double top);
+
 /** @brief A trunk with a round crown. */
 Object makeTree(const Spot& spot, double height, double crown_radius);
 
-/** @brief A body with a cabin, 4.2 x 1.75 m. */
+constexpr double kCarLength = 4.2;
+constexpr double kCarWidth = 1.75;
+
+/** @brief A body with a cabin. */
 Object makeCar(const Spot& spot);
 
 /** @brief A leaf 4 cm thick that stands open.

@@ -93,6 +93,7 @@ struct Object {
   std::string name;
   std::vector<Box> boxes;
   std::vector<Cylinder> cylinders;
+  std::string place; ///< where its scene file describes it, for messages
 };
 
 /** @brief How the scene is scanned.

@@ -8,21 +8,26 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A study with a soffit along two walls and a recess, scanned by backpack. */
-Scene makeBlsRoom();
+/** @brief A scene file that comes with the simulator, part of its library. */
+struct BuiltInScene {
+  std::string name;
+  std::string text; ///< of its file: see scene_file.h
+};
 
-/** @brief A hall with a curved wall and columns, cluttered, scanned by hand. */
-Scene makeHlsHall();
-
-/** @brief Three rooms and a corridor with open doors, scanned from a tripod. */
-Scene makeSynFlat();
+/** @brief The files of tools/simulator/scenes. */
+const std::vector<BuiltInScene>& builtInScenes();
 
 /** @brief All scenes that come with the simulator. */
 std::vector<Scene> allScenes();
 
-/** @brief The scene of that name.
- * @throw std::invalid_argument naming the known scenes, if there is none
+/** @brief The text of a built-in scene, or of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the file
  */
-Scene sceneNamed(const std::string& name);
+std::string sceneText(const std::string& name_or_path);
+
+/** @brief A built-in scene, or that of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or what is wrong with the file
+ */
+Scene sceneNamed(const std::string& name_or_path);
 
 } // namespace pcl::sedr::sim

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loops.h"
+
+#include <sstream>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+constexpr double kShortest = 1e-3; ///< corners closer than this are one by mistake
+constexpr double kLargestBulge = 10.0;
+
+Loop
+readRectangle(const JsonView& view)
+{
+  view.allowOnly({"rectangle"});
+  const JsonView corners = view.at("rectangle");
+  const auto points = corners.items(2);
+  if (points.size() != 2)
+    corners.fail("must be two corners, [[x, y], [x, y]]");
+  const Vec2 min = points[0].point2();
+  const Vec2 max = points[1].point2();
+  if (!(max.x - min.x >= kShortest && max.y - min.y >= kShortest))
+    corners.fail("must give the corner of smaller x and y first");
+  return rectangleLoop(min, max);
+}
+
+Loop
+readCircle(const JsonView& view)
+{
+  view.allowOnly({"circle", "radius"});
+  return circleLoop(view.at("circle").point2(), view.at("radius").size());
+}
+
+Vec2
+readPosition(const JsonView& corner)
+{
+  return corner.isObject() ? corner.at("at").point2() : corner.point2();
+}
+
+/** @brief The bulge of the element from @p corner to a point @p chord metres away. */
+double
+readBulge(const JsonView& corner, double chord)
+{
+  if (!corner.isObject())
+    return 0.0;
+  if (corner.find("bulge")) {
+    corner.allowOnly({"at", "bulge"});
+    return corner.at("bulge").number(-kLargestBulge, kLargestBulge);
+  }
+  corner.allowOnly({"at", "radius"});
+  const double radius = corner.at("radius").number();
+  if (std::abs(radius) < 0.5 * chord) {
+    std::ostringstream text;
+    text << "is " << radius << ", too small for an arc to a corner " << chord
+         << " m away";
+    corner.at("radius").fail(text.str());
+  }
+  return bulgeOf(chord, radius);
+}
+
+Loop
+readCorners(const JsonView& view)
+{
+  const auto corners = view.items(2);
+  Loop loop;
+  for (const JsonView& corner : corners)
+    loop.push_back({readPosition(corner)});
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Element element = elementOf(loop, i);
+    const double chord = length(element.end - element.start);
+    if (chord < kShortest)
+      corners[i].fail("is the same point as the corner after it");
+    loop[i].bulge = readBulge(corners[i], chord);
+  }
+  return loop;
+}
+
+} // namespace
+
+Loop
+readLoop(const JsonView& view)
+{
+  if (view.isList())
+    return readCorners(view);
+  if (view.find("rectangle"))
+    return readRectangle(view);
+  if (view.find("circle"))
+    return readCircle(view);
+  view.fail("must be a list of corners, a \"rectangle\" or a \"circle\"");
+}
+
+} // namespace pcl::sedr::sim

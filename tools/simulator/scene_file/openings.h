@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../scene.h"
+#include "json_view.h"
+
+#include <cstddef>
+
+namespace pcl::sedr::sim {
+
+/** @brief Adds an opening to a room, its leaf and lobby to the objects of the scene.
+ *
+ * All rooms of @p scene are known by name already.
+ */
+void readOpening(const JsonView& view, std::size_t room, Scene& scene);
+
+} // namespace pcl::sedr::sim
