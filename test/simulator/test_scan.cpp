@@ -199,6 +199,25 @@ TEST(Scan, wallsSeenFromBehindAreNoStructure)
   EXPECT_GT(seen, 50U);
 }
 
+TEST(Scan, ceilingsSeenFromAboveAreNoStructure)
+{
+  // From an upper room one looks down through a window on the top of a lower one.
+  Room upper = makeBoxRoom(5.0, 5.0, 6.8);
+  upper.floor.height = 4.0;
+  upper.openings.push_back({1, 1.0, 4.0, 4.5, 6.0, 0.3});
+  Scene scene = makeScene(upper, {4.2, 2.5, 5.6}, 40000);
+  Room lower = makeBoxRoom(0.0, 0.0, 2.6);
+  lower.outline = rectangleLoop({6.0, 0.0}, {12.0, 5.0});
+  lower.details.push_back({rectangleLoop({8.0, 1.0}, {9.0, 4.0}), {3.0}}); // a recess
+  scene.rooms.push_back(lower);
+  std::size_t seen = 0;
+  for (const ScanPoint& point : scan(scene).points) {
+    EXPECT_NE(point.room, 2U);
+    seen += point.x > 6.0F ? 1 : 0;
+  }
+  EXPECT_GT(seen, 500U);
+}
+
 TEST(Scan, placementTurnsAndShiftsThePoints)
 {
   Scene scene = makeScene(makeBoxRoom(5.0, 4.0, 3.0), {2.0, 1.5, 1.5}, 2000);

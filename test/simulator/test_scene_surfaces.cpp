@@ -99,6 +99,33 @@ TEST(SceneSurfaces, detailsAndColumnsCarryTheirLabels)
   EXPECT_EQ(label({2.0, 3.0, 0.0}), Label::Floor);
 }
 
+TEST(SceneSurfaces, nichesAndPlatformsAreDetails)
+{
+  Room room = makeBoxRoom(5.0, 4.0, 3.0);
+  room.floor_details.push_back({rectangleLoop({0.0, 0.0}, {1.0, 4.0}), {0.2}});
+  room.niches.push_back({1, 1.0, 3.0, 0.8, 2.0, 0.4}); // in the wall at x = 5
+  const RayCaster caster(surfacesOf(makeScene(room, {}, 1)));
+  for (const Vec3 target : {Vec3{0.5, 2.0, 0.2},    // on the platform
+                            Vec3{1.0, 2.0, 0.1},    // its riser
+                            Vec3{5.4, 2.0, 1.5},    // the back of the niche
+                            Vec3{5.2, 1.0, 1.5},    // its sides
+                            Vec3{5.2, 3.0, 1.5},    //
+                            Vec3{5.2, 2.0, 0.8},    // its bottom
+                            Vec3{5.2, 2.0, 2.0}}) { // and lid
+    const Vec3 eye{2.0, 2.0, 1.5};
+    const Hit hit = hitFrom(caster, eye, target);
+    ASSERT_NE(hit.surface, nullptr);
+    EXPECT_NEAR(hit.distance, length(target - eye), 1e-9);
+    EXPECT_EQ(hit.surface->label, Label::Detail);
+    EXPECT_EQ(hit.surface->room, 1U);
+    EXPECT_EQ(sideSeenFrom(hit.surface->shape,
+                           {eye, (1.0 / hit.distance) * (target - eye)}, hit.distance),
+              hit.surface->front);
+  }
+  EXPECT_EQ(hitFrom(caster, {2.0, 2.0, 1.5}, {5.0, 0.9, 1.5}).surface->label,
+            Label::Wall);
+}
+
 TEST(SceneSurfaces, openingKeepsItsPlaceOnAWallThatASoffitDivides)
 {
   Room room = makeBoxRoom(5.0, 4.0, 3.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sample_rooms.h"
 #include "simulator/furniture.h"
+#include "simulator/room_regions.h"
 #include "simulator/scan.h"
 #include "simulator/scene_check.h"
 #include "simulator/scene_surfaces.h"
@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -49,7 +48,8 @@ TEST(Scenes, areScannedFromTheHeightOfAPerson)
       for (const Vec3& station : scanner.stations) {
         const std::uint32_t room = roomAt(scene, plan(station));
         ASSERT_GT(room, 0U) << scene.name;
-        const double height = station.z - scene.rooms[room - 1].floor.height;
+        const double height =
+            station.z - floorBelow(scene.rooms[room - 1], plan(station));
         EXPECT_GE(height, 1.3) << scene.name;
         EXPECT_LE(height, 1.8) << scene.name;
       }
@@ -60,7 +60,7 @@ TEST(Scenes, showEveryLabelAndRoomTheyHave)
   for (const Scene& scene : allScenes()) {
     std::set<std::uint32_t> expected{0, 1, 2, 3};
     for (const Room& room : scene.rooms) {
-      if (!room.details.empty())
+      if (!room.details.empty() || !room.floor_details.empty() || !room.niches.empty())
         expected.insert(static_cast<std::uint32_t>(Label::Detail));
       if (!room.columns.empty())
         expected.insert(static_cast<std::uint32_t>(Label::Column));
@@ -89,68 +89,6 @@ TEST(Scenes, areFoundByNameOnly)
     const std::string text = error.what();
     EXPECT_NE(text.find("'hls_hal'"), std::string::npos);
     EXPECT_NE(text.find("bls_room, hls_hall, syn_flat"), std::string::npos);
-  }
-}
-
-Scene
-saneScene()
-{
-  Room room = makeBoxRoom(5.0, 4.0, 3.0);
-  room.columns.push_back(circleLoop({1.0, 1.0}, 0.3));
-  return makeScene(room, {2.0, 2.0, 1.5}, 100);
-}
-
-TEST(SceneCheck, hasNothingToSayAboutASaneScene)
-{
-  EXPECT_TRUE(problemsOf(saneScene()).empty());
-}
-
-TEST(SceneCheck, findsFurnitureWhereItCannotBe)
-{
-  const Extent cube{0.5, 0.5, 0.5};
-  const Spot spots[] = {{{4.9, 2.0}, 0.0, 0.0},   // through the wall
-                        {{1.4, 1.0}, 0.0, 0.0},   // through the column
-                        {{1.0, 1.0}, 0.0, 0.0},   // around the column
-                        {{9.0, 9.0}, 0.0, 0.0},   // outside
-                        {{3.0, 3.0}, 0.0, -0.1},  // sunk into the floor
-                        {{3.0, 3.0}, 0.0, 2.6},   // through the ceiling
-                        {{2.0, 2.0}, 0.0, 1.25}}; // around the scanner
-  for (const Spot& spot : spots) {
-    Scene scene = saneScene();
-    scene.furniture.push_back(makeBlock("cube", spot, cube));
-    EXPECT_FALSE(problemsOf(scene).empty()) << spot.center.x << ' ' << spot.floor;
-  }
-}
-
-TEST(SceneCheck, findsFaultyRooms)
-{
-  Scene scene = saneScene();
-  std::reverse(scene.rooms[0].outline.begin(), scene.rooms[0].outline.end());
-  EXPECT_FALSE(problemsOf(scene).empty());
-  scene = saneScene();
-  scene.rooms[0].ceiling.height = 0.0;
-  EXPECT_FALSE(problemsOf(scene).empty());
-  scene = saneScene();
-  scene.rooms[0].columns.front() = circleLoop({0.2, 1.0}, 0.3);
-  EXPECT_FALSE(problemsOf(scene).empty());
-  scene = saneScene();
-  scene.rooms[0].details.push_back({rectangleLoop({4.0, 1.0}, {5.5, 2.0}), {2.5}});
-  EXPECT_FALSE(problemsOf(scene).empty());
-  scene = saneScene();
-  scene.rooms[0].openings.push_back({0, 1.0, 2.0, 0.0, 3.2, 0.1});
-  EXPECT_FALSE(problemsOf(scene).empty());
-  scene = saneScene();
-  scene.rooms[0].openings.push_back({0, 1.0, 2.0, -0.2, 2.0, 0.1});
-  EXPECT_FALSE(problemsOf(scene).empty());
-}
-
-TEST(SceneCheck, findsScannersWhereTheyCannotBe)
-{
-  for (const Vec3 station :
-       {Vec3{1.0, 1.0, 1.5}, Vec3{7.0, 1.0, 1.5}, Vec3{2.0, 2.0, 3.5}}) {
-    Scene scene = saneScene();
-    scene.scanners.front().stations.push_back(station);
-    EXPECT_FALSE(problemsOf(scene).empty()) << station.x << ' ' << station.z;
   }
 }
 

@@ -28,11 +28,11 @@ expectMiss(const Shape& shape, Vec3 origin, Vec3 target)
   EXPECT_FALSE(intersect(shape, rayTowards(origin, target), 0.0).has_value());
 }
 
-TEST(Surface, levelPatchIsHitInsideItsOutlineOnly)
+TEST(Surface, slabPatchIsHitInsideItsOutlineOnly)
 {
-  const LevelPatch patch{2.5,
-                         rectangleLoop({0.0, 0.0}, {4.0, 3.0}),
-                         {circleLoop({2.0, 1.0}, 0.5)}};
+  const SlabPatch patch{{2.5},
+                        rectangleLoop({0.0, 0.0}, {4.0, 3.0}),
+                        {circleLoop({2.0, 1.0}, 0.5)}};
   expectHit(patch, {1.0, 1.0, 1.0}, {3.0, 2.5, 2.5});
   expectMiss(patch, {1.0, 1.0, 1.0}, {4.1, 2.0, 2.5});
   expectMiss(patch, {1.0, 1.0, 1.0}, {2.4, 1.1, 2.5}); // through the hole
@@ -40,10 +40,66 @@ TEST(Surface, levelPatchIsHitInsideItsOutlineOnly)
   expectMiss(patch, {1.0, 1.0, 2.5}, {3.0, 2.5, 2.5}); // within its plane
 }
 
+TEST(Surface, slabPatchMayLean)
+{
+  // Rises by 0.1 m a metre along x: 2.5 m high at x = 1, 2.8 m at x = 4.
+  const SlabPatch patch{{2.5, {0.1, 0.0}, {1.0, 0.0}},
+                        rectangleLoop({0.0, 0.0}, {4.0, 3.0}),
+                        {}};
+  expectHit(patch, {1.0, 1.0, 1.0}, {1.0, 1.0, 2.5});
+  expectHit(patch, {1.0, 1.0, 1.0}, {3.5, 2.0, 2.75});
+  expectHit(patch, {2.0, 1.0, 4.0}, {0.0, 1.0, 2.4});
+  expectMiss(patch, {1.0, 1.0, 1.0}, {4.1, 1.0, 2.81});
+  const Bounds bounds = boundsOf(Shape{patch});
+  EXPECT_NEAR(bounds.min.z, 2.4, 1e-12);
+  EXPECT_NEAR(bounds.max.z, 2.8, 1e-12);
+}
+
+TEST(Surface, wallsEndOnLeaningPlanes)
+{
+  // The wall runs along x; its top rises from 2 m to 2.4 m, its foot from 0 to 0.2 m.
+  const Element wall{{0.0, 0.0}, {4.0, 0.0}, 0.0};
+  const Shape patch = verticalPatch(wall, {0.0, {0.05, 0.0}}, {2.0, {0.1, 0.0}});
+  const Vec3 origin{2.0, 3.0, 1.5};
+  expectHit(patch, origin, {0.5, 0.0, 2.04});
+  expectMiss(patch, origin, {0.5, 0.0, 2.06});
+  expectHit(patch, origin, {3.5, 0.0, 2.34});
+  expectMiss(patch, origin, {3.5, 0.0, 2.36});
+  expectHit(patch, origin, {3.0, 0.0, 0.16});
+  expectMiss(patch, origin, {3.0, 0.0, 0.14});
+}
+
+TEST(Surface, tellsFromWhichSideItIsSeen)
+{
+  const auto side = [](const Shape& shape, Vec3 origin, Vec3 target) {
+    return sideSeenFrom(shape, rayTowards(origin, target), length(target - origin));
+  };
+  const SlabPatch slab{{2.5, {0.1, 0.0}}, rectangleLoop({0.0, 0.0}, {4.0, 3.0}), {}};
+  EXPECT_EQ(side(slab, {1.0, 1.0, 1.0}, {1.0, 1.0, 2.6}), Side::BelowOrRight);
+  EXPECT_EQ(side(slab, {1.0, 1.0, 3.0}, {1.0, 1.0, 2.6}), Side::AboveOrLeft);
+  // Almost level, but the slab rises faster: seen from above.
+  EXPECT_EQ(side(slab, {0.0, 1.0, 2.55}, {1.0, 1.0, 2.6}), Side::AboveOrLeft);
+
+  const Shape plane = verticalPatch({{0.0, 0.0}, {4.0, 0.0}, 0.0}, {0.0}, {3.0});
+  EXPECT_EQ(side(plane, {1.0, 1.0, 1.0}, {2.0, 0.0, 1.0}), Side::AboveOrLeft);
+  EXPECT_EQ(side(plane, {1.0, -1.0, 1.0}, {2.0, 0.0, 1.0}), Side::BelowOrRight);
+  for (const double bulge :
+       {1.0, -1.0}) { // from (0, -2) to (0, 2) by (2, 0) or (-2, 0)
+    const Shape arc = verticalPatch({{0.0, -2.0}, {0.0, 2.0}, bulge}, {0.0}, {3.0});
+    const Side inside = bulge > 0.0 ? Side::AboveOrLeft : Side::BelowOrRight;
+    const Vec3 on_arc{2.0 * bulge, 0.0, 1.0};
+    EXPECT_EQ(side(arc, {0.0, 0.0, 1.0}, on_arc), inside) << bulge;
+    EXPECT_NE(side(arc, {4.0 * bulge, 0.0, 1.0}, on_arc), inside) << bulge;
+  }
+  EXPECT_EQ(
+      side(Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {2.0, 0.0, 0.0}, {0.5, 0.0, 0.0}),
+      Side::None);
+}
+
 TEST(Surface, planePatchHasRectangularHoles)
 {
   const Element wall{{0.0, 2.0}, {3.0, 6.0}, 0.0}; // 5 m long, direction (0.6, 0.8)
-  const Shape patch = verticalPatch(wall, 0.0, 2.5, {{1.0, 2.0, 0.8, 2.0}});
+  const Shape patch = verticalPatch(wall, {0.0}, {2.5}, {{1.0, 2.0, 0.8, 2.0}});
   const auto at = [](double s, double z) { return Vec3{0.6 * s, 2.0 + 0.8 * s, z}; };
   const Vec3 origin{4.0, 1.0, 1.5};
   expectHit(patch, origin, at(0.5, 1.0));
@@ -58,8 +114,8 @@ TEST(Surface, planePatchHasRectangularHoles)
 TEST(Surface, arcPatchIsHitOnItsArcOnly)
 {
   // The right half of a circle of radius 2 around the origin, counter-clockwise.
-  const Shape patch =
-      verticalPatch({{0.0, -2.0}, {0.0, 2.0}, 1.0}, 0.0, 3.0, {{0.0, 1.0, 1.0, 2.0}});
+  const Shape patch = verticalPatch({{0.0, -2.0}, {0.0, 2.0}, 1.0}, {0.0}, {3.0},
+                                    {{0.0, 1.0, 1.0, 2.0}});
   const auto at = [](double angle, double z) {
     return lifted(rotated({2.0, 0.0}, angle), z);
   };
@@ -76,8 +132,8 @@ TEST(Surface, arcPatchIsHitOnItsArcOnly)
 
 TEST(Surface, clockwiseArcRunsTheOtherWay)
 {
-  const Shape patch =
-      verticalPatch({{0.0, -2.0}, {0.0, 2.0}, -1.0}, 0.0, 3.0, {{0.0, 1.0, 1.0, 2.0}});
+  const Shape patch = verticalPatch({{0.0, -2.0}, {0.0, 2.0}, -1.0}, {0.0}, {3.0},
+                                    {{0.0, 1.0, 1.0, 2.0}});
   expectHit(patch, {0.0, 0.0, 1.5}, {-2.0, 0.0, 1.5});
   expectMiss(patch, {0.0, 0.0, 1.5}, {2.0, 0.0, 1.5});
   expectMiss(patch, {0.0, 0.0, 1.5}, {-2.0 * std::sin(0.3), -2.0 * std::cos(0.3), 1.5});

@@ -15,6 +15,7 @@ struct Surface {
   Label label = Label::Other;
   std::uint32_t room = 0;                        ///< counts from 1; 0 none
   std::optional<Glazing> glazing = std::nullopt; ///< set for window panes
+  Side front = Side::None; ///< the room's side; seen from the other it is no structure
 };
 
 /** @brief The nearest surface along a ray. */

@@ -28,18 +28,28 @@ enum class Label : std::uint32_t {
   Column = 5
 };
 
-/** @brief A floor or ceiling. Level for now; a slope would be a further member. */
+/** @brief A floor or ceiling: a plane, level unless it has a gradient. */
 struct Slab {
-  double height = 0.0; ///< z
+  double height = 0.0; ///< z at the origin
+  Vec2 gradient{};     ///< rise in metres per metre along x and y
+  Vec2 origin{};       ///< where the height is measured
 };
 
-/** @brief A part of the ceiling with a height of its own: soffit, recess or coffer.
+/** @brief z of the slab at @p point. */
+inline double
+heightAt(const Slab& slab, Vec2 point)
+{
+  return slab.height + dot(slab.gradient, point - slab.origin);
+}
+
+/** @brief A part of a ceiling or floor with a plane of its own.
  *
- * Edges of the loop that lie on a wall must coincide with a part of a wall element.
- * Where details overlap the later one counts; outlines may meet along edges, but not
- * cross.
+ * Soffit, recess, coffer, beam; step, platform, pit. Edges of the loop that lie on a
+ * wall must coincide with a part of a wall element. Where the details of a ceiling (or
+ * of a floor) overlap the later one counts; their outlines may meet along edges, but
+ * not cross. What is above does not matter to what is below.
  */
-struct CeilingDetail {
+struct SlabDetail {
   Loop loop;
   Slab slab;
 };
@@ -63,15 +73,27 @@ struct Opening {
   std::optional<Glazing> glazing = std::nullopt;
 };
 
+/** @brief A recess in a wall, closed all around: back, sides, bottom and lid. */
+struct Niche {
+  std::size_t wall = 0; ///< element of the room's outline
+  double from = 0.0;    ///< start along the element
+  double to = 0.0;      ///< end along the element
+  double sill = 0.0;    ///< lower z
+  double head = 0.0;    ///< upper z
+  double depth = 0.0;   ///< behind the wall's face
+};
+
 /** @brief A room: what is enclosed by floor, walls, ceiling and columns. */
 struct Room {
   std::string name;
   Loop outline; ///< counter-clockwise
   Slab floor;
   Slab ceiling;
-  std::vector<CeilingDetail> details;
+  std::vector<SlabDetail> details; ///< of the ceiling
+  std::vector<SlabDetail> floor_details;
   std::vector<Loop> columns; ///< counter-clockwise, floor to ceiling, away from walls
   std::vector<Opening> openings;
+  std::vector<Niche> niches;
 };
 
 /** @brief A box that stands upright, turned about z. */

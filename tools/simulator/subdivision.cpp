@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -28,8 +30,9 @@ public:
     addLoop(room_.outline, EdgeSource::Outline);
     for (const Loop& column : room_.columns)
       addLoop(column, EdgeSource::Column);
-    for (const CeilingDetail& detail : room_.details)
-      addLoop(detail.loop, EdgeSource::Detail);
+    for (const Layer layer : {Layer::Ceiling, Layer::Floor})
+      for (const SlabDetail& detail : detailsOf(room_, layer))
+        addLoop(detail.loop, EdgeSource::Detail);
     return std::move(plan_);
   }
 
@@ -39,15 +42,36 @@ private:
     addNodes(room_.outline);
     for (const Loop& column : room_.columns)
       addNodes(column);
-    for (const CeilingDetail& detail : room_.details)
-      addNodes(detail.loop);
+    for (const Layer layer : {Layer::Ceiling, Layer::Floor})
+      for (const SlabDetail& detail : detailsOf(room_, layer))
+        addNodes(detail.loop);
+    for (const Niche& niche : room_.niches)
+      addNodes(niche);
+  }
+
+  void addNodes(const Niche& niche)
+  {
+    if (niche.wall >= room_.outline.size())
+      throw std::invalid_argument("A niche of room '" + room_.name +
+                                  "' lies on no wall");
+    const Element wall = elementOf(room_.outline, niche.wall);
+    if (!(niche.from >= 0.0 && niche.from < niche.to && niche.to <= lengthOf(wall)))
+      throw std::invalid_argument("A niche of room '" + room_.name +
+                                  "' does not lie within its wall");
+    addNode(pointAt(wall, niche.from));
+    addNode(pointAt(wall, niche.to));
   }
 
   void addNodes(const Loop& loop)
   {
     for (const LoopVertex& vertex : loop)
-      if (findNode(vertex.position) == plan_.nodes.size())
-        plan_.nodes.push_back(vertex.position);
+      addNode(vertex.position);
+  }
+
+  void addNode(Vec2 point)
+  {
+    if (findNode(point) == plan_.nodes.size())
+      plan_.nodes.push_back(point);
   }
 
   std::size_t findNode(Vec2 point) const
@@ -95,10 +119,16 @@ private:
     const double middle = 0.5 * lengthOf(edge.element);
     const Vec2 point = pointAt(edge.element, middle);
     const Vec2 aside = kSideProbe * rightNormalAt(edge.element, middle);
-    edge.left = regionAt(room_, point - aside);
-    edge.right = regionAt(room_, point + aside);
-    if (edge.left != edge.right)
+    edge.floor = sidesAt(point, aside, Layer::Floor);
+    edge.ceiling = sidesAt(point, aside, Layer::Ceiling);
+    if (edge.floor.left != edge.floor.right || edge.ceiling.left != edge.ceiling.right)
       plan_.edges.push_back(edge);
+  }
+
+  Sides sidesAt(Vec2 point, Vec2 aside, Layer layer) const
+  {
+    return {regionAt(room_, point - aside, layer),
+            regionAt(room_, point + aside, layer)};
   }
 
   bool isKnown(const PlanEdge& edge) const
@@ -139,58 +169,83 @@ lastNode(const Subdivision& plan, DirectedEdge walk)
 
 /** @brief The boundary edges that leave each node, members to the left. */
 std::map<std::size_t, DirectedEdge>
-leavingEdges(const Subdivision& plan, const std::vector<bool>& member)
+leavingEdges(const Subdivision& plan, Layer layer, const std::vector<bool>& member)
 {
   std::map<std::size_t, DirectedEdge> leaving;
   for (std::size_t i = 0; i < plan.edges.size(); ++i) {
-    const PlanEdge& edge = plan.edges[i];
-    const bool left = member[edge.left + 1];
-    if (left == member[edge.right + 1])
+    const Sides& sides = plan.edges[i].sides(layer);
+    const bool left = member[sides.left + 1];
+    if (left == member[sides.right + 1])
       continue;
     const DirectedEdge walk{i, left};
     const std::size_t node = firstNode(plan, walk);
     if (!leaving.emplace(node, walk).second)
-      throwAt(plan.nodes[node], "Regions of a ceiling touch in a single point");
+      throwAt(plan.nodes[node],
+              "Regions of a floor or ceiling touch in a single point");
   }
   return leaving;
 }
 
+/** @brief The face of a wall or column, from floor to ceiling. */
+VerticalFace
+wallFaceOf(const Room& room, const PlanEdge& edge)
+{
+  const bool room_is_left = edge.ceiling.right == kVoid;
+  const auto slab = [&](Layer layer) {
+    const Sides& sides = edge.sides(layer);
+    return slabOf(room, room_is_left ? sides.left : sides.right, layer);
+  };
+  return {slab(Layer::Floor), slab(Layer::Ceiling), room_is_left,
+          edge.source == EdgeSource::Column ? Label::Column : Label::Wall};
+}
+
+/** @brief How much higher @p a is than @p b, at the least and at the most. */
+std::pair<double, double>
+differenceAlong(const Element& element, const Slab& a, const Slab& b)
+{
+  constexpr int steps = 16;
+  const double end = lengthOf(element);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (int i = 0; i <= steps; ++i) {
+    const Vec2 point = pointAt(element, end * i / steps);
+    const double difference = heightAt(a, point) - heightAt(b, point);
+    least = std::min(least, difference);
+    most = std::max(most, difference);
+  }
+  return {least, most};
+}
+
+/** @brief The face between two parts of the floor or ceiling of different heights. */
+std::optional<VerticalFace>
+riserOf(const Room& room, const PlanEdge& edge, Layer layer)
+{
+  const Sides& sides = edge.sides(layer);
+  const Slab& left = slabOf(room, sides.left, layer);
+  const Slab& right = slabOf(room, sides.right, layer);
+  const auto [least, most] = differenceAlong(edge.element, left, right);
+  if (least > -kSameHeight && most < kSameHeight)
+    return std::nullopt;
+  if (least < -kSameHeight && most > kSameHeight)
+    throwAt(edge.element.start, "Two parts of a floor or ceiling cross beside a riser");
+  const bool left_is_higher = most >= kSameHeight;
+  const bool room_is_left = left_is_higher == (layer == Layer::Ceiling);
+  return VerticalFace{left_is_higher ? right : left, left_is_higher ? left : right,
+                      room_is_left, Label::Detail};
+}
+
 } // namespace
 
-Region
-regionAt(const Room& room, Vec2 point)
+std::vector<VerticalFace>
+verticalFacesOf(const Room& room, const PlanEdge& edge)
 {
-  if (!contains(room.outline, point))
-    return kVoid;
-  for (const Loop& column : room.columns)
-    if (contains(column, point))
-      return kVoid;
-  for (std::size_t i = room.details.size(); i > 0; --i)
-    if (contains(room.details[i - 1].loop, point))
-      return static_cast<Region>(i);
-  return kMain;
-}
-
-double
-ceilingHeight(const Room& room, Region region)
-{
-  return region == kMain ? room.ceiling.height : room.details[region - 1].slab.height;
-}
-
-VerticalFace
-verticalFaceOf(const Room& room, const PlanEdge& edge)
-{
-  const auto top = [&room](Region region) {
-    return region == kVoid ? room.floor.height : ceilingHeight(room, region);
-  };
-  const double left = top(edge.left);
-  const double right = top(edge.right);
-  VerticalFace face{std::min(left, right), std::max(left, right), left > right};
-  if (edge.left != kVoid && edge.right != kVoid)
-    face.label = Label::Detail;
-  else if (edge.source == EdgeSource::Column)
-    face.label = Label::Column;
-  return face;
+  if (edge.ceiling.left == kVoid || edge.ceiling.right == kVoid)
+    return {wallFaceOf(room, edge)};
+  std::vector<VerticalFace> faces;
+  for (const Layer layer : {Layer::Ceiling, Layer::Floor})
+    if (auto riser = riserOf(room, edge, layer))
+      faces.push_back(*riser);
+  return faces;
 }
 
 Subdivision
@@ -200,9 +255,11 @@ subdivide(const Room& room)
 }
 
 std::vector<Cycle>
-boundariesOf(const Subdivision& subdivision, const std::vector<bool>& member)
+boundariesOf(const Subdivision& subdivision,
+             Layer layer,
+             const std::vector<bool>& member)
 {
-  auto leaving = leavingEdges(subdivision, member);
+  auto leaving = leavingEdges(subdivision, layer, member);
   std::vector<Cycle> cycles;
   while (!leaving.empty()) {
     const std::size_t first = leaving.begin()->first;

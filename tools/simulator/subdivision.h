@@ -2,6 +2,7 @@
 #pragma once
 
 #include "loop.h"
+#include "room_regions.h"
 #include "scene.h"
 
 #include <cstddef>
@@ -12,13 +13,13 @@ namespace pcl::sedr::sim {
 /** @brief Which loop of a room an edge comes from. */
 enum class EdgeSource { Outline, Column, Detail };
 
-/** @brief A region of a room's plan: kVoid, kMain or the detail of number region - 1.
- */
-using Region = int;
-constexpr Region kVoid = -1; ///< outside of the room, or inside a column
-constexpr Region kMain = 0;  ///< the ceiling without its details
+/** @brief The regions on the two sides of an edge. */
+struct Sides {
+  Region left = kVoid;
+  Region right = kVoid;
+};
 
-/** @brief A segment or arc between two nodes, with one region on either side. */
+/** @brief A segment or arc between two nodes that parts regions of floor or ceiling. */
 struct PlanEdge {
   Element element;
   std::size_t start = 0; ///< node
@@ -26,14 +27,21 @@ struct PlanEdge {
   EdgeSource source = EdgeSource::Outline;
   std::size_t source_element = 0; ///< element of the outline, column or detail
   double source_offset = 0.0;     ///< metres along that element where the edge starts
-  Region left = kVoid;
-  Region right = kVoid;
+  Sides floor;
+  Sides ceiling;
+
+  const Sides& sides(Layer layer) const
+  {
+    return layer == Layer::Floor ? floor : ceiling;
+  }
 };
 
-/** @brief A room's plan cut into regions of one ceiling height each.
+/** @brief A room's plan cut into regions of one plane each, of floor and of ceiling.
  *
- * Arcs stay arcs. Two edges meet in nodes only, so that whatever is built from the
- * edges of a subdivision fits together without gaps.
+ * Arcs stay arcs. Two edges that part the same layer meet in nodes only, and so do
+ * edges and the ends of niches, so that whatever is built from the edges of a
+ * subdivision fits together without gaps. Edges of the floor may cross those of the
+ * ceiling.
  */
 struct Subdivision {
   std::vector<Vec2> nodes;
@@ -48,33 +56,33 @@ struct DirectedEdge {
 
 using Cycle = std::vector<DirectedEdge>;
 
-/** @brief The region of @p room that @p point is in. */
-Region regionAt(const Room& room, Vec2 point);
-
-/** @brief Ceiling height above a region other than kVoid. */
-double ceilingHeight(const Room& room, Region region);
-
-/** @brief The vertical face that stands on an edge; none where low equals high. */
+/** @brief The vertical face that stands on an edge, between two planes. */
 struct VerticalFace {
-  double low = 0.0;
-  double high = 0.0;
-  bool room_is_left = true; ///< between these heights the room is left of the edge
+  Slab low;
+  Slab high;
+  bool room_is_left = true; ///< between these planes the room is left of the edge
   Label label = Label::Wall;
 };
 
-/** @brief The face between the ceiling heights on the two sides of @p edge. */
-VerticalFace verticalFaceOf(const Room& room, const PlanEdge& edge);
+/** @brief The faces that stand on @p edge.
+ *
+ * Wall or column from floor to ceiling, or the risers between two parts of the floor
+ * and between two parts of the ceiling, as far as these are of different heights.
+ * @throw std::invalid_argument if two parts of the ceiling (or floor) cross there
+ */
+std::vector<VerticalFace> verticalFacesOf(const Room& room, const PlanEdge& edge);
 
 /** @brief Cuts the plan of @p room at all its loops. */
 Subdivision subdivide(const Room& room);
 
-/** @brief The closed boundaries of all regions for which @p member is true.
+/** @brief The closed boundaries of all regions of a layer for which @p member is true.
  *
  * The members are to the left: outer boundaries run counter-clockwise, those of holes
  * clockwise. @p member is indexed by region + 1.
  * @throw std::invalid_argument where edges cross or regions touch in a single point.
  */
 std::vector<Cycle> boundariesOf(const Subdivision& subdivision,
+                                Layer layer,
                                 const std::vector<bool>& member);
 
 } // namespace pcl::sedr::sim

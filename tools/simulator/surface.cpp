@@ -17,17 +17,19 @@ isWithin(const WallRectangle& rectangle, double s, double z)
          z <= rectangle.high;
 }
 
-/** @brief True if the wall is solid at @p s, @p z. */
+/** @brief True if the wall is solid at @p point, @p s metres along it. */
 bool
-isSolid(const WallRectangle& extent,
+isSolid(const WallExtent& extent,
         const std::vector<WallRectangle>& holes,
         double s,
-        double z)
+        Vec3 point)
 {
-  if (!isWithin(extent, s, z))
+  if (s < extent.from || s > extent.to || point.z < heightAt(extent.low, plan(point)) ||
+      point.z > heightAt(extent.high, plan(point)))
     return false;
-  return std::none_of(holes.begin(), holes.end(),
-                      [&](const WallRectangle& hole) { return isWithin(hole, s, z); });
+  return std::none_of(holes.begin(), holes.end(), [&](const WallRectangle& hole) {
+    return isWithin(hole, s, point.z);
+  });
 }
 
 /** @brief Distances at which a ray enters and leaves something. */
@@ -110,25 +112,40 @@ rectangleAround(Vec2 center, double half_x, double half_y)
   return {center - Vec2{half_x, half_y}, center + Vec2{half_x, half_y}};
 }
 
+/** @brief Bounds of what lies between two planes over a rectangle of the plan. */
 Bounds
-boundsOf(const LevelPatch& patch)
+boundsBetween(const Rectangle& rectangle, const Slab& low, const Slab& high)
 {
-  return raised(boundsOf(patch.outline), patch.z, patch.z);
+  double min = std::numeric_limits<double>::infinity();
+  double max = -min;
+  for (const double x : {rectangle.min.x, rectangle.max.x})
+    for (const double y : {rectangle.min.y, rectangle.max.y}) {
+      min = std::min(min, heightAt(low, {x, y}));
+      max = std::max(max, heightAt(high, {x, y}));
+    }
+  return raised(rectangle, min, max);
+}
+
+Bounds
+boundsOf(const SlabPatch& patch)
+{
+  return boundsBetween(boundsOf(patch.outline), patch.slab, patch.slab);
 }
 
 Bounds
 boundsOf(const PlanePatch& patch)
 {
   const Vec2 end = patch.start + patch.extent.to * patch.direction;
-  return raised(rectangleAround(patch.start, end), patch.extent.low, patch.extent.high);
+  return boundsBetween(rectangleAround(patch.start, end), patch.extent.low,
+                       patch.extent.high);
 }
 
 Bounds
 boundsOf(const ArcPatch& patch)
 {
   const double radius = patch.arc.radius;
-  return raised(rectangleAround(patch.arc.center, radius, radius), patch.extent.low,
-                patch.extent.high);
+  return boundsBetween(rectangleAround(patch.arc.center, radius, radius),
+                       patch.extent.low, patch.extent.high);
 }
 
 Bounds
@@ -149,15 +166,60 @@ boundsOf(const Cylinder& cylinder)
                 cylinder.base.z, cylinder.base.z + cylinder.height);
 }
 
+/** @brief How fast a ray rises above the plane of a slab. */
+double
+approach(const Slab& slab, const Ray& ray)
+{
+  return ray.direction.z - dot(slab.gradient, plan(ray.direction));
+}
+
+Side
+sideAgainst(double speed)
+{
+  return speed < 0.0 ? Side::AboveOrLeft : Side::BelowOrRight;
+}
+
+Side
+sideSeenFrom(const SlabPatch& patch, const Ray& ray, double)
+{
+  return sideAgainst(approach(patch.slab, ray));
+}
+
+Side
+sideSeenFrom(const PlanePatch& patch, const Ray& ray, double)
+{
+  return sideAgainst(cross(patch.direction, plan(ray.direction)));
+}
+
+Side
+sideSeenFrom(const ArcPatch& patch, const Ray& ray, double distance)
+{
+  const Vec2 radial = plan(ray.at(distance)) - patch.arc.center;
+  const double outwards = dot(radial, plan(ray.direction));
+  return sideAgainst(patch.arc.sweep > 0.0 ? -outwards : outwards);
+}
+
+Side
+sideSeenFrom(const Box&, const Ray&, double)
+{
+  return Side::None;
+}
+
+Side
+sideSeenFrom(const Cylinder&, const Ray&, double)
+{
+  return Side::None;
+}
+
 } // namespace
 
 Shape
 verticalPatch(const Element& element,
-              double low,
-              double high,
+              const Slab& low,
+              const Slab& high,
               std::vector<WallRectangle> holes)
 {
-  const WallRectangle extent{0.0, lengthOf(element), low, high};
+  const WallExtent extent{0.0, lengthOf(element), low, high};
   if (element.bulge != 0.0)
     return ArcPatch{arcOf(element), extent, std::move(holes)};
   const Vec2 direction = normalized(element.end - element.start);
@@ -165,11 +227,12 @@ verticalPatch(const Element& element,
 }
 
 std::optional<double>
-intersect(const LevelPatch& patch, const Ray& ray, double from)
+intersect(const SlabPatch& patch, const Ray& ray, double from)
 {
-  if (ray.direction.z == 0.0)
+  const double speed = approach(patch.slab, ray);
+  if (speed == 0.0)
     return std::nullopt;
-  const double t = (patch.z - ray.origin.z) / ray.direction.z;
+  const double t = (heightAt(patch.slab, plan(ray.origin)) - ray.origin.z) / speed;
   if (!(t > from))
     return std::nullopt;
   const Vec2 point = plan(ray.at(t));
@@ -193,7 +256,7 @@ intersect(const PlanePatch& patch, const Ray& ray, double from)
     return std::nullopt;
   const Vec3 point = ray.at(t);
   const double s = dot(plan(point) - patch.start, patch.direction);
-  if (!isSolid(patch.extent, patch.holes, s, point.z))
+  if (!isSolid(patch.extent, patch.holes, s, point))
     return std::nullopt;
   return t;
 }
@@ -209,7 +272,7 @@ intersect(const ArcPatch& patch, const Ray& ray, double from)
       continue;
     const Vec3 point = ray.at(t);
     const double s = alongArc(patch.arc, plan(point));
-    if (isSolid(patch.extent, patch.holes, s, point.z))
+    if (isSolid(patch.extent, patch.holes, s, point))
       return t;
   }
   return std::nullopt;
@@ -252,6 +315,13 @@ std::optional<double>
 intersect(const Shape& shape, const Ray& ray, double from)
 {
   return std::visit([&](const auto& s) { return intersect(s, ray, from); }, shape);
+}
+
+Side
+sideSeenFrom(const Shape& shape, const Ray& ray, double distance)
+{
+  return std::visit([&](const auto& s) { return sideSeenFrom(s, ray, distance); },
+                    shape);
 }
 
 Bounds

@@ -31,9 +31,9 @@ struct Bounds {
   Vec3 max;
 };
 
-/** @brief A level surface inside an outline and outside its holes. */
-struct LevelPatch {
-  double z = 0.0;
+/** @brief A plane inside an outline and outside its holes. */
+struct SlabPatch {
+  Slab slab;
   Loop outline;
   std::vector<Loop> holes;
 };
@@ -46,31 +46,39 @@ struct WallRectangle {
   double high = 0.0;
 };
 
+/** @brief The part of a vertical surface between two planes. */
+struct WallExtent {
+  double from = 0.0;
+  double to = 0.0;
+  Slab low;
+  Slab high;
+};
+
 /** @brief A vertical plane above a segment, with rectangular holes. */
 struct PlanePatch {
   Vec2 start;
   Vec2 direction; ///< unit length
-  WallRectangle extent;
+  WallExtent extent;
   std::vector<WallRectangle> holes;
 };
 
 /** @brief A part of a vertical cylinder above an arc, with rectangular holes. */
 struct ArcPatch {
   Arc arc;
-  WallRectangle extent;
+  WallExtent extent;
   std::vector<WallRectangle> holes;
 };
 
 /** @brief Any closed-form shape. */
-using Shape = std::variant<LevelPatch, PlanePatch, ArcPatch, Box, Cylinder>;
+using Shape = std::variant<SlabPatch, PlanePatch, ArcPatch, Box, Cylinder>;
 
-/** @brief The vertical patch above @p element between two heights. */
+/** @brief The vertical patch above @p element between two planes. */
 Shape verticalPatch(const Element& element,
-                    double low,
-                    double high,
+                    const Slab& low,
+                    const Slab& high,
                     std::vector<WallRectangle> holes = {});
 
-std::optional<double> intersect(const LevelPatch& patch, const Ray& ray, double from);
+std::optional<double> intersect(const SlabPatch& patch, const Ray& ray, double from);
 
 std::optional<double> intersect(const PlanePatch& patch, const Ray& ray, double from);
 
@@ -82,6 +90,13 @@ std::optional<double> intersect(const Cylinder& cylinder, const Ray& ray, double
 
 /** @brief First hit of any shape beyond @p from. */
 std::optional<double> intersect(const Shape& shape, const Ray& ray, double from);
+
+/** @brief The side of a surface: a slab has one above, a wall one to its left. */
+enum class Side { None, AboveOrLeft, BelowOrRight };
+
+/** @brief From which side a ray comes that hits @p shape at @p distance; bodies have
+ * none. */
+Side sideSeenFrom(const Shape& shape, const Ray& ray, double distance);
 
 /** @brief Box around the shape. */
 Bounds boundsOf(const Shape& shape);

@@ -7,9 +7,8 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kStart = 1e-6;  ///< a ray goes on this far behind what it passed
-constexpr double kBehind = 1e-4; ///< how far before a wall its room is looked for
-constexpr int kMaxPanes = 16;    ///< panes that a ray may meet
+constexpr double kStart = 1e-6; ///< a ray goes on this far behind what it passed
+constexpr int kMaxPanes = 16;   ///< panes that a ray may meet
 
 /** @brief The leg that starts where @p leg meets a flat pane. */
 Ray
@@ -69,15 +68,13 @@ Tracer::findEcho(const Ray& ray, double max_range, RayRandom& random) const
 }
 
 Tracer::Echo
-Tracer::echoOf(const Ray& leg, const Hit& hit) const
+Tracer::echoOf(const Ray& leg, const Hit& hit)
 {
   const Surface& surface = *hit.surface;
-  if (surface.label == Label::Wall) {
-    // A wall seen from behind is the outside of the building.
-    const Vec2 before = plan(leg.at(hit.distance - kBehind));
-    if (!contains(scene_.rooms[surface.room - 1].outline, before))
-      return {hit.distance};
-  }
+  // What is seen from behind is the outside of the building.
+  if (surface.front != Side::None &&
+      sideSeenFrom(surface.shape, leg, hit.distance) != surface.front)
+    return {hit.distance};
   return {hit.distance, surface.label, surface.room};
 }
 

@@ -39,7 +39,7 @@ private:
   std::optional<Echo>
   findEcho(const Ray& ray, double max_range, RayRandom& random) const;
 
-  Echo echoOf(const Ray& leg, const Hit& hit) const;
+  static Echo echoOf(const Ray& leg, const Hit& hit);
 
   const Scene& scene_;
   const RayCaster caster_;

@@ -3,10 +3,11 @@
 
 #include "subdivision.h"
 #include "triangulation.h"
+#include "vertex_levels.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <set>
 
 namespace pcl::sedr::sim {
 
@@ -36,31 +37,39 @@ public:
   RoomMesher(const Room& room, std::uint32_t number, double tolerance, Mesh& mesh)
       : room_(room)
       , number_(number)
+      , tolerance_(tolerance)
       , mesh_(mesh)
       , plan_(subdivide(room))
   {
     points_ = plan_.nodes;
     for (const PlanEdge& edge : plan_.edges)
-      tessellateEdge(edge, tolerance);
+      tessellateEdge(edge);
   }
 
   void run()
   {
+    for (const Niche& niche : room_.niches)
+      niche_points_.push_back(pointsOf(niche));
     collectLevels();
-    addFloor();
-    for (Region region = kMain; region < regionCount(); ++region)
-      addCeiling(region);
+    addSlabs(Layer::Floor, Label::Floor);
+    addSlabs(Layer::Ceiling, Label::Ceiling);
     for (std::size_t edge = 0; edge < plan_.edges.size(); ++edge)
       addVerticalFaces(edge);
+    for (std::size_t i = 0; i < room_.niches.size(); ++i)
+      addNiche(room_.niches[i], niche_points_[i]);
   }
 
 private:
-  Region regionCount() const { return static_cast<Region>(room_.details.size()) + 1; }
+  /** @brief The plan points of a niche, along the wall and along its back. */
+  struct NichePoints {
+    Ring near;
+    Ring far;
+  };
 
   /** @brief Gives the edge its plan points; the two regions beside it share them. */
-  void tessellateEdge(const PlanEdge& edge, double tolerance)
+  void tessellateEdge(const PlanEdge& edge)
   {
-    const std::vector<Vec2> points = tessellate(edge.element, tolerance);
+    const std::vector<Vec2> points = tessellate(edge.element, tolerance_);
     Ring ring{edge.start};
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       ring.push_back(points_.size());
@@ -70,23 +79,61 @@ private:
     edge_points_.push_back(ring);
   }
 
+  bool isBeside(const PlanEdge& edge, const Niche& niche) const
+  {
+    const double middle = edge.source_offset + 0.5 * lengthOf(edge.element);
+    return edge.source == EdgeSource::Outline && edge.source_element == niche.wall &&
+           middle > niche.from && middle < niche.to;
+  }
+
+  /** @brief Follows the edges in front of a niche and adds the points of its back. */
+  NichePoints pointsOf(const Niche& niche)
+  {
+    NichePoints points;
+    for (std::size_t i = 0; i < plan_.edges.size(); ++i)
+      if (isBeside(plan_.edges[i], niche)) {
+        if (!points.near.empty())
+          points.near.pop_back(); // where the edge before ends
+        points.near.insert(points.near.end(), edge_points_[i].begin(),
+                           edge_points_[i].end());
+      }
+    const Element wall = elementOf(room_.outline, niche.wall);
+    const Element back = offsetRight(pieceOf(wall, niche.from, niche.to), niche.depth);
+    for (const Vec2 point : tessellate(back, tolerance_)) {
+      points.far.push_back(points_.size());
+      points_.push_back(point);
+    }
+    return points;
+  }
+
   /** @brief Every height at which a plan point has a vertex. */
   void collectLevels()
   {
     levels_.resize(points_.size());
-    for (std::size_t i = 0; i < plan_.edges.size(); ++i) {
-      const VerticalFace face = verticalFaceOf(room_, plan_.edges[i]);
-      for (const std::size_t point : edge_points_[i]) {
-        levels_[point].insert(face.low);
-        levels_[point].insert(face.high);
+    for (std::size_t i = 0; i < plan_.edges.size(); ++i)
+      for (const Layer layer : {Layer::Floor, Layer::Ceiling}) {
+        const Sides& sides = plan_.edges[i].sides(layer);
+        for (const Region region : {sides.left, sides.right})
+          if (region != kVoid)
+            insertLevels(edge_points_[i], slabOf(room_, region, layer));
       }
-    }
+    for (std::size_t i = 0; i < room_.niches.size(); ++i)
+      for (const double z : {room_.niches[i].sill, room_.niches[i].head}) {
+        insertLevels(niche_points_[i].near, {z});
+        insertLevels(niche_points_[i].far, {z});
+      }
   }
 
-  std::vector<Ring> ringsOf(const std::vector<bool>& member) const
+  void insertLevels(const Ring& points, const Slab& slab)
+  {
+    for (const std::size_t point : points)
+      levels_[point].insert(heightAt(slab, points_[point]));
+  }
+
+  std::vector<Ring> ringsOf(Layer layer, const std::vector<bool>& member) const
   {
     std::vector<Ring> rings;
-    for (const Cycle& cycle : boundariesOf(plan_, member)) {
+    for (const Cycle& cycle : boundariesOf(plan_, layer, member)) {
       Ring ring;
       for (const DirectedEdge& walk : cycle) {
         Ring points = edge_points_[walk.edge];
@@ -99,69 +146,107 @@ private:
     return rings;
   }
 
-  void addFloor()
+  /** @brief Adds a floor or ceiling, region by region. */
+  void addSlabs(Layer layer, Label label)
   {
-    std::vector<bool> inside(regionCount() + 1, true);
-    inside[kVoid + 1] = false;
-    addLevel(inside, room_.floor.height, Label::Floor, false);
+    const Region count = regionCount(room_, layer);
+    for (Region region = kMain; region < count; ++region) {
+      std::vector<bool> member(count + 1, false);
+      member[region + 1] = true;
+      for (const Polygon& polygon : polygonsOf(points_, ringsOf(layer, member)))
+        addPolygon(polygon, slabOf(room_, region, layer), layer,
+                   region == kMain ? label : Label::Detail);
+    }
   }
 
-  void addCeiling(Region region)
+  void addPolygon(const Polygon& polygon, const Slab& slab, Layer layer, Label label)
   {
-    std::vector<bool> member(regionCount() + 1, false);
-    member[region + 1] = true;
-    const Label label = region == kMain ? Label::Ceiling : Label::Detail;
-    addLevel(member, ceilingHeight(room_, region), label, true);
-  }
-
-  void addLevel(const std::vector<bool>& member, double z, Label label, bool upwards)
-  {
-    for (const Polygon& polygon : polygonsOf(points_, ringsOf(member)))
-      for (Triangle t : triangulate(points_, polygon)) {
-        if (!upwards)
-          std::swap(t[1], t[2]);
-        addFace({vertex(t[0], z), vertex(t[1], z), vertex(t[2], z)}, label);
-      }
+    for (Triangle t : triangulate(points_, polygon)) {
+      if (layer == Layer::Floor)
+        std::swap(t[1], t[2]);
+      addFace({vertex(t[0], slab), vertex(t[1], slab), vertex(t[2], slab)}, label);
+    }
   }
 
   void addVerticalFaces(std::size_t i)
   {
-    const VerticalFace face = verticalFaceOf(room_, plan_.edges[i]);
-    Ring points = edge_points_[i];
-    if (!face.room_is_left)
-      std::reverse(points.begin(), points.end());
-    for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      addStrip(points[k], points[k + 1], face);
+    for (const VerticalFace& face : verticalFacesOf(room_, plan_.edges[i])) {
+      Ring points = edge_points_[i];
+      if (!face.room_is_left)
+        std::reverse(points.begin(), points.end());
+      Slab low = face.low;
+      for (const Niche& niche : nichesBeside(plan_.edges[i])) {
+        addStrips(points, low, {niche.sill}, face.label);
+        low = {niche.head};
+      }
+      addStrips(points, low, face.high, face.label);
+    }
   }
 
-  /** @brief Adds the part of @p face over a..b, the room to the left.
+  /** @brief The niches behind an edge, from the lowest to the highest. */
+  std::vector<Niche> nichesBeside(const PlanEdge& edge) const
+  {
+    std::vector<Niche> niches;
+    std::copy_if(room_.niches.begin(), room_.niches.end(), std::back_inserter(niches),
+                 [&](const Niche& niche) { return isBeside(edge, niche); });
+    std::sort(niches.begin(), niches.end(),
+              [](const Niche& a, const Niche& b) { return a.sill < b.sill; });
+    return niches;
+  }
+
+  /** @brief Adds bottom, lid, back and sides of a niche. */
+  void addNiche(const Niche& niche, const NichePoints& points)
+  {
+    const Slab low{niche.sill};
+    const Slab high{niche.head};
+    Polygon footprint{points.far, {}};
+    footprint.outer.insert(footprint.outer.end(), points.near.rbegin(),
+                           points.near.rend());
+    addPolygon(footprint, low, Layer::Floor, Label::Detail);
+    addPolygon(footprint, high, Layer::Ceiling, Label::Detail);
+    addStrips({points.near.front(), points.far.front()}, low, high, Label::Detail);
+    addStrips(points.far, low, high, Label::Detail);
+    addStrips({points.far.back(), points.near.back()}, low, high, Label::Detail);
+  }
+
+  /** @brief Adds the vertical faces over a chain of points, the room to its left. */
+  void addStrips(const Ring& points, const Slab& low, const Slab& high, Label label)
+  {
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      addStrip(points[k], points[k + 1], low, high, label);
+  }
+
+  /** @brief Adds the vertical face over a..b, the room to the left.
    *
    * Its sides take up all vertices above a and b, or neighbours would not fit.
    */
-  void addStrip(std::size_t a, std::size_t b, const VerticalFace& face)
+  void
+  addStrip(std::size_t a, std::size_t b, const Slab& low, const Slab& high, Label label)
   {
-    const std::vector<double> za = levelsWithin(a, face);
-    const std::vector<double> zb = levelsWithin(b, face);
+    const std::vector<double> za = levelsBetween(a, low, high);
+    const std::vector<double> zb = levelsBetween(b, low, high);
     std::size_t i = 0;
     std::size_t j = 0;
     while (i + 1 < za.size() || j + 1 < zb.size()) {
       const bool climb_b =
           i + 1 == za.size() || (j + 1 < zb.size() && zb[j + 1] <= za[i + 1]);
-      const auto low_a = vertex(a, za[i]);
-      const auto low_b = vertex(b, zb[j]);
-      const auto next = climb_b ? vertex(b, zb[++j]) : vertex(a, za[++i]);
-      addFace({low_a, low_b, next}, face.label);
+      const auto low_a = vertex(a, {za[i]});
+      const auto low_b = vertex(b, {zb[j]});
+      const auto next = climb_b ? vertex(b, {zb[++j]}) : vertex(a, {za[++i]});
+      addFace({low_a, low_b, next}, label);
     }
   }
 
-  std::vector<double> levelsWithin(std::size_t point, const VerticalFace& face) const
+  std::vector<double>
+  levelsBetween(std::size_t point, const Slab& low, const Slab& high) const
   {
-    const std::set<double>& levels = levels_[point];
-    return {levels.lower_bound(face.low), levels.upper_bound(face.high)};
+    return levels_[point].within(heightAt(low, points_[point]),
+                                 heightAt(high, points_[point]));
   }
 
-  std::uint32_t vertex(std::size_t point, double z)
+  std::uint32_t vertex(std::size_t point, const Slab& slab)
   {
+    const double z = levels_[point].at(heightAt(slab, points_[point]));
     const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
     const auto [known, is_new] = vertices_.emplace(std::make_pair(point, z), next);
     if (is_new)
@@ -176,11 +261,13 @@ private:
 
   const Room& room_;
   const std::uint32_t number_;
+  const double tolerance_;
   Mesh& mesh_;
   const Subdivision plan_;
-  std::vector<Vec2> points_;      ///< nodes first, then the points within arcs
-  std::vector<Ring> edge_points_; ///< the points of each edge, from start to end
-  std::vector<std::set<double>> levels_;
+  std::vector<Vec2> points_;         ///< nodes first, then the points within arcs
+  std::vector<Ring> edge_points_;    ///< the points of each edge, from start to end
+  std::vector<VertexLevels> levels_; ///< of each point
+  std::vector<NichePoints> niche_points_;
   std::map<std::pair<std::size_t, double>, std::uint32_t> vertices_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_places.h"
 
-#include "../subdivision.h"
+#include "../room_regions.h"
 
 namespace pcl::sedr::sim {
 
@@ -85,18 +85,22 @@ ObjectPlaces::floorAt(const JsonView& view, Vec2 point) const
 {
   if (room_ == nullptr)
     return view.numberOr("floor", 0.0);
-  if (regionAt(*room_, point) == kVoid)
-    view.fail("is not within its room");
-  return room_->floor.height + view.numberOr("raise", 0.0);
+  requireWithin(view, point);
+  return floorBelow(*room_, point) + view.numberOr("raise", 0.0);
 }
 
 double
 ObjectPlaces::ceilingAt(const JsonView& view, Vec2 point) const
 {
-  const Region region = regionAt(*room_, point);
-  if (region == kVoid)
+  requireWithin(view, point);
+  return ceilingAbove(*room_, point);
+}
+
+void
+ObjectPlaces::requireWithin(const JsonView& view, Vec2 point) const
+{
+  if (!isInRoom(*room_, point))
     view.fail("is not within its room");
-  return ceilingHeight(*room_, region);
 }
 
 double

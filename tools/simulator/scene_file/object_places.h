@@ -55,6 +55,8 @@ public:
 private:
   std::vector<Spot> spotsAtWall(const JsonView& view, double width, double depth) const;
 
+  void requireWithin(const JsonView& view, Vec2 point) const;
+
   const Room* room_;
   ObjectFrame frame_;
   bool is_group_ = false;

@@ -2,15 +2,28 @@
 #include "openings.h"
 
 #include "../opening_objects.h"
+#include "../room_regions.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace pcl::sedr::sim {
 
 namespace {
 
-std::size_t
-readWall(const JsonView& view, const Room& room)
+/** @brief The highest point of the floor along a part of a wall. */
+double
+floorAlong(const Room& room, const Opening& opening)
 {
-  return view.count(0, room.outline.size() - 1);
+  constexpr int steps = 8;
+  const Element wall = elementOf(room.outline, opening.wall);
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= steps; ++i) {
+    const double s = opening.from + (opening.to - opening.from) * i / steps;
+    const Vec2 inside = pointAt(wall, s) - 1e-3 * rightNormalAt(wall, s);
+    highest = std::max(highest, floorBelow(room, inside));
+  }
+  return highest;
 }
 
 Glazing
@@ -74,10 +87,10 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
                   "leaf", "lobby"});
   Room& room = scene.rooms[room_index];
   Opening opening;
-  opening.wall = readWall(view.at("wall"), room);
+  opening.wall = view.at("wall").count(0, room.outline.size() - 1);
   opening.from = view.at("from").number();
   opening.to = view.at("to").number();
-  opening.sill = view.numberOr("sill", room.floor.height);
+  opening.sill = view.numberOr("sill", floorAlong(room, opening));
   opening.head = view.at("head").number();
   opening.depth = view.at("depth").size();
   if (const auto target = view.find("leads_to"))

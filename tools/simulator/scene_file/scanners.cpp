@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scanners.h"
 
+#include "../room_regions.h"
 #include "../scene_surfaces.h"
 #include "../walk.h"
 
@@ -24,7 +25,7 @@ readWalk(const JsonView& view, const Scene& scene)
       walkAlong(path, count, view.at("height").size(), view.numberOr("sway", 0.0));
   for (Vec3& station : stations)
     if (const std::uint32_t room = roomAt(scene, plan(station)))
-      station.z += scene.rooms[room - 1].floor.height;
+      station.z += floorBelow(scene.rooms[room - 1], plan(station));
   return stations;
 }
 

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_samples.h"
+#include "problems.h"
+#include "room_regions.h"
+#include "scene_surfaces.h"
+#include "surface.h"
+
+#include <algorithm>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+Loop
+footprintOf(const Box& box)
+{
+  const Vec2 half{0.5 * box.size.x, 0.5 * box.size.y};
+  Loop loop = rectangleLoop(-1.0 * half, half);
+  for (LoopVertex& vertex : loop)
+    vertex.position = plan(box.center) + rotated(vertex.position, box.yaw);
+  return loop;
+}
+
+Loop
+footprintOf(const Cylinder& cylinder)
+{
+  return circleLoop(plan(cylinder.base), cylinder.radius);
+}
+
+/** @brief True if @p point is between the heights of a box or cylinder and above its
+ * footprint. */
+template <typename Part>
+bool
+holds(const Part& part, Vec3 point)
+{
+  const Bounds bounds = boundsOf(Shape{part});
+  return point.z >= bounds.min.z && point.z <= bounds.max.z &&
+         contains(footprintOf(part), plan(point));
+}
+
+bool
+holds(const Object& object, Vec3 point)
+{
+  const auto holds_point = [point](const auto& part) { return holds(part, point); };
+  return std::any_of(object.boxes.begin(), object.boxes.end(), holds_point) ||
+         std::any_of(object.cylinders.begin(), object.cylinders.end(), holds_point);
+}
+
+class ObjectChecker {
+public:
+  ObjectChecker(const Scene& scene, Problems& problems)
+      : scene_(scene)
+      , problems_(problems)
+  {}
+
+  void run()
+  {
+    for (const Object& object : scene_.furniture)
+      checkFurniture(object);
+    for (std::size_t i = 0; i < scene_.scanners.size(); ++i)
+      for (std::size_t k = 0; k < scene_.scanners[i].stations.size(); ++k)
+        checkStation(scene_.scanners[i].stations[k], i, k);
+  }
+
+private:
+  void checkFurniture(const Object& object)
+  {
+    // A thing is reported once, not part by part.
+    for (const Box& box : object.boxes)
+      if (!checkPart(object, box))
+        return;
+    for (const Cylinder& cylinder : object.cylinders)
+      if (!checkPart(object, cylinder))
+        return;
+  }
+
+  template <typename... Parts>
+  bool fail(const Object& object, const Parts&... parts)
+  {
+    const char* join = object.place.empty() ? "" : ": ";
+    problems_.report(object.place, join, "the ", object.name, parts...);
+    return false;
+  }
+
+  template <typename Part>
+  bool checkPart(const Object& object, const Part& part)
+  {
+    const Loop footprint = footprintOf(part);
+    const Bounds bounds = boundsOf(Shape{part});
+    const Vec2 center = plan(0.5 * (bounds.min + bounds.max));
+    const std::uint32_t number = roomAt(scene_, center);
+    if (number == 0)
+      return fail(object, " at (", center.x, ", ", center.y, ") is in no room");
+    const Room& room = scene_.rooms[number - 1];
+    for (const Loop& column : room.columns)
+      if (contains(footprint, column.front().position))
+        return fail(object, " stands around a column");
+    std::vector<Vec2> samples = samplesAlong(footprint);
+    for (const Layer layer : {Layer::Floor, Layer::Ceiling})
+      for (const SlabDetail& detail : detailsOf(room, layer))
+        for (const Vec2 sample : samplesAlong(detail.loop, kContact))
+          if (contains(footprint, sample))
+            samples.push_back(sample);
+    const double reach = 0.5 * length(plan(bounds.max - bounds.min));
+    return std::all_of(samples.begin(), samples.end(), [&](Vec2 sample) {
+      return checkSample(object, room, sample, bounds, reach);
+    });
+  }
+
+  /** @brief Nothing is in the way at a point of a part's outline.
+   * @param reach of the part from its middle: on a slope it stands by that
+   */
+  bool checkSample(const Object& object,
+                   const Room& room,
+                   Vec2 sample,
+                   const Bounds& bounds,
+                   double reach)
+  {
+    if (!isInRoom(room, sample))
+      return fail(object, " meets a wall or column at (", sample.x, ", ", sample.y,
+                  ")");
+    const auto slack = [&](Layer layer) {
+      const Slab& slab = slabOf(room, regionAt(room, sample, layer), layer);
+      return kContact + reach * length(slab.gradient);
+    };
+    if (bounds.min.z < floorBelow(room, sample) - slack(Layer::Floor))
+      return fail(object, " is below the floor at (", sample.x, ", ", sample.y, ")");
+    if (bounds.max.z > ceilingAbove(room, sample) + slack(Layer::Ceiling))
+      return fail(object, " is above the ceiling at (", sample.x, ", ", sample.y, ")");
+    return true;
+  }
+
+  void checkStation(Vec3 station, std::size_t scanner, std::size_t index)
+  {
+    std::ostringstream text;
+    text << placeOf("scanners", scanner) << ": station " << index << " at ("
+         << station.x << ", " << station.y << ", " << station.z << ")";
+    const std::string place = text.str();
+    const std::uint32_t number = roomAt(scene_, plan(station));
+    if (number == 0 || !isInRoom(scene_.rooms[number - 1], plan(station)))
+      return problems_.report(place, " is in no room");
+    const Room& room = scene_.rooms[number - 1];
+    if (station.z <= floorBelow(room, plan(station)) ||
+        station.z >= ceilingAbove(room, plan(station)))
+      problems_.report(place, " is not between floor and ceiling");
+    for (const Object& object : scene_.furniture)
+      if (holds(object, station))
+        problems_.report(place, " is in the ", object.name);
+  }
+
+  const Scene& scene_;
+  Problems& problems_;
+};
+
+} // namespace
+
+void
+checkObjects(const Scene& scene, Problems& problems)
+{
+  ObjectChecker(scene, problems).run();
+}
+
+} // namespace pcl::sedr::sim
