@@ -6,6 +6,7 @@
 #include "surface.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl::sedr::sim {
 
@@ -46,6 +47,26 @@ holds(const Object& object, Vec3 point)
          std::any_of(object.cylinders.begin(), object.cylinders.end(), holds_point);
 }
 
+/** @brief The diagonal of the object's bounds in the plan. */
+double
+sizeOf(const Object& object)
+{
+  Rectangle bounds;
+  bool is_first = true;
+  const auto extend = [&](const auto& part) {
+    const Bounds box = boundsOf(Shape{part});
+    if (std::exchange(is_first, false))
+      bounds = {plan(box.min), plan(box.max)};
+    bounds.min = {std::min(bounds.min.x, box.min.x), std::min(bounds.min.y, box.min.y)};
+    bounds.max = {std::max(bounds.max.x, box.max.x), std::max(bounds.max.y, box.max.y)};
+  };
+  for (const Box& box : object.boxes)
+    extend(box);
+  for (const Cylinder& cylinder : object.cylinders)
+    extend(cylinder);
+  return length(bounds.max - bounds.min);
+}
+
 class ObjectChecker {
 public:
   ObjectChecker(const Scene& scene, Problems& problems)
@@ -65,12 +86,13 @@ public:
 private:
   void checkFurniture(const Object& object)
   {
+    const double size = sizeOf(object);
     // A thing is reported once, not part by part.
     for (const Box& box : object.boxes)
-      if (!checkPart(object, box))
+      if (!checkPart(object, box, size))
         return;
     for (const Cylinder& cylinder : object.cylinders)
-      if (!checkPart(object, cylinder))
+      if (!checkPart(object, cylinder, size))
         return;
   }
 
@@ -83,7 +105,7 @@ private:
   }
 
   template <typename Part>
-  bool checkPart(const Object& object, const Part& part)
+  bool checkPart(const Object& object, const Part& part, double size)
   {
     const Loop footprint = footprintOf(part);
     const Bounds bounds = boundsOf(Shape{part});
@@ -101,27 +123,26 @@ private:
         for (const Vec2 sample : samplesAlong(detail.loop, kContact))
           if (contains(footprint, sample))
             samples.push_back(sample);
-    const double reach = 0.5 * length(plan(bounds.max - bounds.min));
     return std::all_of(samples.begin(), samples.end(), [&](Vec2 sample) {
-      return checkSample(object, room, sample, bounds, reach);
+      return checkSample(object, room, sample, bounds, size);
     });
   }
 
   /** @brief Nothing is in the way at a point of a part's outline.
-   * @param reach of the part from its middle: on a slope it stands by that
+   * @param size of the object in the plan: at a slope it stands or hangs by its middle
    */
   bool checkSample(const Object& object,
                    const Room& room,
                    Vec2 sample,
                    const Bounds& bounds,
-                   double reach)
+                   double size)
   {
     if (!isInRoom(room, sample))
       return fail(object, " meets a wall or column at (", sample.x, ", ", sample.y,
                   ")");
     const auto slack = [&](Layer layer) {
       const Slab& slab = slabOf(room, regionAt(room, sample, layer), layer);
-      return kContact + reach * length(slab.gradient);
+      return kContact + 0.5 * size * length(slab.gradient);
     };
     if (bounds.min.z < floorBelow(room, sample) - slack(Layer::Floor))
       return fail(object, " is below the floor at (", sample.x, ", ", sample.y, ")");

@@ -73,6 +73,8 @@ readShell(const JsonView& view)
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
+  if (!(areaOf(room.outline) > 0.0)) // walls, and what stands at them, would be lost
+    view.at("outline").fail("does not run counter-clockwise");
   const Vec2 origin = room.outline.front().position;
   room.floor = readSlab(view.at("floor"), origin);
   room.ceiling = readSlab(view.at("ceiling"), origin);
