@@ -87,6 +87,32 @@ TEST_F(Program, listsItsScenesAndOptions)
     EXPECT_NE(help.output.find(name), std::string::npos) << name;
 }
 
+TEST_F(Program, scansTheFileThatItPrints)
+{
+  const Outcome print = run("--print closet");
+  EXPECT_EQ(print.exit_code, 0);
+  std::ofstream(at("mine.json")) << print.output;
+  EXPECT_EQ(run("closet " + at("built_in").string() + " --rays 300").exit_code, 0);
+  const Outcome own =
+      run(at("mine.json").string() + " " + at("own").string() + " --rays 300");
+  EXPECT_EQ(own.exit_code, 0) << own.errors;
+  const std::string scan = bytesOf(at("built_in/scan.pcd"));
+  EXPECT_GT(scan.size(), 1000U);
+  EXPECT_TRUE(scan == bytesOf(at("own/scan.pcd")));
+  expectRefused("--print no_scene", "no scene 'no_scene'");
+}
+
+TEST_F(Program, refusesFaultySceneFilesWithTheirPlace)
+{
+  const std::string path = at("mine.json").string();
+  std::ofstream(path) << R"({"format": "sedr-scene", "version": 1, "name": "a"})";
+  expectRefused(path + " " + at("out").string(),
+                path + ": the scene lacks \"summary\"");
+  const std::string missing = at("none.json").string();
+  expectRefused(missing + " " + at("out").string(), missing);
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
+}
+
 TEST_F(Program, refusesAnUnknownScene)
 {
   expectRefused("no_scene " + at("out").string(), "no scene 'no_scene'");

@@ -250,6 +250,19 @@ TEST(SceneFile, builtInScenesAreNamedAsTheirFiles)
   }
 }
 
+TEST(SceneFile, theExampleOfThePageIsAScene)
+{
+  const std::string page = bytesOf(SIMULATOR_PAGE);
+  const std::string fence = "```json\n";
+  const std::size_t start = page.find(fence) + fence.size();
+  ASSERT_LT(start, page.size());
+  const Scene scene =
+      parseScene(page.substr(start, page.find("```", start) - start), "page");
+  EXPECT_EQ(scene.rooms.size(), 2U);
+  EXPECT_EQ(scene.rooms[0].niches.size(), 1U);
+  EXPECT_EQ(scene.furniture.size(), 1U + 2U + 4U + 1U);
+}
+
 TEST(SceneFile, filesOnDiskAreReadByTheirPath)
 {
   const TemporaryFolder folder;

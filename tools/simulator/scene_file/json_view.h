@@ -45,8 +45,6 @@ public:
 
   bool isList() const { return value_.is_array(); }
   bool isObject() const { return value_.is_object(); }
-  bool isNumber() const { return value_.is_number(); }
-  bool isText() const { return value_.is_string(); }
 
   /** @brief A number from @p low to @p high; metres or degrees by default. */
   double number(double low = -kFarthest, double high = kFarthest) const;
