@@ -232,13 +232,11 @@ pointOn(const PlanSlab& slab,
 SurfacePoint
 slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor)
 {
-  if (is_floor)
-    return pointOn(room.floorSlab(room.floorDetailAt(place)), place, true,
-                   StructureLabel::Floor, room.id);
-  const int detail = room.detailAt(place);
-  return pointOn(room.ceilingSlab(detail), place, false,
-                 detail < 0 ? StructureLabel::Ceiling : StructureLabel::Detail,
-                 room.id);
+  const int detail = is_floor ? room.floorDetailAt(place) : room.detailAt(place);
+  const StructureLabel main =
+      is_floor ? StructureLabel::Floor : StructureLabel::Ceiling;
+  return pointOn(is_floor ? room.floorSlab(detail) : room.ceilingSlab(detail), place,
+                 is_floor, detail < 0 ? main : StructureLabel::Detail, room.id);
 }
 
 SurfacePoint
@@ -285,8 +283,16 @@ snapToRoom(const PlanRoom& room,
                        label == StructureLabel::Floor ||
                        label == StructureLabel::Detail;
   if (is_slab && room.contains(position.head<2>())) {
-    snapped = slabPointAt(room, position.head<2>(), label == StructureLabel::Floor);
-    least = std::abs(position.z() - snapped.position.z());
+    const auto takeNearer = [&](bool is_floor) {
+      const SurfacePoint candidate = slabPointAt(room, position.head<2>(), is_floor);
+      const double d = std::abs(position.z() - candidate.position.z());
+      if (d < least)
+        snapped = candidate;
+      least = std::min(least, d);
+    };
+    takeNearer(label == StructureLabel::Floor);
+    if (label == StructureLabel::Detail && room.floorDetailAt(position.head<2>()) >= 0)
+      takeNearer(true);
   }
   else if (label == StructureLabel::Detail)
     least = nearestInNiche(room, position, snapped);

@@ -420,10 +420,30 @@ StructureChain::fitPlan(StageReport& report)
     return fail(floorplan_fitting.getErrorMessage());
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
-  for (const auto& room : plan->rooms)
+  for (const auto& room : plan->rooms) {
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
+    labelNiches(room);
+  }
   return true;
+}
+
+void
+StructureChain::labelNiches(const PlanRoom& room)
+{
+  const double reach = refinement.getMaximumDistance();
+  const std::vector<UprightSurface> uprights = uprightSurfaces(room);
+  for (const int i : *territory_[room.id - 1]) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3d p = (*cloud)[at].getVector3fMap().cast<double>();
+    const bool is_outside = !room.boundary.contains(p.head<2>());
+    SurfacePoint snapped;
+    if (is_outside && room.nicheAt(p.head<2>()) >= 0 &&
+        snapToRoom(room, uprights, p, StructureLabel::Detail, reach, snapped)) {
+      labels[at] = valueOf(StructureLabel::Detail);
+      rooms[at] = room.id;
+    }
+  }
 }
 
 bool

@@ -58,7 +58,7 @@ struct SurfacePoint {
 
 /** @brief The point at a place in plan of whatever floor is below, or of whatever
  * ceiling or detail is above the place; whether the place is in the room is not asked.
- * The floor is labelled Floor at all its heights. */
+ * Parts at a height of their own are labelled Detail. */
 SurfacePoint
 slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor);
 

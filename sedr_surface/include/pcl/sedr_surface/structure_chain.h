@@ -110,6 +110,9 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
+  /** @brief Labels the points in a room's niches, which no earlier stage looks at. */
+  void labelNiches(const PlanRoom& room);
+
   /** @brief The points of a room's floor and of its platforms, increasing. */
   pcl::IndicesPtr floorPoints(std::size_t region) const;
 
