@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -316,9 +317,37 @@ StructureChain::findDetails(StageReport& report)
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
       rooms[static_cast<std::size_t>(i)] = room;
     }
-    report.points_out += details.indices.size();
+    report.points_out += details.indices.size() + labelLowerCeilings(r);
   }
   return true;
+}
+
+std::size_t
+StructureChain::labelLowerCeilings(std::size_t region)
+{
+  const CellGrid grid(outlier_removal.getGridSize());
+  const PointView points(*cloud);
+  std::size_t found = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Level& level : levels_) {
+    if (level.kind != LevelKind::Ceiling)
+      continue;
+    for (const int i : level.inliers) {
+      const auto at = static_cast<std::size_t>(i);
+      if (labels[at] != 0 ||
+          !regions_[region].scope.contains(grid.at(points[at].x(), points[at].y())))
+        continue;
+      labels[at] = valueOf(StructureLabel::Detail);
+      rooms[at] = static_cast<std::uint32_t>(region + 1);
+      ++found;
+      lowest = std::min<double>(lowest, points[at].z());
+    }
+  }
+  // Walls below a soffit grow from the floor's boundary, as below any detail.
+  double& slice = slice_height_[region];
+  if (found > 0 && !(slice < lowest))
+    slice = lowest - grid.size();
+  return found;
 }
 
 pcl::IndicesPtr

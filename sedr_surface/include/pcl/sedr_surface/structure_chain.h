@@ -110,6 +110,11 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
+  /** @brief Labels what is not yet labelled of the ceilings that room segmentation joined
+   * to a room: soffits that the slices did not tell from the head of a window.
+   * @return how many points */
+  std::size_t labelLowerCeilings(std::size_t region);
+
   /** @brief Labels the points in a room's niches, which no earlier stage looks at. */
   void labelNiches(const PlanRoom& room);
 
