@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -128,6 +129,16 @@ wayBack(std::size_t i, const CellMask& domain, const std::vector<std::size_t>& p
   return way;
 }
 
+/** @brief Whether two pieces are at one height here. A beam parts one ceiling; what
+ * hangs below both of two ceilings is the head of a passage. */
+bool
+isSameHeight(const Storey& storey, const Piece& a, const Piece& b, Cell cell)
+{
+  constexpr double most_step = 0.15;
+  return std::abs(storey.heightOf(a.level, cell) - storey.heightOf(b.level, cell)) <=
+         most_step;
+}
+
 void
 judgeMeeting(const Storey& storey,
              const Piece& a,
@@ -147,10 +158,10 @@ judgeMeeting(const Storey& storey,
     }
     has_lintel = has_lintel || storey.columns.hasWithin(cell, top - 0.5, top - 0.12);
   }
-  if (has_lintel)
-    frontier.below_lintel.push_back(keyOf(way.front()));
-  else
+  if (!has_lintel)
     ++frontier.plain;
+  else if (isSameHeight(storey, a, b, way.front()))
+    frontier.below_lintel.push_back(keyOf(way.front()));
 }
 
 /** @brief Where pieces face each other across at most 0.4 m each. */
