@@ -198,6 +198,16 @@ rankBySize(const std::vector<std::size_t>& label)
 
 } // namespace
 
+CellSet
+RegionMap::cellsOf(std::size_t region) const
+{
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (regions.label[i] == region)
+      keys.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(keys));
+}
+
 std::size_t
 largestGapThreshold(const std::vector<std::size_t>& sizes)
 {
