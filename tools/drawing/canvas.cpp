@@ -14,6 +14,9 @@ namespace {
 /** @brief Fine pixels along the edge of a pixel. */
 constexpr int fineness = 3;
 
+/** @brief Fine pixels that a box is wide at least, so that single cells show. */
+constexpr double least_fine = 2;
+
 /** @brief The first fine pixel whose middle is not before `x`, within 0 and `limit`. */
 int
 firstFrom(double x, int limit)
@@ -78,11 +81,10 @@ Canvas::fillBox(const Box& box, Colour colour)
 {
   Eigen::Vector2d low = fineness * box.low;
   Eigen::Vector2d high = fineness * box.high;
-  // So thin that no middle of a fine pixel is in it: the one it is in stands for it.
   for (int k = 0; k < 2; ++k)
-    if (high[k] - low[k] < 1) {
-      low[k] = std::floor((low[k] + high[k]) / 2);
-      high[k] = low[k] + 1;
+    if (high[k] - low[k] < least_fine) {
+      low[k] = std::floor((low[k] + high[k] - least_fine) / 2 + 0.5);
+      high[k] = low[k] + least_fine;
     }
   const int last = firstFrom(high.y(), fine_.height);
   for (int row = firstFrom(low.y(), fine_.height); row < last; ++row)

@@ -239,6 +239,18 @@ viewOf(const CellSet& cells, double cell_size)
   return view.grown(std::max(0.02 * view.size().maxCoeff(), 2 * cell_size));
 }
 
+Box
+viewOfPieces(const CellSet& cells, double cell_size, std::size_t least)
+{
+  const CellRegions regions = labelRegions(cells);
+  std::vector<CellKey> large;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (regions.sizes[regions.label[i]] >= least)
+      large.push_back(cells.keys()[i]);
+  return viewOf(large.empty() ? cells : CellSet::fromSorted(std::move(large)),
+                cell_size);
+}
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

@@ -117,6 +117,10 @@ private:
  * @return empty for no cells */
 Box viewOf(const CellSet& cells, double cell_size);
 
+/** @brief The part of the plane with the connected pieces of at least `least` cells;
+ * viewOf() where there are none. */
+Box viewOfPieces(const CellSet& cells, double cell_size, std::size_t least);
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

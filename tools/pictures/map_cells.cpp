@@ -28,9 +28,8 @@ labelPlace(const CellSet& cells, double cell_size)
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Eigen::Vector2d place = grid.centre(cells[i]);
-    const std::size_t at =
-        static_cast<std::size_t>(cells[i].y - box.low.y) * row +
-        static_cast<std::size_t>(cells[i].x - box.low.x);
+    const std::size_t at = static_cast<std::size_t>(cells[i].y - box.low.y) * row +
+                           static_cast<std::size_t>(cells[i].x - box.low.x);
     const double inside = depth.empty() ? 0 : cell_size * std::sqrt(depth[at]);
     const double score = 4 * inside - (place - mean).norm();
     if (score <= most)
