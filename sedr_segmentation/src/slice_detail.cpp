@@ -69,6 +69,7 @@ makeTrial(const SliceScene& scene,
 {
   SliceTrial trial;
   trial.number = number;
+  trial.fractions = fractions;
   CellMask slices(scene.ceiling.box());
   for (const double fraction : fractions) {
     // One cell more on each side closes the pinholes of a sparse wall.

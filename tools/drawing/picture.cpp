@@ -149,7 +149,8 @@ Picture::addMaps(const std::vector<Panel>& panels)
                                  panels.begin() + static_cast<std::ptrdiff_t>(columns));
     const double height = heightOfMaps(row, tallest_of_all / static_cast<double>(rows));
     // Panels beside each other compare better: more rows must be worth it.
-    if (height > 1.5 * best_height) {
+    const double worth = n % columns == 0 ? 1.5 : 2;
+    if (height > worth * best_height) {
       best_height = height;
       best_columns = columns;
     }

@@ -28,8 +28,10 @@ struct SliceParameters {
 
 /** @brief What one trial saw (paper, Figure 4b). */
 struct SliceTrial {
-  int number = 0;              ///< 1, 2 or 3
-  std::vector<double> heights; ///< z of its slices in the middle of the ceiling, metres
+  int number = 0; ///< 1, 2 or 3
+  std::vector<double>
+      fractions;               ///< of the room's height below the ceiling, one a slice
+  std::vector<double> heights; ///< z of the slices in the middle of the ceiling
   CellSet slice;               ///< cells of the slices, one more on each side
   CellSet enclosed;            ///< zero-valued cells that slices and ceiling enclose
   std::vector<CellSet> accepted; ///< of these the regions that may be detail
