@@ -107,7 +107,7 @@ growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
     throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
                         growing.getErrorMessage(),
                     NothingFound);
-  return roomWallsOf(growing, walls_and_details.indices, room.id);
+  return roomWallsOf(growing, room.id);
 }
 
 double

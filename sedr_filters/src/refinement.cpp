@@ -25,7 +25,11 @@ surfacesById(const Floorplan& plan)
 RepairedStrip
 repairedStrip(const SurfaceCells::Strip& strip, std::uint32_t room, std::size_t first)
 {
-  RepairedStrip result{room, strip.surface.label, *strip.surface.element, {}};
+  RepairedStrip result{room,
+                       strip.surface.kind,
+                       strip.surface.label,
+                       *strip.surface.element,
+                       {}};
   for (std::size_t c = 0; c < strip.spans.size(); ++c)
     result.columns.push_back({strip.spans[c].low, strip.spans[c].high,
                               first + strip.first[c],

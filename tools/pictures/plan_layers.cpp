@@ -21,6 +21,16 @@ boxOf(const PlanLoop& loop)
   return box;
 }
 
+/** @brief The loops that bound a room in plan. */
+std::vector<const PlanLoop*>
+outlinesOf(const PlanRoom& room)
+{
+  std::vector<const PlanLoop*> loops{&room.boundary};
+  for (const auto& niche : room.niches)
+    loops.push_back(&niche.boundary);
+  return loops;
+}
+
 /** @brief A place deep inside a room. */
 Eigen::Vector2d
 middleOf(const PlanRoom& room)
@@ -44,12 +54,18 @@ middleOf(const PlanRoom& room)
 void
 addPlan(const Floorplan& plan, double pixels, Panel& panel)
 {
-  for (const auto& room : plan.rooms) {
-    for (const auto& detail : room.details) {
-      panel.addLoop(detail.boundary, colours::detail, colours::detail, pixels);
+  const auto addDetails = [&](const std::vector<PlanDetail>& details, Colour colour) {
+    for (const auto& detail : details) {
+      panel.addLoop(detail.boundary, colour, colour, pixels);
       for (const auto& hole : detail.holes)
-        panel.addLoop(hole, colours::detail, colours::detail, pixels);
+        panel.addLoop(hole, colour, colour, pixels);
     }
+  };
+  for (const auto& room : plan.rooms) {
+    addDetails(room.floor_details, colours::floor);
+    addDetails(room.details, colours::detail);
+    for (const auto& niche : room.niches)
+      panel.addLoop(niche.boundary, colours::wall, colours::wall, pixels);
     for (const auto& column : room.columns)
       panel.addLoop(column, colours::column, colours::column, pixels);
     panel.addLoop(room.boundary, colours::ink, colours::arc, pixels);
@@ -78,12 +94,25 @@ addRoomNumbers(const Floorplan& plan, bool with_area, Panel& panel)
 }
 
 void
-addPlanLegend(Picture& picture)
+addPlanLegend(const Floorplan& plan, Picture& picture)
 {
+  const auto addIf = [&](const char* meaning, Colour colour, auto hasIt) {
+    if (std::any_of(plan.rooms.begin(), plan.rooms.end(), hasIt))
+      picture.addLegend(meaning, colour);
+  };
   picture.addLegend("segment", colours::ink);
-  picture.addLegend("arc", colours::arc);
-  picture.addLegend("column", colours::column);
-  picture.addLegend("detail of the ceiling", colours::detail);
+  addIf("arc", colours::arc, [](const PlanRoom& room) {
+    return std::any_of(room.boundary.elements.begin(), room.boundary.elements.end(),
+                       [](const PlanElement& element) { return element.isArc(); });
+  });
+  addIf("column", colours::column,
+        [](const PlanRoom& room) { return !room.columns.empty(); });
+  addIf("detail of the ceiling", colours::detail,
+        [](const PlanRoom& room) { return !room.details.empty(); });
+  addIf("step of the floor", colours::floor,
+        [](const PlanRoom& room) { return !room.floor_details.empty(); });
+  addIf("niche", colours::wall,
+        [](const PlanRoom& room) { return !room.niches.empty(); });
 }
 
 Box
@@ -91,7 +120,8 @@ viewOf(const Floorplan& plan, double margin)
 {
   Box view;
   for (const auto& room : plan.rooms)
-    view.extend(boxOf(room.boundary));
+    for (const auto* loop : outlinesOf(room))
+      view.extend(boxOf(*loop));
   return view.isEmpty() ? view : view.grown(margin);
 }
 

@@ -19,8 +19,8 @@ void addCorners(const Floorplan& plan, Panel& panel);
 /** @brief Adds the number of each room, deep inside it, and its area if wanted. */
 void addRoomNumbers(const Floorplan& plan, bool with_area, Panel& panel);
 
-/** @brief What addPlan()'s colours mean. */
-void addPlanLegend(Picture& picture);
+/** @brief What addPlan()'s colours mean, of what the plan has. */
+void addPlanLegend(const Floorplan& plan, Picture& picture);
 
 /** @brief All rooms, with `margin` metres around. */
 Box viewOf(const Floorplan& plan, double margin);

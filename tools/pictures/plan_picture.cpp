@@ -56,7 +56,7 @@ drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries)
   picture.addMaps(maps);
   picture.addLegend("boundary point on a wall", colours::wall);
   picture.addLegend("edge of the ceiling, no wall seen", unsupported);
-  addPlanLegend(picture);
+  addPlanLegend(plan, picture);
   return picture;
 }
 

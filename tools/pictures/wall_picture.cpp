@@ -99,7 +99,6 @@ RoomWalls::hasSlice() const
 
 RoomWalls
 roomWallsOf(const pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>& growing,
-            const pcl::Indices& walls,
             std::uint32_t room)
 {
   RoomWalls result;
@@ -110,11 +109,13 @@ roomWallsOf(const pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>& growing,
   result.above = growing.getSeeds().above;
   result.below = growing.getSeeds().below;
   result.walls = growing.getWallIndices();
-  result.details = without(walls, result.walls);
+  result.slice_height = growing.getSliceHeight();
+  if (growing.getDetailIndices() && result.hasSlice())
+    result.details = *growing.getDetailIndices();
   if (growing.getIndices())
     result.candidates = *growing.getIndices();
-  std::sort(result.candidates.begin(), result.candidates.end());
-  result.slice_height = growing.getSliceHeight();
+  for (auto* indices : {&result.details, &result.candidates})
+    std::sort(indices->begin(), indices->end());
   return result;
 }
 

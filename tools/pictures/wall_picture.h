@@ -29,10 +29,8 @@ struct RoomWalls {
   bool hasSlice() const;
 };
 
-/** @brief What the last run of a growing left.
- * @param walls what its segment() gave */
+/** @brief What the last run of a growing left. */
 RoomWalls roomWallsOf(const pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>& growing,
-                      const pcl::Indices& walls,
                       std::uint32_t room);
 
 /** @brief What CeilingBoundaryWallGrowing decided (paper, Figure 6): seeds and wall
