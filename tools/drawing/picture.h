@@ -39,6 +39,9 @@ public:
   /** @brief A line of words below the panels. */
   void addNote(const std::string& note) { notes_.push_back(note); }
 
+  /** @brief The panels row by row. */
+  const std::vector<std::vector<Panel>>& rows() const { return rows_; }
+
   Image draw() const;
 
 private:

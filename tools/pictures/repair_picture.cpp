@@ -96,11 +96,11 @@ addPanels(const std::vector<NamedStrip>& strips,
 {
   // Pixels, about.
   constexpr double sheet_width = 1150;
-  constexpr double sheet_height = 560;
+  constexpr double sheet_height = 480;
   const Panel where = planPanel(plan, strips, is_seen);
   const double plan_width =
       sheet_height * where.view().size().x() / where.view().size().y();
-  const bool is_narrow = plan_width < 0.45 * sheet_width;
+  const bool is_narrow = plan_width < 0.5 * sheet_width;
   const Panel walls =
       elevationPanel(strips, is_seen,
                      is_narrow ? sheet_width - plan_width : sheet_width, sheet_height);
