@@ -19,13 +19,13 @@ constexpr double margin = 16;
 constexpr double gap = 24;
 constexpr double title_height = 40;
 constexpr double panel_title_height = 28;
-constexpr double bar_height = 26;       ///< below a map, for its scale bar
-constexpr double axis_height = 46;      ///< below a chart, for its numbers
-constexpr double axis_width = 46;       ///< beside a chart, likewise
-constexpr double chart_width = 330;     ///< the least, numbers included
-constexpr double chart_height = 240;    ///< the least, without numbers
-constexpr double tallest = 620;         ///< a row of maps
-constexpr double tallest_of_all = 1000; ///< all rows of maps together
+constexpr double bar_height = 26;      ///< below a map, for its scale bar
+constexpr double axis_height = 46;     ///< below a chart, for its numbers
+constexpr double axis_width = 46;      ///< beside a chart, likewise
+constexpr double chart_width = 330;    ///< the least, numbers included
+constexpr double chart_height = 240;   ///< the least, without numbers
+constexpr double tallest = 620;        ///< a row of maps
+constexpr double tallest_of_all = 800; ///< all rows of maps together
 constexpr double line_height = 24;
 constexpr double inside = widest - 2 * margin;
 
@@ -34,6 +34,13 @@ aspectOf(const Panel& map)
 {
   const Eigen::Vector2d size = map.view().size();
   return std::clamp(size.x() / size.y(), 0.05, 20.0);
+}
+
+bool
+hasMap(const std::vector<Panel>& row)
+{
+  return std::any_of(row.begin(), row.end(),
+                     [](const Panel& panel) { return !panel.isChart(); });
 }
 
 Text
@@ -184,7 +191,9 @@ Picture::heightOfMaps(const std::vector<Panel>& panels, double most)
 double
 Picture::place(Row& row, double top) const
 {
-  const double most = tallest_of_all / static_cast<double>(rows_.size());
+  const auto rows_of_maps = std::count_if(rows_.begin(), rows_.end(), hasMap);
+  const double most =
+      tallest_of_all / static_cast<double>(std::max<std::ptrdiff_t>(1, rows_of_maps));
   const double height = heightOfMaps(row.panels, most);
   double charts = 0;
   double room = inside - gap * static_cast<double>(row.panels.size() - 1);

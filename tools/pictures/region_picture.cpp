@@ -11,8 +11,12 @@ namespace tools {
 
 namespace {
 
-/** @brief A region that is large enough to be named: at least so many cells. */
-constexpr std::size_t least_named = 12;
+/** @brief How many cells a region has that is large enough to be named. */
+std::size_t
+leastNamed(const RegionMap& map)
+{
+  return std::max<std::size_t>(12, map.cells.size() / 1500);
+}
 
 /** @brief The map with every region in a colour of its own, and its size. */
 void
@@ -21,7 +25,7 @@ addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
   for (std::size_t r = 0; r < map.regions.sizes.size(); ++r) {
     const CellSet cells = map.cellsOf(r);
     panel.addCells(cells, map.cell_size, colourNumber(first_colour + r));
-    if (cells.size() >= least_named)
+    if (cells.size() >= leastNamed(map))
       panel.addLabel(labelPlace(cells, map.cell_size), std::to_string(cells.size()));
   }
 }
@@ -35,21 +39,25 @@ addDecision(const RegionMap& map, std::size_t first_shade, Panel& panel)
     const bool is_kept = map.number[r] > 0;
     panel.addCells(cells, map.cell_size,
                    is_kept ? ceilingShade(first_shade + r) : colours::removed);
-    if (cells.size() >= least_named)
+    if (cells.size() >= leastNamed(map))
       panel.addLabel(labelPlace(cells, map.cell_size), is_kept ? "C" : "O");
   }
 }
 
-/** @brief "regions in cells: 5206 4890 | 311 20 4, threshold 311": the bar stands at
- * the threshold. */
+/** @brief The sizes of the regions in order, a bar at the threshold, and how many are
+ * kept. */
 std::string
 sizesOf(const RegionMap& map)
 {
   constexpr std::size_t most = 12;
   const auto& sizes = map.regions.sizes;
-  std::string text = "sizes of the regions in cells:";
+  std::string text = "cells a region:";
   bool is_above = true;
-  for (std::size_t r = 0; r < std::min(most, sizes.size()); ++r) {
+  std::size_t supported = 0;
+  for (std::size_t r = 0; r < sizes.size(); ++r) {
+    supported += sizes[r] <= map.threshold && map.number[r] > 0 ? 1 : 0;
+    if (r >= most)
+      continue;
     if (is_above && sizes[r] <= map.threshold) {
       text += " |";
       is_above = false;
@@ -58,7 +66,10 @@ sizesOf(const RegionMap& map)
   }
   if (sizes.size() > most)
     text += " and " + std::to_string(sizes.size() - most) + " smaller ones";
-  return text + "; kept above the largest gap, " + std::to_string(map.threshold);
+  text += "; kept above the largest gap, " + std::to_string(map.threshold);
+  return supported > 0
+             ? text + ", and " + std::to_string(supported) + " for their floor"
+             : text;
 }
 
 } // namespace
@@ -99,7 +110,8 @@ drawRegions(const std::vector<RegionMap>& maps)
   picture.addLegend("kept, a shade a region", colours::ceiling);
   picture.addLegend("removed", colours::removed);
   for (std::size_t m = 0; m < std::min<std::size_t>(maps.size(), 4); ++m)
-    picture.addNote(sizesOf(maps[m]));
+    picture.addNote((maps.size() > 1 ? "Ceiling " + std::to_string(m + 1) + ", " : "") +
+                    sizesOf(maps[m]));
   return picture;
 }
 

@@ -24,6 +24,13 @@ without(const pcl::Indices& a, const pcl::Indices& b)
   return rest;
 }
 
+pcl::Indices
+sorted(pcl::Indices indices)
+{
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
 /** @brief The walls of a room above or below its slice. */
 pcl::Indices
 onSide(const RoomWalls& room, const PointView& points, bool is_below)
@@ -111,11 +118,12 @@ roomWallsOf(const pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>& growing,
   result.walls = growing.getWallIndices();
   result.slice_height = growing.getSliceHeight();
   if (growing.getDetailIndices() && result.hasSlice())
-    result.details = *growing.getDetailIndices();
+    result.details = sorted(*growing.getDetailIndices());
   if (growing.getIndices())
-    result.candidates = *growing.getIndices();
-  for (auto* indices : {&result.details, &result.candidates})
-    std::sort(indices->begin(), indices->end());
+    result.candidates = sorted(*growing.getIndices());
+  for (const auto& slab : {growing.getCeilingIndices(), growing.getFloorIndices()})
+    if (slab)
+      result.candidates = without(result.candidates, sorted(*slab));
   return result;
 }
 
