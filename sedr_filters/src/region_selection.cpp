@@ -198,14 +198,26 @@ rankBySize(const std::vector<std::size_t>& label)
 
 } // namespace
 
-CellSet
-RegionMap::cellsOf(std::size_t region) const
+std::vector<CellSet>
+RegionMap::regionCells() const
 {
-  std::vector<CellKey> keys;
+  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (regions.label[i] == region)
-      keys.push_back(cells.keys()[i]);
-  return CellSet::fromSorted(std::move(keys));
+    keys[regions.label[i]].push_back(cells.keys()[i]);
+  std::vector<CellSet> sets;
+  for (auto& own : keys)
+    sets.push_back(CellSet::fromSorted(std::move(own)));
+  return sets;
+}
+
+CellSet
+RegionMap::keptCells() const
+{
+  std::vector<CellKey> kept;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (number[regions.label[i]] > 0)
+      kept.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(kept));
 }
 
 std::size_t

@@ -72,8 +72,10 @@ TEST(GridRegionOutlierRemoval, TheRegionMapTellsEveryCellItsRegionAndWhatBecameO
   EXPECT_EQ(map.regions.sizes, removal.getRegionSizes());
   EXPECT_EQ(map.number, (std::vector<int>{1, 0, 0}));
   EXPECT_EQ(map.threshold, 20u);
-  const pcl::sedr::CellSet outlier = map.cellsOf(1);
+  ASSERT_EQ(map.regionCells().size(), 3u);
+  const pcl::sedr::CellSet outlier = map.regionCells()[1];
   EXPECT_EQ(outlier.size(), 20u);
+  EXPECT_EQ(map.keptCells().keys(), map.regionCells()[0].keys());
   EXPECT_TRUE(outlier.contains({30, 0}) && outlier.contains({33, 4}));
   EXPECT_FALSE(outlier.contains({50, 0}));
 

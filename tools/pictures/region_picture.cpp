@@ -22,8 +22,9 @@ leastNamed(const RegionMap& map)
 void
 addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
 {
-  for (std::size_t r = 0; r < map.regions.sizes.size(); ++r) {
-    const CellSet cells = map.cellsOf(r);
+  const std::vector<CellSet> regions = map.regionCells();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const CellSet& cells = regions[r];
     panel.addCells(cells, map.cell_size, colourNumber(first_colour + r));
     if (cells.size() >= leastNamed(map))
       panel.addLabel(labelPlace(cells, map.cell_size), std::to_string(cells.size()));
@@ -34,8 +35,9 @@ addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
 void
 addDecision(const RegionMap& map, std::size_t first_shade, Panel& panel)
 {
-  for (std::size_t r = 0; r < map.regions.sizes.size(); ++r) {
-    const CellSet cells = map.cellsOf(r);
+  const std::vector<CellSet> regions = map.regionCells();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const CellSet& cells = regions[r];
     const bool is_kept = map.number[r] > 0;
     panel.addCells(cells, map.cell_size,
                    is_kept ? ceilingShade(first_shade + r) : colours::removed);

@@ -33,9 +33,7 @@ keptCeilings(const std::vector<RegionMap>& maps)
 {
   CellSet kept;
   for (const auto& map : maps)
-    for (std::size_t r = 0; r < map.number.size(); ++r)
-      if (map.number[r] > 0)
-        kept = unite(kept, map.cellsOf(r));
+    kept = unite(kept, map.keptCells());
   return kept;
 }
 

@@ -17,8 +17,11 @@ struct RegionMap {
   std::vector<int> number;   ///< of each region: 1 .. n if kept, 0 if not
   std::size_t threshold = 0; ///< in cells, regions above it are kept
 
-  /** @brief The cells of one region. O(cells). */
-  CellSet cellsOf(std::size_t region) const;
+  /** @brief The cells of every region. O(cells). */
+  std::vector<CellSet> regionCells() const;
+
+  /** @brief The cells of all regions that are kept. O(cells). */
+  CellSet keptCells() const;
 };
 
 /** @brief The adaptive threshold of the paper (section 2.3.1): the smaller side of the
