@@ -186,7 +186,7 @@ TEST(FloorPicture, ShowsWhatARecoveryHasKeptFilledAndRemoved)
   auto cloud = std::make_shared<Cloud>();
   const auto ceiling = addPoints(*cloud, block(0, 39, 0, 29), 2.5f);
   const auto floor =
-      addPoints(*cloud, unite(block(0, 19, 0, 29), block(45, 59, 0, 9)), 0);
+      addPoints(*cloud, unite(block(0, 24, 0, 29), block(45, 59, 0, 9)), 0);
   pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery(true);
   recovery.setInputCloud(cloud);
   recovery.setIndices(pcl::make_shared<const pcl::Indices>(floor));
@@ -194,8 +194,8 @@ TEST(FloorPicture, ShowsWhatARecoveryHasKeptFilledAndRemoved)
   Cloud whole;
   recovery.filter(whole);
   const FloorCells cells = floorCellsOf(recovery);
-  EXPECT_EQ(cells.seen.keys(), block(0, 19, 0, 29).keys());
-  EXPECT_EQ(cells.recovered.keys(), block(20, 39, 0, 29).keys());
+  EXPECT_EQ(cells.seen.keys(), block(0, 24, 0, 29).keys());
+  EXPECT_EQ(cells.recovered.keys(), block(25, 39, 0, 29).keys());
   EXPECT_EQ(cells.removed.keys(), block(45, 59, 0, 9).keys());
   const Picture picture = drawFloor({cells});
   EXPECT_EQ(colourAt(picture, 0, at(5, 5)), colours::floor);
@@ -220,9 +220,16 @@ TEST(WallPicture, PartsSeedsAndWallsAtTheSliceHeight)
   cloud.emplace_back(3.f, 0.f, 0.f);
   room.details = {4};
   cloud.emplace_back(4.f, 0.f, 2.2f);
-  room.boundary = {2, 3, 5};
-  cloud.emplace_back(5.f, 0.f, 2.5f); // of a rim without support
+  room.boundary = {2, 3, 5, 6};
+  cloud.emplace_back(5.f, 0.f, 2.5f); // of rims without support
+  cloud.emplace_back(-1.f, 0.f, 2.5f);
   const Picture picture = drawWalls({room}, PointView(cloud));
+  for (const std::size_t panel : {0u, 1u}) {
+    const bool is_below = panel == 1;
+    EXPECT_EQ(colourAt(picture, panel, {0, 0}) == colours::wall, !is_below);
+    EXPECT_EQ(colourAt(picture, panel, {1, 0}) == colours::wall, is_below);
+    EXPECT_EQ(colourAt(picture, 2, {static_cast<double>(panel), 0}), colours::wall);
+  }
   EXPECT_EQ(colourAt(picture, 0, {2, 0}), colours::ceiling);
   EXPECT_EQ(colourAt(picture, 0, {5, 0}), colours::removed);
   EXPECT_EQ(colourAt(picture, 0, {3, 0}), colours::paper);

@@ -81,8 +81,7 @@ Panel::addCells(const CellSet& cells, double cell_size, Colour colour)
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell cell = cells[i];
     const Eigen::Vector2d low(cell.x, cell.y);
-    const bool goes_on =
-        i > 0 && cells.keys()[i] == cells.keys()[i - 1] + 1 && cells[i - 1].y == cell.y;
+    const bool goes_on = i > 0 && cells.keys()[i] == cells.keys()[i - 1] + 1;
     if (!goes_on)
       boxes.push_back({cell_size * low, cell_size * low});
     boxes.back().high = cell_size * (low + Eigen::Vector2d::Ones());
