@@ -11,9 +11,9 @@ namespace sedr {
 
 /** @brief The regions of a plan and which of them are kept (paper, Figure 3c). */
 struct RegionMap {
-  double cell_size = 0; ///< metres
-  CellSet cells;        ///< all occupied cells: 1 in the binary map
-  CellRegions regions;  ///< of the cells, largest first
+  double cell_size = 0;      ///< metres
+  CellSet cells;             ///< all occupied cells: 1 in the binary map
+  CellRegions regions;       ///< of the cells, largest first
   std::vector<int> number;   ///< of each region: 1 .. n if kept, 0 if not
   std::size_t threshold = 0; ///< in cells, regions above it are kept
 

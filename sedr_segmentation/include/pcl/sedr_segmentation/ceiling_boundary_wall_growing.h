@@ -125,9 +125,9 @@ public:
   /** @brief Boundary points of the floor; empty without a slice height. */
   const pcl::Indices& getFloorBoundaryIndices() const { return floor_boundary_; }
 
-  /** @brief Seeds of the last run, above and below the slice height: the boundary points
-   * without those of rims that had less than the minimum support. All are above where
-   * there is no slice height. */
+  /** @brief Seeds of the last run, above and below the slice height: the boundary
+   * points without those of rims that had less than the minimum support. All are above
+   * where there is no slice height. */
   const sedr::WallSeeds& getSeeds() const { return seeds_; }
 
 private:

@@ -30,7 +30,8 @@ struct RoomEvidence {
   std::vector<int> walls;
 };
 
-/** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a). */
+/** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).
+ */
 struct FittedBoundary {
   std::uint32_t room = 0;                      ///< number of the room
   StructureLabel label = StructureLabel::Wall; ///< Wall, or Column for an inner loop

@@ -123,8 +123,8 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
-  /** @brief Labels what is not yet labelled of the ceilings that room segmentation joined
-   * to a room: soffits that the slices did not tell from the head of a window.
+  /** @brief Labels what is not yet labelled of the ceilings that room segmentation
+   * joined to a room: soffits that the slices did not tell from the head of a window.
    * @return how many points */
   std::size_t labelLowerCeilings(std::size_t region);
 

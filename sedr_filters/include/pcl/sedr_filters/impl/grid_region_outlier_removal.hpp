@@ -80,9 +80,9 @@ GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellGrid& grid) 
   const sedr::CellRegions& regions = region_map_.regions;
   std::vector<std::size_t> supported(regions.sizes.size(), 0);
   if (support_)
-    supported = sedr::supportedCells(
-        region_map_.cells, regions,
-        sedr::CellSet(grid, sedr::PointView(*input_), *support_));
+    supported =
+        sedr::supportedCells(region_map_.cells, regions,
+                             sedr::CellSet(grid, sedr::PointView(*input_), *support_));
   std::vector<int> number(regions.sizes.size(), 0);
   int kept = 0;
   for (std::size_t r = 0; r < number.size(); ++r) {

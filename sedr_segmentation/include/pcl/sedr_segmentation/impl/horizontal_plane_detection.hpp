@@ -49,7 +49,8 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
   }
 
   const sedr::PointView points(*input_);
-  std::vector<sedr::Level> levels = sedr::findLevels(points, *indices_, parameters_, &histogram_);
+  std::vector<sedr::Level> levels =
+      sedr::findLevels(points, *indices_, parameters_, &histogram_);
   sedr::classifyLevels(levels, parameters_);
   sedr::markPlatforms(levels, points, *indices_, parameters_);
   sedr::collectInliers(levels, points, *indices_, parameters_);
