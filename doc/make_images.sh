@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes the pictures of README.md and of the class pages anew: simulates the scenes, runs every
-# stage on them, and draws what came out.
+# Makes the pictures of README.md and of the class pages anew: simulates the scenes, and runs every
+# stage on them with --picture. The three renderings in perspective are made where their packages are.
 #   doc/make_images.sh [BIN [OUTPUT]]
 # BIN     folder of the built programs (build/release/bin)
 # OUTPUT  folder for the pictures (doc/images)
-# Debian packages: python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth
+# Debian packages of the renderings: python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth
 set -euo pipefail
 
 fail() { echo "$0: $*" >&2; exit 1; }
@@ -16,39 +16,65 @@ bin=$(realpath -m "${1-$root/build/release/bin}")
 output=$(realpath -m "${2-$root/doc/images}")
 [ -x "$bin/pcl_sedr" ] || fail "no pcl_sedr in '$bin'; build it first, see README.md"
 
+data=$(mktemp -d)
+trap 'rm -rf "$data"' EXIT
+mkdir -p "$output"
+
+# The pictures that the pages show: stage, scene, name of the file.
+shown="
+parallel_voxel_grid           bls_room parallel_voxel_grid
+horizontal_plane_detection    bls_room horizontal_plane_detection
+grid_region_outlier_removal   bls_room grid_region_outlier_removal
+grid_region_outlier_removal   syn_flat grid_region_outlier_removal_flat
+grid_slice_detail             bls_room grid_slice_detail
+grid_slice_detail             syn_flat grid_slice_detail_flat
+floor_projection_recovery     syn_flat floor_projection_recovery
+ceiling_boundary_wall_growing bls_room ceiling_boundary_wall_growing
+ceiling_boundary_wall_growing hls_hall ceiling_boundary_wall_growing_hall
+floorplan_fitting             hls_hall floorplan_fitting
+floorplan_fitting             syn_flat floorplan_fitting_flat
+structure_refinement          hls_hall structure_refinement
+vertical_hole_repair          syn_flat vertical_hole_repair
+structural_poisson            hls_hall structural_poisson
+"
+
+# stage NAME SCENE FILES...: runs a stage, with its picture if a page shows it.
+stage() {
+  local name=$1 scene=$2 picture
+  picture=$(awk -v s="$name" -v c="$scene" '$1 == s && $2 == c { print $3 }' <<<"$shown")
+  "$bin/pcl_$name" "${@:3}" ${picture:+--picture "$output/$picture.png"} >/dev/null
+}
+
+for scene in bls_room hls_hall syn_flat; do
+  echo "== $scene"
+  d=$data/$scene
+  "$bin/pcl_simulate_indoor_scan" "$scene" "$d"
+  stage parallel_voxel_grid           $scene "$d/scan.pcd"    "$d/thinned.pcd"
+  stage horizontal_plane_detection    $scene "$d/thinned.pcd" "$d/planes.pcd"
+  stage grid_region_outlier_removal   $scene "$d/planes.pcd"  "$d/rooms.pcd"
+  stage grid_slice_detail             $scene "$d/rooms.pcd"   "$d/details.pcd"
+  stage floor_projection_recovery     $scene "$d/details.pcd" "$d/floor.pcd"
+  stage ceiling_boundary_wall_growing $scene "$d/floor.pcd"   "$d/walls.pcd"
+  stage floorplan_fitting             $scene "$d/walls.pcd"   "$d/plan.json"
+  stage structure_refinement          $scene "$d/walls.pcd"   "$d/plan.json" "$d/refined.pcd"
+  stage vertical_hole_repair          $scene "$d/refined.pcd" "$d/plan.json" "$d/repaired.pcd"
+  if grep -q "structural_poisson *$scene" <<<"$shown"; then
+    stage structural_poisson $scene "$d/repaired.pcd" "$d/mesh.ply"
+  fi
+done
+
 missing=()
 for package in python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing+=("$package")
 done
-[ ${#missing[@]} -eq 0 ] || fail "needs the Debian packages ${missing[*]}"
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "The renderings stay as they are: they need the Debian packages ${missing[*]}."
+  exit 0
+fi
 
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
-
-run() { "$bin/$1" "${@:2}"; }
-
-# Every file is named after the stage that wrote it.
-run_stages() {
-  local d=$data/$1
-  run pcl_parallel_voxel_grid           "$d/scan.pcd"    "$d/thinned.pcd"
-  run pcl_horizontal_plane_detection    "$d/thinned.pcd" "$d/planes.pcd"
-  run pcl_grid_region_outlier_removal   "$d/planes.pcd"  "$d/rooms.pcd"
-  run pcl_grid_slice_detail             "$d/rooms.pcd"   "$d/details.pcd"
-  run pcl_floor_projection_recovery     "$d/details.pcd" "$d/floor.pcd"
-  run pcl_ceiling_boundary_wall_growing "$d/floor.pcd"   "$d/walls.pcd"
-  run pcl_floorplan_fitting             "$d/walls.pcd"   "$d/plan.json"
-  run pcl_structure_refinement          "$d/walls.pcd"   "$d/plan.json" "$d/refined.pcd"
-  run pcl_vertical_hole_repair          "$d/refined.pcd" "$d/plan.json" "$d/repaired.pcd"
-}
-
+echo "== rendering"
 for scene in bls_room hls_hall syn_flat; do
-  echo "== $scene"
-  run pcl_simulate_indoor_scan "$scene" "$data/$scene"
-  run pcl_sedr "$data/$scene/scan.pcd" "$data/$scene/model"
-  run_stages "$scene"
+  "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
 done
-
-echo "== drawing"
-mkdir -p "$output"
 xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"

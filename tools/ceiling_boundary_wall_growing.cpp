@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelled_points.h"
+#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
+#include "wall_picture.h"
 
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 
@@ -21,6 +23,7 @@ struct Settings {
   std::string input;
   std::string output;
   std::string boundary_output;
+  std::string picture;
   double distance = 0;
   double angle = 0; ///< degrees
   unsigned int neighbors = 0;
@@ -40,13 +43,6 @@ struct Room {
   pcl::Indices floor;
   pcl::Indices details;
   pcl::Indices candidates;
-};
-
-/** @brief What was found in one room. */
-struct Found {
-  std::uint32_t room = 0;
-  pcl::Indices walls;
-  pcl::Indices boundary;
 };
 
 /** @brief The points of a room: those of its own number, and candidates without one. */
@@ -88,7 +84,7 @@ sliceHeight(const Settings& settings, const ToolCloud& cloud, const Room& room)
   return lowest;
 }
 
-Found
+RoomWalls
 growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
 {
   const auto shared = [](const pcl::Indices& indices) {
@@ -111,16 +107,13 @@ growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
     throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
                         growing.getErrorMessage(),
                     NothingFound);
-
-  Found found{room.id, growing.getWallIndices(), growing.getBoundaryIndices()};
-  for (const auto* more :
-       {&growing.getScopeBoundaryIndices(), &growing.getFloorBoundaryIndices()})
-    found.boundary.insert(found.boundary.end(), more->begin(), more->end());
-  return found;
+  return roomWallsOf(growing, room.id);
 }
 
 double
-squareDistanceToBoundary(const ToolCloud& cloud, pcl::index_t index, const Found& found)
+squareDistanceToBoundary(const ToolCloud& cloud,
+                         pcl::index_t index,
+                         const RoomWalls& found)
 {
   const auto plan = [&](pcl::index_t i) {
     return (*cloud.points)[static_cast<std::size_t>(i)].getVector3fMap().head<2>();
@@ -134,12 +127,12 @@ squareDistanceToBoundary(const ToolCloud& cloud, pcl::index_t index, const Found
 /** @brief Labels the walls. One that two rooms claim goes to the nearer boundary.
  * @return number of wall points */
 std::size_t
-labelWalls(const std::vector<Found>& rooms, ToolCloud& cloud)
+labelWalls(const std::vector<RoomWalls>& rooms, ToolCloud& cloud)
 {
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Wall),
                static_cast<std::uint32_t>(StructureLabel::Other));
-  std::vector<const Found*> owner(cloud.size(), nullptr);
+  std::vector<const RoomWalls*> owner(cloud.size(), nullptr);
   for (const auto& found : rooms)
     for (const auto i : found.walls) {
       auto& now = owner[static_cast<std::size_t>(i)];
@@ -162,7 +155,7 @@ labelWalls(const std::vector<Found>& rooms, ToolCloud& cloud)
 
 void
 saveBoundary(const Settings& settings,
-             const std::vector<Found>& rooms,
+             const std::vector<RoomWalls>& rooms,
              const ToolCloud& cloud)
 {
   pcl::Indices boundary;
@@ -182,8 +175,9 @@ run(const Settings& settings)
   checkCloudOutput(settings.output);
   if (!settings.boundary_output.empty())
     checkCloudOutput(settings.boundary_output);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
-  std::vector<Found> rooms;
+  std::vector<RoomWalls> rooms;
   for (const auto id : ceilingRooms(cloud)) {
     const Progress progress(
         "growing walls" + (id > 0 ? " of room " + std::to_string(id) : std::string()));
@@ -198,6 +192,9 @@ run(const Settings& settings)
   saveCloud(settings.output, cloud, settings.format());
   if (!settings.boundary_output.empty())
     saveBoundary(settings, rooms, cloud);
+  if (!settings.picture.empty())
+    savePicture(settings.picture,
+                drawWalls(rooms, pcl::sedr::PointView(*cloud.points)));
   say(std::to_string(walls) + " of " + std::to_string(cloud.size()) +
       " points are walls, of " + std::to_string(rooms.size()) +
       (rooms.size() == 1 ? " room" : " rooms"));
@@ -243,6 +240,7 @@ main(int argc, char** argv)
   options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
   options.text("boundary", settings.boundary_output,
                "file for the boundary points alone");
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "floor_picture.h"
 #include "labelled_points.h"
+#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -25,6 +27,7 @@ struct Settings {
   double height = 0;
   bool has_height = false;
   bool remove = false;
+  std::string picture;
   bool compress = false;
 };
 
@@ -41,6 +44,7 @@ struct Recovered {
   pcl::Indices sources;      ///< rows that the new floor points copy
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> rooms;
+  std::vector<FloorCells> cells; ///< for the picture
 };
 
 /** @brief The points by room; room 0 alone if no ceiling point has one. Floor and
@@ -88,6 +92,9 @@ recoverRoom(const Settings& settings,
   if (points.ceiling.empty()) { // nothing above it: outside
     for (const auto i : points.floor)
       result.removed[static_cast<std::size_t>(i)] = true;
+    const pcl::sedr::CellSet outside(pcl::sedr::CellGrid(settings.grid),
+                                     pcl::sedr::PointView(*cloud.points), points.floor);
+    result.cells.push_back({settings.grid, {}, {}, outside});
     return;
   }
   pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery(true);
@@ -109,6 +116,7 @@ recoverRoom(const Settings& settings,
   if (!recovery.getErrorMessage().empty())
     throw ToolError(recovery.getErrorMessage());
 
+  result.cells.push_back(floorCellsOf(recovery));
   for (const auto i : *recovery.getRemovedIndices())
     result.removed[static_cast<std::size_t>(i)] = true;
   const auto& sources = recovery.getProjectedIndices();
@@ -159,6 +167,7 @@ int
 run(const Settings& settings)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   const auto rooms = splitRooms(settings, cloud);
   // For rooms whose own floor was not seen at all.
@@ -175,6 +184,8 @@ run(const Settings& settings)
   apply(settings, result, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawFloor(result.cells));
   say(std::to_string(result.points.size()) + " points projected, " +
       std::to_string(std::count(result.removed.begin(), result.removed.end(), true)) +
       " floor points removed");
@@ -201,6 +212,7 @@ main(int argc, char** argv)
                          "z of the projected points",
                          "the mean of the room's floor points");
   options.flag("remove", settings.remove, "leave floor points outside the rooms out");
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

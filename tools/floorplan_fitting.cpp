@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelled_points.h"
+#include "picture_file.h"
 #include "plan_file.h"
+#include "plan_picture.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -23,6 +25,7 @@ using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
 struct Settings {
   std::string input;
   std::string output;
+  std::string picture;
 };
 
 /** @brief Gives the fitting the points by label, and the rooms unless the file has
@@ -62,6 +65,7 @@ int
 run(const Settings& settings, Fitting& fitting)
 {
   checkJsonOutput(settings.output);
+  checkPictureOutput(settings.picture);
   const ToolCloud cloud = loadCloud(settings.input);
   setEvidence(cloud, fitting);
   pcl::sedr::Floorplan plan;
@@ -72,6 +76,8 @@ run(const Settings& settings, Fitting& fitting)
   }
   writeWhole(settings.output,
              [&](std::ostream& stream) { stream << pcl::sedr::floorplanToJson(plan); });
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawPlan(plan, fitting.getBoundaries()));
   for (const auto& warning : fitting.getWarnings())
     std::cerr << "pcl_floorplan_fitting: warning: " << warning << std::endl;
   for (const auto& room : plan.rooms)
@@ -113,6 +119,7 @@ main(int argc, char** argv)
   options.number("max-radius", greatest_radius, "m",
                  "of an arc; flatter walls are straight", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
     if (greatest_radius <= least_radius)
       throw ToolError("--max-radius must be above --min-radius");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
 #include "progress.h"
+#include "region_picture.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -27,6 +29,7 @@ struct Settings {
   std::size_t minimum_supported_cells = 0;
   bool remove = false;
   std::string rooms = "auto";
+  std::string picture;
   bool compress = false;
 
   bool writesRooms() const
@@ -110,6 +113,7 @@ int
 run(const Settings& settings)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   const pcl::Indices selected = selectPoints(settings, cloud);
   Removal removal(true);
@@ -121,6 +125,8 @@ run(const Settings& settings)
   apply(settings, selected, removal, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawRegions({removal.getRegionMap()}));
   say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) +
       " points in " + std::to_string(removal.getNumberOfRegions()) + " of " +
       std::to_string(removal.getRegionSizes().size()) + " regions, threshold " +
@@ -168,6 +174,7 @@ main(int argc, char** argv)
   options.text("rooms", settings.rooms,
                "write the regions' numbers into 'room'; auto: for ceilings",
                {"auto", "yes", "no"});
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelled_points.h"
+#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "slice_picture.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
@@ -26,6 +28,7 @@ struct Settings {
   std::string output;
   double floor_height = 0;
   bool has_floor_height = false;
+  std::string picture;
   bool compress = false;
 };
 
@@ -204,6 +207,7 @@ int
 run(const Settings& settings, Analysis& analysis)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Detail),
@@ -215,6 +219,7 @@ run(const Settings& settings, Analysis& analysis)
           ? settings.floor_height
           : meanFloorHeight(cloud, "--floor-height would stand for them");
   std::vector<Found> found;
+  std::vector<RoomSlices> slices;
   {
     const Progress progress("looking at slices");
     shareOut(analysis, cloud, rooms);
@@ -222,6 +227,8 @@ run(const Settings& settings, Analysis& analysis)
       const bool is_known = !settings.has_floor_height && !room.floors.empty();
       found.push_back(analyse(analysis, cloud, room, is_known ? std::nan("") : height));
       tell(analysis, room, found.back());
+      slices.push_back(
+          {room.id, analysis.getAnalysis(), room.around, found.back().ceiling});
     }
   }
   for (std::size_t r = 0; r < rooms.size(); ++r)
@@ -231,6 +238,10 @@ run(const Settings& settings, Analysis& analysis)
     setField(cloud.blob, "room", cloud.room);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings.picture,
+                drawSlices(slices, pcl::sedr::PointView(*cloud.points),
+                           analysis.getGridSize()));
   return Done;
 }
 
@@ -278,6 +289,7 @@ main(int argc, char** argv)
                          settings.has_floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     analysis.setGridSize(grid);

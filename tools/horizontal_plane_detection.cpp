@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
 #include "plan_file.h"
+#include "plane_picture.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -32,6 +34,7 @@ struct Settings {
   std::string input;
   std::string output;
   std::string planes;
+  std::string picture;
   bool trust_up = false;
   bool keep_rooms = false;
   bool compress = false;
@@ -184,6 +187,7 @@ run(const Settings& settings, Detection& detection)
   checkCloudOutput(settings.output);
   if (!settings.planes.empty())
     checkJsonOutput(settings.planes);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   Planes planes;
   {
@@ -204,6 +208,10 @@ run(const Settings& settings, Detection& detection)
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   if (!settings.planes.empty())
     savePlanes(settings.planes, planes);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawPlanes(planes, detection.getHeightHistogram(),
+                                             pcl::sedr::PointView(*cloud.points),
+                                             detection.getGridSize()));
   print(planes);
   return Done;
 }
@@ -240,6 +248,7 @@ main(int argc, char** argv)
                  "smallest height of a ceiling above its floor", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   options.text("planes", settings.planes, "JSON file for the list of planes");
+  addPictureOption(options, settings.picture);
   options.flag("z-up", settings.trust_up,
                "take z as up even if another axis seems to be");
   options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "thinning_picture.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include <pcl/conversions.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 using namespace pcl::sedr::tools;
@@ -21,6 +24,7 @@ struct Settings {
   double high = 0;
   bool outside = false;
   bool only_xyz = false;
+  std::string picture;
   bool compress = false;
 };
 
@@ -44,10 +48,21 @@ compute(const Settings& settings, const pcl::PCLPointCloud2::ConstPtr& cloud)
   return thinned;
 }
 
+void
+savePicture(const Settings& settings, const ToolCloud& cloud)
+{
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  pcl::fromPCLPointCloud2(cloud.blob, thinned);
+  pcl::sedr::tools::savePicture(
+      settings.picture, drawThinning(pcl::sedr::PointView(*cloud.points),
+                                     pcl::sedr::PointView(thinned), settings.leaf));
+}
+
 int
 run(const Settings& settings)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   const std::size_t before = cloud.size();
   const auto blob = pcl::make_shared<pcl::PCLPointCloud2>(std::move(cloud.blob));
@@ -59,6 +74,8 @@ run(const Settings& settings)
                     NothingFound);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings, cloud);
   say(std::to_string(before) + " points -> " + std::to_string(rowsOf(cloud.blob)));
   return Done;
 }
@@ -92,6 +109,7 @@ main(int argc, char** argv)
                "use the points outside the limits instead");
   options.flag("only-xyz", settings.only_xyz,
                "average x, y and z alone, other fields become 0");
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

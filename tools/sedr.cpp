@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.h"
 #include "run_tool.h"
+#include "sedr/chain_pictures.h"
+#include "sedr/output_folder.h"
 #include "sedr/report.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -13,85 +15,22 @@
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StageReport;
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
-namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<const char*, 4> output_names{"structure.pcd", "mesh.ply",
-                                                  "floorplan.json", "report.json"};
-
-/** @brief The folder of the results: asked for before the work, made when there is
- * something to write, and gone again, if it was made here, when writing fails. */
-class OutputFolder {
-public:
-  explicit OutputFolder(const std::string& path)
-      : path_(path.empty() ? throw ToolError("the output folder has no name")
-                           : fs::absolute(path))
-  {
-    fs::path parent = path_;
-    std::error_code error;
-    while (!fs::exists(fs::symlink_status(parent, error)) &&
-           parent != parent.root_path()) {
-      missing_.push_back(parent);
-      parent = parent.parent_path();
-    }
-    if (!fs::is_directory(parent, error))
-      refuse("'" + parent.string() + "' is no folder");
-    if (access(parent.c_str(), W_OK | X_OK) != 0)
-      refuse("'" + parent.string() + "' is not writable: " + std::strerror(errno));
-    if (missing_.empty())
-      for (const char* name : output_names)
-        checkWritable(file(name));
-  }
-
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
-  /** @brief Makes the folder and calls `write`, which fills it. */
-  void fill(const std::function<void()>& write) const
-  {
-    std::error_code error;
-    fs::create_directories(path_, error);
-    try {
-      if (error)
-        refuse(error.message());
-      write();
-    }
-    catch (...) {
-      if (!missing_.empty())
-        for (const char* name : output_names)
-          fs::remove(file(name), error);
-      for (const auto& folder : missing_)
-        fs::remove(folder, error); // only where it is empty
-      throw;
-    }
-  }
-
-private:
-  [[noreturn]] void refuse(const std::string& reason) const
-  {
-    throw ToolError("the output folder '" + path_.string() +
-                    "' cannot be written to: " + reason);
-  }
-
-  fs::path path_;
-  std::vector<fs::path> missing_; ///< what must be made, innermost first
-};
+const std::vector<std::string> output_names{"structure.pcd", "mesh.ply",
+                                            "floorplan.json", "report.json"};
 
 /** @brief Runs a step that is no stage of the chain, with progress; it is handed its
  * report, to fill in the points. */
@@ -165,6 +104,16 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain)
   });
 }
 
+void
+writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictures)
+{
+  folder.fill([&] {
+    for (const auto& picture : pictures)
+      writeWhole(folder.file(picture.name),
+                 [&](std::ostream& stream) { stream << picture.bytes; });
+  });
+}
+
 /** @brief What the command line sets; the defaults are the chain's. */
 struct Settings {
   explicit Settings(const Reconstruction& chain)
@@ -195,6 +144,7 @@ struct Settings {
   std::uint64_t seed;
   double unit = 1; ///< metres
   bool z_up;
+  bool pictures = false;
 };
 
 void
@@ -226,6 +176,8 @@ addOptions(Options& options, Settings& s)
                  "length of one unit of the scan: 0.001 for millimetres",
                  Range::between(1e-6, 1e6));
   options.flag("z-up", s.z_up, "take z as up even if another axis seems to be");
+  options.flag("pictures", s.pictures,
+               "write a picture of what each stage decided to OUTPUT_DIR/pictures");
 }
 
 void
@@ -247,7 +199,13 @@ apply(const Settings& s, Reconstruction& chain)
 int
 run(const Settings& settings, Reconstruction& chain)
 {
-  const OutputFolder folder(settings.folder);
+  const OutputFolder folder(settings.folder, output_names);
+  std::optional<OutputFolder> picture_folder;
+  std::optional<ChainPictures> pictures;
+  if (settings.pictures) {
+    picture_folder.emplace(folder.file("pictures"), ChainPictures::names());
+    pictures.emplace(chain);
+  }
   RunRecord record;
   record.path = settings.input;
   record.unit = settings.unit;
@@ -262,6 +220,10 @@ run(const Settings& settings, Reconstruction& chain)
   record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
     record.figures = evaluate(chain, settings.threads, report);
   }));
+  std::vector<PictureFile> drawn;
+  if (pictures)
+    record.stages.push_back(
+        timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain);
@@ -269,6 +231,8 @@ run(const Settings& settings, Reconstruction& chain)
     }));
     writeWhole(folder.file("report.json"),
                [&](std::ostream& stream) { stream << makeReport(record, chain); });
+    if (picture_folder)
+      writePictures(*picture_folder, drawn);
   });
   for (const auto& warning : chain.getChain().warnings)
     std::cerr << "pcl_sedr: warning: " << warning << '\n';

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_picture.h"
+#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -19,6 +21,7 @@ namespace {
 struct Settings {
   std::string input;
   std::string output;
+  std::string picture;
   bool one_room = false;
 };
 
@@ -73,6 +76,7 @@ run(const Settings& settings, Poisson& poisson)
     throw ToolError("the mesh is written as PLY, '" + settings.output +
                     "' does not end in .ply");
   checkWritable(settings.output);
+  checkPictureOutput(settings.picture);
   poisson.setInputCloud(load(settings));
   pcl::PolygonMesh mesh;
   {
@@ -86,6 +90,8 @@ run(const Settings& settings, Poisson& poisson)
   const std::string problem = pcl::sedr::savePly(settings.output, poisson.getMesh());
   if (!problem.empty())
     throw ToolError(problem);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawMesh(poisson.getMesh()));
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
   return Done;
@@ -142,6 +148,7 @@ main(int argc, char** argv)
                  "threads of the solver: more than 1 is "
                  "faster, but not repeatable",
                  Range::atLeast(1));
+  addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
     poisson.setDepth(depth);
     poisson.setMinDepth(min_depth);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
+#include "refinement_picture.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -19,6 +21,7 @@ struct Settings {
   std::string input;
   std::string plan;
   std::string output;
+  std::string picture;
   bool compress = false;
 };
 
@@ -26,6 +29,7 @@ int
 run(const Settings& settings, Refinement& refinement)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   const auto plan = loadFloorplan(settings.plan);
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
@@ -53,6 +57,9 @@ run(const Settings& settings, Refinement& refinement)
   setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings.picture,
+                drawRefinement(refinedWallsOf(refinement, cloud.label), *plan));
   say(std::to_string(refined.size()) + " of " + std::to_string(labelled) +
       " labelled points are on the plan's surfaces");
   return Done;
@@ -81,6 +88,7 @@ main(int argc, char** argv)
   options.number("max-distance", distance, "m",
                  "the farthest a point may move; others are left out", Range::above(0));
   options.number("threads", threads, "", "threads to use, 0 = all processors");
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     refinement.setMaximumDistance(distance);

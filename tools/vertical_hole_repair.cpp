@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
+#include "repair_picture.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -17,6 +19,7 @@ struct Settings {
   std::string input;
   std::string plan;
   std::string output;
+  std::string picture;
   bool compress = false;
 };
 
@@ -47,6 +50,7 @@ int
 run(const Settings& settings, Repair& repair)
 {
   checkCloudOutput(settings.output);
+  checkPictureOutput(settings.picture);
   const auto plan = loadFloorplan(settings.plan);
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
@@ -69,6 +73,8 @@ run(const Settings& settings, Repair& repair)
   const std::size_t filled = apply(repair, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawRepair(repairedSurfacesOf(repair), *plan));
   say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +
       " of them fill holes");
   return Done;
@@ -93,6 +99,7 @@ main(int argc, char** argv)
   options.file("PLAN.json", settings.plan, "the floor plan it was refined to");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("grid", grid, "m", "edge of a cell", Range::between(0.01, 1));
+  addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     repair.setGridSize(grid);

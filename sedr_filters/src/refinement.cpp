@@ -21,6 +21,22 @@ surfacesById(const Floorplan& plan)
   return surfaces;
 }
 
+/** @brief A strip of a room whose first cell is point `first` of all. */
+RepairedStrip
+repairedStrip(const SurfaceCells::Strip& strip, std::uint32_t room, std::size_t first)
+{
+  RepairedStrip result{room,
+                       strip.surface.kind,
+                       strip.surface.label,
+                       *strip.surface.element,
+                       {}};
+  for (std::size_t c = 0; c < strip.spans.size(); ++c)
+    result.columns.push_back({strip.spans[c].low, strip.spans[c].high,
+                              first + strip.first[c],
+                              strip.first[c + 1] - strip.first[c]});
+  return result;
+}
+
 } // namespace
 
 Refinement
@@ -66,7 +82,8 @@ refineToPlan(const PointView& points,
 std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
-            double cell_size)
+            double cell_size,
+            std::vector<RepairedStrip>* strips)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)
@@ -76,6 +93,9 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     SurfaceCells cells(room, cell_size);
     for (const std::size_t i : points_of[room.id])
       cells.occupy(refined[i], i);
+    if (strips)
+      for (const auto& strip : cells.strips())
+        strips->push_back(repairedStrip(strip, room.id, repaired.size()));
     for (const auto& cell : cells.cells()) {
       if (cell.is_occupied)
         repaired.push_back({refined[cell.source], static_cast<int>(cell.source)});

@@ -288,18 +288,21 @@ grownInto(const CellMask& seeds, const CellMask& domain)
 } // namespace
 
 CellMask
-detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices)
+detailCells(const SliceScene& scene,
+            const CellMask& enclosed_by_slices,
+            CellMask& refused)
 {
   const Tops tops = findTops(scene);
   const CellMask enclosed = enclosedCells(scene.ceiling);
   CellMask kept(scene.ceiling.box());
-  CellMask refused(scene.ceiling.box());
+  refused = CellMask(scene.ceiling.box());
   for (const CellMask& region : regionsOfOneHeight(scene, tops)) {
     CellMask& side = isDetail(scene, tops, enclosed, region) ? kept : refused;
     for (std::size_t i = 0; i < region.values().size(); ++i)
       if (region.values()[i])
         side.set(region.cellAt(i), 1);
   }
+  const CellMask judged = unite(kept, refused);
   kept = joinedWith(scene.ceiling, kept);
   const CellMask risers = risersBeside(scene, tops, kept);
   kept = unite(kept, risers);
@@ -313,6 +316,7 @@ detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices)
     if (2 * intersect(region, kept).count() >= region.count())
       kept = grownInto(kept, subtract(region, bounds));
   }
+  refused = subtract(judged, kept);
   return kept;
 }
 

@@ -44,6 +44,28 @@ densestWindow(const std::vector<Candidate>& sorted,
   return best;
 }
 
+/** @brief Counts the cells of candidates sorted by height, bin by bin. */
+HeightHistogram
+histogramOf(const std::vector<Candidate>& sorted, double bin_height)
+{
+  HeightHistogram histogram{bin_height, {}};
+  std::vector<std::size_t> cells;
+  for (std::size_t first = 0; first < sorted.size();) {
+    const double bin = std::floor(sorted[first].z / bin_height);
+    cells.clear();
+    std::size_t last = first;
+    do
+      cells.push_back(sorted[last++].cell);
+    while (last < sorted.size() && sorted[last].z / bin_height < bin + 1);
+    std::sort(cells.begin(), cells.end());
+    const auto end = std::unique(cells.begin(), cells.end());
+    histogram.bins.push_back(
+        {bin * bin_height, static_cast<std::size_t>(end - cells.begin())});
+    first = last;
+  }
+  return histogram;
+}
+
 /** @brief Marks the cells that hold a chosen candidate. */
 std::vector<std::uint8_t>
 cellsOf(const std::vector<Candidate>& candidates,
@@ -246,13 +268,16 @@ withoutFringes(const CellSet& cells)
 std::vector<Level>
 findLevels(const PointView& points,
            const std::vector<int>& indices,
-           const LevelParameters& parameters)
+           const LevelParameters& parameters,
+           HeightHistogram* histogram)
 {
   const CellGrid grid(parameters.cell_size);
   const CellSet cells(grid, points, indices);
   const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
   std::vector<Candidate> candidates =
       withoutWalls(columns, cells, parameters.tolerance);
+  if (histogram)
+    *histogram = histogramOf(candidates, parameters.tolerance / 2);
   const auto minimum_cells = std::max<std::size_t>(
       1, static_cast<std::size_t>(
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));

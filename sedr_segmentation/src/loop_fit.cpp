@@ -399,12 +399,15 @@ PlanLoop
 fitLoop(const Contour& contour,
         const PlanPoints& evidence,
         const std::vector<PlanCurve>& known,
-        const LoopParameters& parameters)
+        const LoopParameters& parameters,
+        std::vector<ContourSample>* places)
 {
   if (contour.size() < 4)
     return {};
   const std::vector<ContourSample> samples =
       sampleContour(contour, evidence, parameters);
+  if (places)
+    *places = samples;
   const Assignment assignment = findAssignment(samples, evidence, known, parameters);
   if (!assignment.curves.empty()) {
     const std::vector<Run> runs = tidied(runsOf(assignment), samples, parameters);

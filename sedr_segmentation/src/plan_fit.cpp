@@ -46,7 +46,8 @@ fitPlan(const PointView& points,
         const PlanEvidence& evidence,
         const RoomFitParameters& parameters,
         std::string& problem,
-        std::vector<std::string>& warnings)
+        std::vector<std::string>& warnings,
+        std::vector<FittedBoundary>* boundaries)
 {
   Floorplan plan;
   problem.clear();
@@ -91,10 +92,16 @@ fitPlan(const PointView& points,
                std::to_string(floors[r].size()) +
                " floor points are too few, 3 are needed of each";
     PlanRoom room;
+    std::vector<FittedBoundary> fitted;
     if (reason.empty())
       room = fitRoom(points, {around[r], ceilings[r], details[r], floors[r], walls[r]},
-                     parameters, reason);
+                     parameters, reason, &fitted);
     room.id = numbers[r];
+    for (auto& boundary : fitted) {
+      boundary.room = numbers[r];
+      if (boundaries)
+        boundaries->push_back(std::move(boundary));
+    }
     if (reason.empty())
       plan.rooms.push_back(std::move(room));
     else

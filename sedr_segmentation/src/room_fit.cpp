@@ -113,13 +113,14 @@ floorEvidence(const PointView& points,
 PlanLoop
 columnLoop(const CellMask& column,
            const PlanPoints& walls,
-           const RoomFitParameters& parameters)
+           const RoomFitParameters& parameters,
+           std::vector<ContourSample>& samples)
 {
   // The hole is up to a cell wider than the column on every side, so its contour is the
   // hole's.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
-  return fitLoop(contour, walls, {}, loopOnCells(parameters));
+  return fitLoop(contour, walls, {}, loopOnCells(parameters), &samples);
 }
 
 } // namespace
@@ -128,7 +129,8 @@ PlanRoom
 fitRoom(const PointView& points,
         const RoomEvidence& evidence,
         const RoomFitParameters& parameters,
-        std::string& problem)
+        std::string& problem,
+        std::vector<FittedBoundary>* boundaries)
 {
   PlanRoom room;
   const CellGrid grid(parameters.cell_size);
@@ -148,16 +150,23 @@ fitRoom(const PointView& points,
   const PlanPoints walls = wallEvidence(points, evidence, room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
-  room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters));
+  FittedBoundary fitted;
+  room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters), &fitted.samples);
+  if (boundaries)
+    boundaries->push_back(fitted);
   if (room.boundary.elements.size() < 1 || !(room.boundary.area() > 0)) {
     problem = "no closed outline could be fitted to " + std::to_string(seen.size()) +
               " ceiling cells";
     return room;
   }
   for (const CellMask& column : outline.columns) {
-    const PlanLoop loop = columnLoop(column, walls, parameters);
-    if (!loop.elements.empty() && loop.area() < 0)
-      room.columns.push_back(loop);
+    const PlanLoop loop = columnLoop(column, walls, parameters, fitted.samples);
+    if (loop.elements.empty() || loop.area() >= 0)
+      continue;
+    room.columns.push_back(loop);
+    fitted.label = StructureLabel::Column;
+    if (boundaries)
+      boundaries->push_back(fitted);
   }
   if (!evidence.details.empty())
     room.details =

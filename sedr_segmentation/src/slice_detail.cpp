@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 namespace pcl {
@@ -29,65 +28,84 @@ sliceMask(const SliceScene& scene, double fraction)
   return slice;
 }
 
-/** @brief Keeps the regions of at least the minimum size in which most cells pass
- * `test`. */
-template <typename Test>
-CellMask
-keepRegions(const CellMask& mask,
-            std::size_t minimum_cells,
-            double minimum_share,
-            Test test)
+/** @brief Sorts zero-valued regions into those of at least the minimum size where in
+ * most cells something is seen between the slice and the ceiling, and the others. */
+void
+judgeRegions(const SliceScene& scene,
+             const CellMask& enclosed,
+             double lowest_fraction,
+             SliceTrial& trial)
 {
-  const MaskRegions regions = labelRegions(mask, true);
-  std::vector<std::size_t> passed(regions.sizes.size(), 0);
-  for (std::size_t i = 0; i < mask.values().size(); ++i)
-    if (regions.label[i] >= 0 && test(mask.cellAt(i)))
-      ++passed[static_cast<std::size_t>(regions.label[i])];
-  CellMask kept(mask.box());
-  for (std::size_t i = 0; i < mask.values().size(); ++i) {
+  const MaskRegions regions = labelRegions(enclosed, true);
+  std::vector<std::vector<CellKey>> cells(regions.sizes.size());
+  std::vector<std::size_t> seen(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < regions.label.size(); ++i) {
     if (regions.label[i] < 0)
       continue;
     const auto r = static_cast<std::size_t>(regions.label[i]);
-    kept.values()[i] = regions.sizes[r] >= minimum_cells &&
-                               static_cast<double>(passed[r]) >=
-                                   minimum_share * static_cast<double>(regions.sizes[r])
-                           ? 1
-                           : 0;
+    const Cell cell = enclosed.cellAt(i);
+    cells[r].push_back(keyOf(cell));
+    seen[r] +=
+        scene.columns.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
+                                scene.ceilingAt(cell) + scene.parameters.tolerance)
+            ? 1
+            : 0;
   }
-  return kept;
+  for (std::size_t r = 0; r < cells.size(); ++r) {
+    const bool is_accepted = cells[r].size() >= scene.parameters.minimum_cells &&
+                             2 * seen[r] >= cells[r].size();
+    (is_accepted ? trial.accepted : trial.rejected)
+        .push_back(CellSet::fromSorted(std::move(cells[r])));
+  }
 }
 
-/** @brief The zero-valued regions that a slice and the ceiling enclose and the ceiling
- * alone does not, where something is seen between the two heights. */
-CellMask
-enclosedBySlices(const SliceScene& scene,
-                 std::initializer_list<double> fractions,
-                 double lowest_fraction)
+/** @brief The zero-valued cells that the slices of a trial and the ceiling enclose and
+ * the ceiling alone does not, and which of their regions may be detail. */
+SliceTrial
+makeTrial(const SliceScene& scene,
+          int number,
+          const std::vector<double>& fractions,
+          Cell middle)
 {
-  CellMask united = scene.ceiling;
-  for (const double fraction : fractions)
+  SliceTrial trial;
+  trial.number = number;
+  trial.fractions = fractions;
+  CellMask slices(scene.ceiling.box());
+  for (const double fraction : fractions) {
     // One cell more on each side closes the pinholes of a sparse wall.
-    united = unite(united, dilated(sliceMask(scene, fraction), 1));
-  const CellMask found = subtract(enclosedCells(united), enclosedCells(scene.ceiling));
-  return keepRegions(found, scene.parameters.minimum_cells, 0.5, [&](Cell cell) {
-    return scene.columns.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
-                                   scene.ceilingAt(cell) + scene.parameters.tolerance);
-  });
+    slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
+    trial.heights.push_back(scene.sliceAt(middle, fraction));
+  }
+  const CellMask enclosed = subtract(enclosedCells(unite(scene.ceiling, slices)),
+                                     enclosedCells(scene.ceiling));
+  trial.slice = slices.toSet();
+  trial.enclosed = enclosed.toSet();
+  judgeRegions(scene, enclosed, fractions.back(), trial);
+  return trial;
 }
 
-/** @brief The first trial whose slices enclose a detail. */
+/** @brief Makes trials until the slices of one enclose a detail.
+ * @return the cells of what it enclosed */
 CellMask
 runTrials(const SliceScene& scene, SliceDetails& details)
 {
+  const std::vector<std::vector<double>> fractions{{1.0 / 4},
+                                                   {1.0 / 2},
+                                                   {1.0 / 8, 3.0 / 8}};
   CellMask found(scene.ceiling.box());
-  double fraction = 0;
-  for (int trial = 1; trial <= std::min(3, scene.parameters.trials); ++trial) {
-    fraction = trial == 1 ? 1.0 / 4 : trial == 2 ? 1.0 / 2 : 3.0 / 8;
-    found = trial == 3 ? enclosedBySlices(scene, {1.0 / 8, 3.0 / 8}, fraction)
-                       : enclosedBySlices(scene, {fraction}, fraction);
-    if (found.count() == 0)
+  if (details.ceiling.empty())
+    return found;
+  const Cell middle = details.ceiling[details.ceiling.size() / 2];
+  for (int number = 1; number <= std::min(3, scene.parameters.trials); ++number) {
+    details.trials.push_back(makeTrial(
+        scene, number, fractions[static_cast<std::size_t>(number - 1)], middle));
+    const std::vector<CellSet>& accepted = details.trials.back().accepted;
+    for (const CellSet& region : accepted)
+      for (std::size_t i = 0; i < region.size(); ++i)
+        found.set(region[i], 1);
+    if (accepted.empty())
       continue;
-    details.trial = trial;
+    details.trial = number;
     break;
   }
   return found;
@@ -172,7 +190,11 @@ findSliceDetails(const PointView& points,
                          grid,
                          CellMask(ceiling_cells, box),
                          ColumnTable(grid, box, points, indices)};
-  collectPoints(scene, detailCells(scene, runTrials(scene, details)), details);
+  details.ceiling = ceiling_cells;
+  const CellMask enclosed = runTrials(scene, details);
+  CellMask refused(box);
+  collectPoints(scene, detailCells(scene, enclosed, refused), details);
+  details.refused = refused.toSet();
   return details;
 }
 

@@ -37,8 +37,11 @@ bool hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top);
 
 /** @brief The cells of all details: regions of one height that join the ceiling,
  * directly or through each other, their risers, and what else the slices enclosed with
- * them. */
-CellMask detailCells(const SliceScene& scene, const CellMask& enclosed_by_slices);
+ * them.
+ * @param[out] refused cells of the regions of one height that are no details */
+CellMask detailCells(const SliceScene& scene,
+                     const CellMask& enclosed_by_slices,
+                     CellMask& refused);
 
 } // namespace sedr
 } // namespace pcl

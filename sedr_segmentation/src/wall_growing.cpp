@@ -45,24 +45,6 @@ floorHeight(const PointView& points,
   return *middle;
 }
 
-/** @brief The seeds that are left when those of unsupported rims have gone. */
-WallSeeds
-supported(const PointView& points,
-          const CellGrid& grid,
-          const WallParts& parts,
-          const WallSeeds& seeds,
-          const WallGrowingOptions& options)
-{
-  if (options.minimum_support <= 0)
-    return seeds;
-  const ColumnOccupancy occupancy(points, grid, unite(parts.candidates, parts.details));
-  const double end = options.hasSlice() ? options.slice_height
-                                        : floorHeight(points, parts.floor, options);
-  const double share = options.minimum_support;
-  return {supportedSeeds(points, seeds.above, occupancy, end, share),
-          supportedSeeds(points, seeds.below, occupancy, end, share)};
-}
-
 } // namespace
 
 std::string
@@ -127,6 +109,23 @@ unite(const pcl::Indices& a, const pcl::Indices& b)
   return all;
 }
 
+WallSeeds
+seedsWithSupport(const PointView& points,
+                 const WallParts& parts,
+                 const WallSeeds& seeds,
+                 const WallGrowingOptions& options)
+{
+  if (options.minimum_support <= 0)
+    return seeds;
+  const CellGrid grid = gridOver(points, options.distance);
+  const ColumnOccupancy occupancy(points, grid, unite(parts.candidates, parts.details));
+  const double end = options.hasSlice() ? options.slice_height
+                                        : floorHeight(points, parts.floor, options);
+  const double share = options.minimum_support;
+  return {supportedSeeds(points, seeds.above, occupancy, end, share),
+          supportedSeeds(points, seeds.below, occupancy, end, share)};
+}
+
 pcl::Indices
 growWalls(const PointView& points,
           const WallParts& parts,
@@ -134,9 +133,8 @@ growWalls(const PointView& points,
           const WallGrowingOptions& options)
 {
   const CellGrid grid = gridOver(points, options.distance);
-  const WallSeeds growing = supported(points, grid, parts, seeds, options);
-  const SeedPlan above(points, grid, growing.above, options.distance);
-  const SeedPlan below(points, grid, growing.below, options.distance);
+  const SeedPlan above(points, grid, seeds.above, options.distance);
+  const SeedPlan below(points, grid, seeds.below, options.distance);
 
   const pcl::Indices& candidates = parts.candidates;
   std::vector<std::uint8_t> is_wall(candidates.size());

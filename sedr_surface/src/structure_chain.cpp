@@ -116,6 +116,13 @@ StructureChain::fail(const std::string& reason)
 }
 
 void
+StructureChain::tellResult(const char* stage, std::uint32_t room) const
+{
+  if (on_result)
+    on_result(stage, room);
+}
+
+void
 StructureChain::warn(std::uint32_t room, const std::string& reason)
 {
   warnings.push_back("room " + std::to_string(room) + ": " + reason);
@@ -157,6 +164,7 @@ StructureChain::makeMesh()
     report.points_out = poisson.getMesh().vertices.size();
     if (poisson.getMesh().empty())
       return fail(poisson.getErrorMessage());
+    tellResult("StructuralPoisson");
     if (!poisson.getErrorMessage().empty())
       warnings.push_back(poisson.getErrorMessage());
     return true;
@@ -179,6 +187,7 @@ StructureChain::findPlanes(StageReport& report)
   plane_detection.setInputCloud(cloud);
   if (!plane_detection.segment(planes))
     return fail(plane_detection.getErrorMessage());
+  tellResult("HorizontalPlaneDetection");
   std::size_t ceilings = 0;
   std::size_t floors = 0;
   for (const auto& plane : planes) {
@@ -224,6 +233,7 @@ StructureChain::removeOutliers(StageReport& report)
       outlier_removal.filter(level.inliers);
       if (!outlier_removal.getErrorMessage().empty())
         return fail(outlier_removal.getErrorMessage());
+      tellResult("GridRegionOutlierRemoval");
     }
     if (level.kind != LevelKind::Other) {
       level.cells = CellSet(grid, points, level.inliers);
@@ -265,6 +275,7 @@ StructureChain::partRooms(StageReport& report)
       ++report.points_out;
     }
   territory_ = territories();
+  tellResult("RoomSegmentation");
   return true;
 }
 
@@ -312,6 +323,7 @@ StructureChain::findDetails(StageReport& report)
     pcl::PointIndices details;
     if (!slice_detail.segment(details))
       warn(room, slice_detail.getErrorMessage());
+    tellResult("GridSliceDetail", room);
     slice_height_.push_back(slice_detail.getSliceHeight());
     for (const int i : details.indices) {
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
@@ -387,6 +399,7 @@ StructureChain::recoverFloors(StageReport& report)
       warn(room, floor_recovery.getErrorMessage());
       continue;
     }
+    tellResult("FloorProjectionRecovery", room);
     const std::size_t kept = whole.size() - floor_recovery.getNumberOfProjected();
     for (std::size_t k = 0; k < whole.size(); ++k) {
       std::size_t at = cloud->size();
@@ -421,6 +434,7 @@ StructureChain::growWalls(StageReport& report)
       warn(room, wall_growing.getErrorMessage());
       continue;
     }
+    tellResult("CeilingBoundaryWallGrowing", room);
     for (const int i : wall_growing.getWallIndices()) {
       const auto at = static_cast<std::size_t>(i);
       if (labels[at] != 0)
@@ -447,6 +461,7 @@ StructureChain::fitPlan(StageReport& report)
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
+  tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
   for (const auto& room : plan->rooms) {
@@ -491,6 +506,7 @@ StructureChain::refine(StageReport& report)
   refinement.setInputCloud(labelled_cloud);
   refinement.setFloorplan(plan);
   refinement.filter(*refined_);
+  tellResult("StructureRefinement");
   report.points_out = refined_->size();
   return !refined_->empty() || fail(refinement.getErrorMessage().empty()
                                         ? "no labelled point lies on the floor plan"
@@ -503,6 +519,7 @@ StructureChain::repair(StageReport& report)
   hole_repair.setInputCloud(refined_);
   hole_repair.setFloorplan(plan);
   hole_repair.filter(*structure);
+  tellResult("VerticalHoleRepair");
   report.points_out = structure->size();
   return !structure->empty() || fail(hole_repair.getErrorMessage());
 }

@@ -56,6 +56,35 @@ keptOf(Removal& removal)
   return kept;
 }
 
+TEST(GridRegionOutlierRemoval, TheRegionMapTellsEveryCellItsRegionAndWhatBecameOfIt)
+{
+  Scene scene;
+  scene.add(0, 20, 0, 10, 2.5f, 3);
+  scene.add(30, 34, 0, 5);
+  scene.add(50, 52, 0, 3);
+  Removal removal;
+  removal.setInputCloud(scene.cloud);
+  keptOf(removal);
+  const pcl::sedr::RegionMap& map = removal.getRegionMap();
+  EXPECT_NEAR(map.cell_size, 0.05, 1e-9);
+  EXPECT_EQ(map.cells.size(), 200u + 20u + 6u) << "cells, not points";
+  EXPECT_EQ(map.regions.sizes, (std::vector<std::size_t>{200, 20, 6}));
+  EXPECT_EQ(map.regions.sizes, removal.getRegionSizes());
+  EXPECT_EQ(map.number, (std::vector<int>{1, 0, 0}));
+  EXPECT_EQ(map.threshold, 20u);
+  ASSERT_EQ(map.regionCells().size(), 3u);
+  const pcl::sedr::CellSet outlier = map.regionCells()[1];
+  EXPECT_EQ(outlier.size(), 20u);
+  EXPECT_EQ(map.keptCells().keys(), map.regionCells()[0].keys());
+  EXPECT_TRUE(outlier.contains({30, 0}) && outlier.contains({33, 4}));
+  EXPECT_FALSE(outlier.contains({50, 0}));
+
+  removal.setGridSize(-1);
+  pcl::Indices kept;
+  removal.filter(kept);
+  EXPECT_TRUE(removal.getRegionMap().cells.empty()) << "nothing is left of an old run";
+}
+
 TEST(GridRegionOutlierRemoval, KeepsTheRegionsAboveTheLargestDifference)
 {
   Scene scene;

@@ -79,6 +79,9 @@ TEST(CeilingBoundaryWallGrowing, SliceDividesSeedsOfCeilingAndScopeFromThoseOfTh
     EXPECT_TRUE(p.x == 0 || p.x == 4 || p.y == 0 || p.y == 3) << p;
   }
   EXPECT_GE(growing.getScopeBoundaryIndices().size(), 2u * 48u + 2u * 64u);
+  EXPECT_EQ(growing.getSeeds().above,
+            united(growing.getBoundaryIndices(), growing.getScopeBoundaryIndices()));
+  EXPECT_EQ(growing.getSeeds().below, growing.getFloorBoundaryIndices());
 }
 
 TEST(CeilingBoundaryWallGrowing, WithoutSliceTheCeilingAloneSeedsAndDetailsHaveNoEffect)
@@ -109,9 +112,13 @@ TEST(CeilingBoundaryWallGrowing, SupportTellsLampsFromColumnsAndSparesDoors)
   Growing growing = room.growing();
   const auto without = wallsOf(growing);
   EXPECT_EQ(commonOf(without, room.lamp), room.lamp);
+  EXPECT_EQ(growing.getSeeds().above, growing.getBoundaryIndices());
 
   growing.setMinimumSupport(0.5);
   const auto walls = wallsOf(growing);
+  EXPECT_LT(growing.getSeeds().above.size(), growing.getBoundaryIndices().size());
+  EXPECT_EQ(commonOf(growing.getSeeds().above, growing.getBoundaryIndices()),
+            growing.getSeeds().above);
   EXPECT_TRUE(commonOf(walls, room.lamp).empty());
   EXPECT_EQ(commonOf(walls, room.column), commonOf(without, room.column));
   EXPECT_FALSE(commonOf(walls, room.column).empty());

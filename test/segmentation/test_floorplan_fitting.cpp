@@ -333,6 +333,43 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.left), 0.001);
 }
 
+TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.5);
+  truth.columns = {reversed(circle({2, 2}, 0.3))};
+  RoomPoints points;
+  const RoomParts parts = points.room(truth);
+  const RoomEvidence evidence = evidenceOf(points, parts);
+  Fitting fitting;
+  fitting.setInputCloud(points.cloud());
+  fitting.setCeilingIndices(shared(evidence.ceiling));
+  fitting.setFloorIndices(shared(evidence.floor));
+  fitting.setWallIndices(shared(evidence.walls));
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  const std::vector<FittedBoundary>& boundaries = fitting.getBoundaries();
+  ASSERT_EQ(boundaries.size(), 2u);
+  EXPECT_EQ(boundaries[0].label, StructureLabel::Wall);
+  EXPECT_EQ(boundaries[1].label, StructureLabel::Column);
+  const PlanLoop* loops[] = {&truth.boundary, &truth.columns[0]};
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_EQ(boundaries[b].room, 1u);
+    // One a cell edge, and all but those at corners on the wall itself.
+    const double edges = loops[b]->length() / 0.05;
+    EXPECT_NEAR(static_cast<double>(boundaries[b].samples.size()), edges, 0.4 * edges);
+    std::size_t supported = 0;
+    for (const auto& sample : boundaries[b].samples)
+      if (sample.isSupported()) {
+        ++supported;
+        EXPECT_LT(loops[b]->distance(sample.position), 0.02);
+      }
+    EXPECT_GT(10 * supported, 8 * boundaries[b].samples.size());
+  }
+  fitting.setGridSize(0);
+  EXPECT_FALSE(fitting.segment(plan));
+  EXPECT_TRUE(fitting.getBoundaries().empty());
+}
+
 TEST(FloorplanFitting, TakesTheRoomsOfThePointType)
 {
   const TwoRooms scene;

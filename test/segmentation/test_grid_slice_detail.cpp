@@ -149,6 +149,46 @@ TEST(SliceDetails, ASoffitBelowAQuarterOfTheHeightIsFoundInTheSecondTrial)
   EXPECT_EQ(scene.find(once).trial, 0);
 }
 
+TEST(SliceDetails, TellWhatEveryTrialSaw)
+{
+  const Scene scene(soffitRoom(0.8));
+  const SliceDetails details = scene.find();
+  EXPECT_EQ(details.ceiling.keys(),
+            CellSet(CellGrid(0.05), scene.points.view(), scene.parts.ceiling).keys());
+  ASSERT_EQ(details.trials.size(), 2u);
+  const double heights[] = {0.75 * height, 0.5 * height};
+  for (std::size_t t = 0; t < 2; ++t) {
+    const SliceTrial& trial = details.trials[t];
+    EXPECT_EQ(trial.number, static_cast<int>(t + 1));
+    ASSERT_EQ(trial.heights.size(), 1u);
+    EXPECT_NEAR(trial.heights[0], heights[t], 1e-9);
+    std::size_t cells = 0;
+    for (const auto* regions : {&trial.accepted, &trial.rejected})
+      for (const CellSet& region : *regions)
+        cells += region.size();
+    EXPECT_EQ(trial.enclosed.size(), cells) << "every region is one or the other";
+  }
+  EXPECT_TRUE(details.trials[0].accepted.empty());
+  // At half of the height the walls stand along the whole outline.
+  EXPECT_TRUE(details.trials[1].slice.contains(CellGrid(0.05).at(0.02, 2)));
+  EXPECT_FALSE(details.trials[1].slice.contains(CellGrid(0.05).at(2, 2)));
+  ASSERT_EQ(details.trials[1].accepted.size(), 1u);
+  EXPECT_NEAR(static_cast<double>(details.trials[1].accepted[0].size()) * 0.0025,
+              0.6 * (5 + 3.4), 1.2);
+  EXPECT_TRUE(details.refused.empty());
+}
+
+TEST(SliceDetails, TellThatWhatATrialEnclosesIsTooSmall)
+{
+  SliceParameters parameters;
+  parameters.minimum_cells = 5000;
+  const SliceDetails details = Scene(soffitRoom(0.3)).find(parameters);
+  ASSERT_EQ(details.trials.size(), 3u);
+  EXPECT_TRUE(details.trials[0].accepted.empty());
+  ASSERT_GE(details.trials[0].rejected.size(), 1u);
+  EXPECT_GT(details.trials[0].rejected[0].size(), 1500u);
+}
+
 TEST(SliceDetails, BehindARibbonOfWindowsItIsFoundInTheThirdTrial)
 {
   // Neither at a quarter (1.875 m) nor at half of the height (1.25 m) is there a wall.
@@ -227,6 +267,11 @@ TEST(SliceDetails, ALampIsNone)
     const SliceDetails details = findSliceDetails(
         scene.points.view(), seen, scene.parts.ceiling, slabAt(height), 0, {}, problem);
     EXPECT_TRUE(details.indices.empty()) << size;
+    const CellGrid grid(0.05);
+    EXPECT_TRUE(details.refused.contains(grid.at(2.26, 1.76)));
+    EXPECT_NEAR(static_cast<double>(details.refused.size()) * 0.0025, size * size,
+                0.1 * (size + 1) * 2);
+    EXPECT_FALSE(details.refused.contains(grid.at(1.9, 1.76)));
   }
 }
 
@@ -343,6 +388,8 @@ TEST(GridSliceDetail, FindsWhatTheAnalysisFindsAndTellsItsFigures)
   EXPECT_EQ(analysis.getRegionSizes(), truth.sizes);
   EXPECT_NEAR(analysis.getSliceHeight(), truth.slice_height, 1e-9);
   EXPECT_EQ(analysis.getTrial(), 1);
+  EXPECT_EQ(analysis.getAnalysis().cells.keys(), truth.cells.keys());
+  EXPECT_EQ(analysis.getAnalysis().trials.size(), 1u);
 }
 
 TEST(GridSliceDetail, TheFloorsHeightMayBeGivenInstead)

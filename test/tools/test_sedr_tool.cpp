@@ -2,6 +2,7 @@
 #include "tool_cloud.h"
 #include "tools/box_room.h"
 #include "tools/option_help.h"
+#include "tools/pictures.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -89,6 +91,45 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
   EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
+}
+
+TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
+{
+  const std::string scan = scanOf().pcd(false);
+  const ProgramRun plain = onFile(scan, {"--tree-depth", "6"});
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_FALSE(std::filesystem::exists(in("model/pictures")));
+  const std::string mesh = bytesOf(in("model/mesh.ply"));
+
+  std::map<std::string, std::string> first;
+  for (int k = 0; k < 2; ++k) {
+    const ProgramRun result = onFile(scan, {"--tree-depth", "6", "--pictures"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(bytesOf(in("model/mesh.ply")) == mesh) << "drawing changes nothing";
+    std::map<std::string, std::string> pictures;
+    for (const auto& entry : std::filesystem::directory_iterator(in("model/pictures")))
+      pictures[entry.path().filename()] = bytesOf(entry.path());
+    ASSERT_EQ(pictures.size(), 11u);
+    EXPECT_EQ(pictures.count("01_parallel_voxel_grid.png"), 1u);
+    EXPECT_EQ(pictures.count("05_grid_slice_detail.png"), 1u);
+    EXPECT_EQ(pictures.count("11_structural_poisson.png"), 1u);
+    for (const auto& [name, bytes] : pictures)
+      EXPECT_GT(imageOf(bytes).width, 400) << name;
+    if (k == 0)
+      first = pictures;
+    EXPECT_TRUE(pictures == first) << "the same bytes every time";
+  }
+}
+
+TEST_F(SedrTool, PicturesThatCannotBeWrittenAreRefusedBeforeTheWork)
+{
+  std::filesystem::create_directories(in("model"));
+  writeFile(in("model/pictures"), "a file");
+  const ProgramRun result = onFile(scanOf().pcd(false), {"--pictures"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+  EXPECT_NE(result.err.find(in("model/pictures")), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(in("model/mesh.ply")));
 }
 
 TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)

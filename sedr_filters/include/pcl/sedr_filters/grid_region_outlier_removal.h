@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/filters/filter_indices.h>
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/region_selection.h>
 #include <pcl/sedr_filters/stage_error.h>
 
 #include <cstddef>
@@ -97,14 +97,21 @@ public:
   const std::vector<int>& getRegionLabels() const { return region_labels_; }
 
   /** @brief Sizes of all regions of the last run, kept or not: cells, decreasing. */
-  const std::vector<std::size_t>& getRegionSizes() const { return region_sizes_; }
+  const std::vector<std::size_t>& getRegionSizes() const
+  {
+    return region_map_.regions.sizes;
+  }
 
   /** @brief The adaptive threshold of the last run, in cells: larger regions were kept.
    */
-  std::size_t getThreshold() const { return threshold_; }
+  std::size_t getThreshold() const { return region_map_.threshold; }
 
   /** @brief How many regions the last run kept. */
   std::size_t getNumberOfRegions() const { return number_of_regions_; }
+
+  /** @brief The cells of the last run, their regions, and which of these were kept: the
+   * paper's binary and region maps. Empty after a failure. */
+  const sedr::RegionMap& getRegionMap() const { return region_map_; }
 
 protected:
   using FilterIndices<PointT>::filter_name_;
@@ -124,14 +131,9 @@ private:
   bool validate();
 
   /** @brief Number of each region, 1 .. n for those to keep and 0 for the rest. */
-  std::vector<int> numberKeptRegions(const sedr::CellSet& cells,
-                                     const sedr::CellRegions& regions,
-                                     const sedr::CellGrid& grid) const;
+  std::vector<int> numberKeptRegions(const sedr::CellGrid& grid) const;
 
-  void labelPoints(const sedr::CellGrid& grid,
-                   const sedr::CellSet& cells,
-                   const sedr::CellRegions& regions,
-                   const std::vector<int>& number);
+  void labelPoints(const sedr::CellGrid& grid);
 
   void labelRegions();
 
@@ -145,8 +147,7 @@ private:
   std::size_t minimum_supported_cells_ = 400;
 
   std::vector<int> region_labels_;
-  std::vector<std::size_t> region_sizes_;
-  std::size_t threshold_ = 0;
+  sedr::RegionMap region_map_;
   std::size_t number_of_regions_ = 0;
 };
 

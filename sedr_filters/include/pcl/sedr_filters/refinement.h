@@ -34,12 +34,32 @@ struct RepairedPoint {
   int source = -1; ///< index in the refined points, -1 for a point that fills a hole
 };
 
+/** @brief An upright surface after hole repair, unrolled: columns of cells along its
+ * element, each from its lower to its upper end. */
+struct RepairedStrip {
+  /** @brief A column of equal cells. */
+  struct Column {
+    double low = 0;        ///< z, metres
+    double high = 0;       ///< not above low where the column has no cells
+    std::size_t first = 0; ///< its lowest cell, an index into the repaired points
+    std::size_t cells = 0;
+  };
+
+  std::uint32_t room = 0;
+  UprightKind kind = UprightKind::Wall;
+  StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
+  PlanElement element;
+  std::vector<Column> columns; ///< of equal widths
+};
+
 /** @brief One point for every cell of every room's surfaces (SurfaceCells): the refined
  * point of the cell, or a new one at its centre. Rooms in the order of the plan.
- * surfaceCellsProblem() must be empty. */
+ * surfaceCellsProblem() must be empty.
+ * @param[out] strips where the points of upright surfaces are among them, if wanted */
 std::vector<RepairedPoint> repairHoles(const std::vector<SurfacePoint>& refined,
                                        const Floorplan& plan,
-                                       double cell_size);
+                                       double cell_size,
+                                       std::vector<RepairedStrip>* strips = nullptr);
 
 } // namespace sedr
 } // namespace pcl

@@ -9,6 +9,21 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief The regions of a plan and which of them are kept (paper, Figure 3c). */
+struct RegionMap {
+  double cell_size = 0;      ///< metres
+  CellSet cells;             ///< all occupied cells: 1 in the binary map
+  CellRegions regions;       ///< of the cells, largest first
+  std::vector<int> number;   ///< of each region: 1 .. n if kept, 0 if not
+  std::size_t threshold = 0; ///< in cells, regions above it are kept
+
+  /** @brief The cells of every region. O(cells). */
+  std::vector<CellSet> regionCells() const;
+
+  /** @brief The cells of all regions that are kept. O(cells). */
+  CellSet keptCells() const;
+};
+
 /** @brief The adaptive threshold of the paper (section 2.3.1): the smaller side of the
  * largest difference between consecutive sizes. Regions above it are structure.
  *

@@ -32,6 +32,14 @@ std::string surfaceCellsProblem(const Floorplan& plan, double size);
  * without gaps, so the empty ones are its holes (paper, section 2.4). */
 class SurfaceCells {
 public:
+  /** @brief Cells of an upright surface: column after column along the element. */
+  struct Strip {
+    UprightSurface surface;
+    double length = 0;
+    std::vector<std::size_t> first; ///< cell of each column, and one past the last
+    std::vector<UprightSpan> spans; ///< of each column
+  };
+
   /** @param room must stay where it is
    * @param size edge of a cell, metres, > 0; surfaceCellsProblem() of the plan must be
    * empty */
@@ -45,15 +53,10 @@ public:
   /** @brief All cells: upright surfaces, then floor, then ceiling, then niches. */
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
-private:
-  /** @brief Cells of an upright surface: column after column along the element. */
-  struct Strip {
-    UprightSurface surface;
-    double length = 0;
-    std::vector<std::size_t> first; ///< of each column, and one past the last
-    std::vector<UprightSpan> spans; ///< of each column
-  };
+  /** @brief The upright surfaces as they were cut; they point into the room. */
+  const std::vector<Strip>& strips() const { return strips_; }
 
+private:
   void addStrip(const UprightSurface& surface);
 
   /** @brief Cells of a level surface: a grid in plan. */

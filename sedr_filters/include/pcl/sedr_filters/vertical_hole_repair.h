@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include <pcl/sedr_filters/refinement.h>
 #include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
@@ -81,6 +81,10 @@ public:
     return surface_points_;
   }
 
+  /** @brief Where the cells of walls, columns and risers are in the output of the last
+   * run: with getSourceIndices(), which part of which wall was seen. */
+  const std::vector<sedr::RepairedStrip>& getStrips() const { return strips_; }
+
 protected:
   void applyFilter(PointCloud& output) override;
 
@@ -102,6 +106,7 @@ private:
   double grid_size_ = 0.05;
   Indices sources_;
   Indices repaired_;
+  std::vector<sedr::RepairedStrip> strips_;
   std::vector<sedr::SurfacePoint> surface_points_;
 };
 

@@ -125,6 +125,11 @@ public:
   /** @brief Boundary points of the floor; empty without a slice height. */
   const pcl::Indices& getFloorBoundaryIndices() const { return floor_boundary_; }
 
+  /** @brief Seeds of the last run, above and below the slice height: the boundary
+   * points without those of rims that had less than the minimum support. All are above
+   * where there is no slice height. */
+  const sedr::WallSeeds& getSeeds() const { return seeds_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -147,6 +152,7 @@ private:
   pcl::Indices ceiling_boundary_;
   pcl::Indices scope_boundary_;
   pcl::Indices floor_boundary_;
+  sedr::WallSeeds seeds_;
   pcl::Indices wall_indices_;
 };
 

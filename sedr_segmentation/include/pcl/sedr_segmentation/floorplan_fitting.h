@@ -102,6 +102,10 @@ public:
   /** @brief A sentence for every room that could not be fitted while others could. */
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
+  /** @brief The boundary points that walls and columns were fitted to in the last run,
+   * those of rooms that could not be fitted too. */
+  const std::vector<sedr::FittedBoundary>& getBoundaries() const { return boundaries_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -119,6 +123,7 @@ private:
   std::vector<std::uint32_t> rooms_;
   sedr::RoomFitParameters parameters_;
   std::vector<std::string> warnings_;
+  std::vector<sedr::FittedBoundary> boundaries_;
 };
 
 } // namespace pcl

@@ -100,6 +100,10 @@ public:
    * opening breaks the outline of every slice. */
   int getTrial() const { return result_.trial; }
 
+  /** @brief All that the last run looked at: the ceiling's cells, what each trial saw
+   * and took, the cells of the details and what was refused. */
+  const sedr::SliceDetails& getAnalysis() const { return result_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;

@@ -36,6 +36,18 @@ struct Level {
   CellSet within; ///< if not empty, only points of these cells are inliers
 };
 
+/** @brief What is seen how often at each height: where levels are looked for. */
+struct HeightHistogram {
+  /** @brief A stretch of heights in which something was seen. */
+  struct Bin {
+    double low = 0;        ///< its lower end, metres
+    std::size_t cells = 0; ///< grid cells with a point in it, walls left out
+  };
+
+  double bin_height = 0; ///< metres
+  std::vector<Bin> bins; ///< by increasing height
+};
+
 /** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper,
  * section 2.3.1).
  *
@@ -43,10 +55,12 @@ struct Level {
  * their own grid column. The density of the others' heights, counted in distinct cells,
  * says where a level is; RANSAC finds the plane there, and the search goes on without
  * its points until the best level left is smaller than the minimum area. O(n log n)
- * plus O(n) for each level. */
+ * plus O(n) for each level.
+ * @param[out] histogram of all heights before the search, if wanted */
 std::vector<Level> findLevels(const PointView& points,
                               const std::vector<int>& indices,
-                              const LevelParameters& parameters);
+                              const LevelParameters& parameters,
+                              HeightHistogram* histogram = nullptr);
 
 /** @brief Collects the inliers of classified levels: the points within the tolerance,
  * but for those of columns that go on below a ceiling or above a floor, and of narrow

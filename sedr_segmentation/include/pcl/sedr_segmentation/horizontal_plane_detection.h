@@ -81,6 +81,10 @@ public:
    * where there is no plane of the minimum area */
   bool segment(std::vector<HorizontalPlane>& planes);
 
+  /** @brief The heights at which the last run looked for planes: cells seen at each,
+   * walls left out. Empty after bad input or parameters. */
+  const sedr::HeightHistogram& getHeightHistogram() const { return histogram_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -88,6 +92,7 @@ private:
   bool checkParameters();
 
   sedr::LevelParameters parameters_;
+  sedr::HeightHistogram histogram_;
 };
 
 } // namespace pcl

@@ -28,12 +28,14 @@ struct PlanEvidence {
  * thin partition is looked at from its own room.
  * @param[out] problem why there is no room, a sentence; empty if there is one
  * @param[out] warnings a sentence for every room that could not be fitted while others
- * could */
+ * could
+ * @param[out] boundaries what the walls and columns were fitted to, if wanted */
 Floorplan fitPlan(const PointView& points,
                   const PlanEvidence& evidence,
                   const RoomFitParameters& parameters,
                   std::string& problem,
-                  std::vector<std::string>& warnings);
+                  std::vector<std::string>& warnings,
+                  std::vector<FittedBoundary>* boundaries = nullptr);
 
 } // namespace sedr
 } // namespace pcl

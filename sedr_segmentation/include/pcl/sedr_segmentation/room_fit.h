@@ -6,6 +6,7 @@
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,24 @@ struct RoomEvidence {
   std::vector<int> walls;
 };
 
+/** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).
+ */
+struct FittedBoundary {
+  std::uint32_t room = 0;                      ///< number of the room
+  StructureLabel label = StructureLabel::Wall; ///< Wall, or Column for an inner loop
+  std::vector<ContourSample> samples;          ///< around the loop
+};
+
 /** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust
  * least squares, the loop of walls along the outline of ceiling and details, the loops
  * of columns in it, and for every detail its plane and its loop.
- * @param[out] problem why there is no room, a sentence; empty otherwise */
+ * @param[out] problem why there is no room, a sentence; empty otherwise
+ * @param[out] boundaries those of walls and columns are added, if wanted */
 PlanRoom fitRoom(const PointView& points,
                  const RoomEvidence& evidence,
                  const RoomFitParameters& parameters,
-                 std::string& problem);
+                 std::string& problem,
+                 std::vector<FittedBoundary>* boundaries = nullptr);
 
 } // namespace sedr
 } // namespace pcl

@@ -26,6 +26,18 @@ struct SliceParameters {
                                     ///< is smaller is a lamp or a vent
 };
 
+/** @brief What one trial saw (paper, Figure 4b). */
+struct SliceTrial {
+  int number = 0; ///< 1, 2 or 3
+  std::vector<double>
+      fractions;               ///< of the room's height below the ceiling, one a slice
+  std::vector<double> heights; ///< z of the slices in the middle of the ceiling
+  CellSet slice;               ///< cells of the slices, one more on each side
+  CellSet enclosed;            ///< zero-valued cells that slices and ceiling enclose
+  std::vector<CellSet> accepted; ///< of these the regions that may be detail
+  std::vector<CellSet> rejected; ///< and those that are small, or where nothing is seen
+};
+
 /** @brief The structural details of one room's ceiling. */
 struct SliceDetails {
   std::vector<int> indices;        ///< points of details, increasing
@@ -35,6 +47,10 @@ struct SliceDetails {
   double slice_height =
       std::numeric_limits<double>::quiet_NaN(); ///< z above which all of it lies
   int trial = 0; ///< the trial whose slice enclosed it, 0 if none did
+
+  CellSet ceiling;                ///< cells of the main ceiling
+  std::vector<SliceTrial> trials; ///< those that were made, the last one decided
+  CellSet refused; ///< undersides that are no detail: lamps, heads of doors and windows
 };
 
 /** @brief Grid-slices analysis (paper, section 2.3.1).

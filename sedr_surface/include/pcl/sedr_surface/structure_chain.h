@@ -47,7 +47,8 @@ public:
   RoomParameters
       room_segmentation; ///< of segmentRooms(), which has no class of its own
   pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
-  pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery;
+  pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery{
+      true}; ///< tells what it removes
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
   pcl::StructureRefinement<pcl::PointStructure> refinement;
@@ -56,6 +57,12 @@ public:
 
   /** @brief Called with a stage's name before it runs. */
   std::function<void(const std::string&)> on_stage;
+
+  /** @brief Called with a stage's name and a room after every run of that stage's
+   * object, while its getters still tell what that run decided. Outlier removal runs
+   * once a ceiling plane, details, floors and walls once a room; room 0 stands for all.
+   */
+  std::function<void(const std::string&, std::uint32_t)> on_result;
 
   /** @brief Whether a scan in which z seems not to be up is taken as it is. */
   bool trust_up = false;
@@ -83,12 +90,18 @@ public:
   std::string failed_stage;
   std::string problem;
 
+  /** @brief The rooms as segmentRooms() parted them, on cells of its size: room r + 1
+   * is the r-th. */
+  const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
+
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
   template <typename Step>
   bool runStage(const std::string& name, std::size_t points_in, Step step);
 
   bool fail(const std::string& reason);
+
+  void tellResult(const char* stage, std::uint32_t room = 0) const;
 
   /** @brief Notes that a stage could not do one room; the others go on. */
   void warn(std::uint32_t room, const std::string& reason);
@@ -110,8 +123,8 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
-  /** @brief Labels what is not yet labelled of the ceilings that room segmentation joined
-   * to a room: soffits that the slices did not tell from the head of a window.
+  /** @brief Labels what is not yet labelled of the ceilings that room segmentation
+   * joined to a room: soffits that the slices did not tell from the head of a window.
    * @return how many points */
   std::size_t labelLowerCeilings(std::size_t region);
 

@@ -6,7 +6,6 @@
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
-#include <pcl/sedr_filters/region_selection.h>
 
 #include <cmath>
 #include <string>
@@ -48,8 +47,7 @@ GridRegionOutlierRemoval<PointT>::clearResults()
   clearError();
   removed_indices_->clear();
   region_labels_.clear();
-  region_sizes_.clear();
-  threshold_ = 0;
+  region_map_ = sedr::RegionMap();
   number_of_regions_ = 0;
 }
 
@@ -77,14 +75,14 @@ GridRegionOutlierRemoval<PointT>::validate()
 
 template <typename PointT>
 std::vector<int>
-GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellSet& cells,
-                                                    const sedr::CellRegions& regions,
-                                                    const sedr::CellGrid& grid) const
+GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellGrid& grid) const
 {
+  const sedr::CellRegions& regions = region_map_.regions;
   std::vector<std::size_t> supported(regions.sizes.size(), 0);
   if (support_)
-    supported = sedr::supportedCells(
-        cells, regions, sedr::CellSet(grid, sedr::PointView(*input_), *support_));
+    supported =
+        sedr::supportedCells(region_map_.cells, regions,
+                             sedr::CellSet(grid, sedr::PointView(*input_), *support_));
   std::vector<int> number(regions.sizes.size(), 0);
   int kept = 0;
   for (std::size_t r = 0; r < number.size(); ++r) {
@@ -92,7 +90,7 @@ GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellSet& cells,
     const bool is_supported = support_ && size >= minimum_supported_cells_ &&
                               static_cast<double>(supported[r]) >=
                                   minimum_support_ * static_cast<double>(size);
-    if (size > threshold_ || is_supported)
+    if (size > region_map_.threshold || is_supported)
       number[r] = ++kept;
   }
   return number;
@@ -100,17 +98,16 @@ GridRegionOutlierRemoval<PointT>::numberKeptRegions(const sedr::CellSet& cells,
 
 template <typename PointT>
 void
-GridRegionOutlierRemoval<PointT>::labelPoints(const sedr::CellGrid& grid,
-                                              const sedr::CellSet& cells,
-                                              const sedr::CellRegions& regions,
-                                              const std::vector<int>& number)
+GridRegionOutlierRemoval<PointT>::labelPoints(const sedr::CellGrid& grid)
 {
   const sedr::PointView points(*input_);
   for (const auto index : *indices_) {
     const auto i = static_cast<std::size_t>(index);
     const Eigen::Vector3f p = points[i];
-    if (points.isFinite(i) && grid.holds(p.x(), p.y()))
-      region_labels_[i] = number[regions.label[cells.find(grid.at(p.x(), p.y()))]];
+    if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
+      continue;
+    const std::size_t cell = region_map_.cells.find(grid.at(p.x(), p.y()));
+    region_labels_[i] = region_map_.number[region_map_.regions.label[cell]];
   }
 }
 
@@ -149,15 +146,16 @@ void
 GridRegionOutlierRemoval<PointT>::labelRegions()
 {
   const sedr::CellGrid grid(grid_size_);
-  const sedr::CellSet cells(grid, sedr::PointView(*input_), *indices_);
-  const auto regions = sedr::labelOpenedRegions(cells, opening_radius_, minimum_part_);
-  threshold_ = sedr::largestGapThreshold(regions.sizes);
-  const auto number = numberKeptRegions(cells, regions, grid);
-  for (const int n : number)
+  region_map_.cell_size = grid_size_;
+  region_map_.cells = sedr::CellSet(grid, sedr::PointView(*input_), *indices_);
+  region_map_.regions =
+      sedr::labelOpenedRegions(region_map_.cells, opening_radius_, minimum_part_);
+  region_map_.threshold = sedr::largestGapThreshold(region_map_.regions.sizes);
+  region_map_.number = numberKeptRegions(grid);
+  for (const int n : region_map_.number)
     number_of_regions_ += n > 0 ? 1 : 0;
-  region_sizes_ = regions.sizes;
   region_labels_.assign(input_->size(), 0);
-  labelPoints(grid, cells, regions, number);
+  labelPoints(grid);
 }
 
 } // namespace pcl

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/refinement.h>
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_filters/surface_cells.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
@@ -34,6 +33,7 @@ VerticalHoleRepair<PointT>::clearResults()
   sedr::StageFilter<PointT>::clearResults();
   sources_.clear();
   repaired_.clear();
+  strips_.clear();
   surface_points_.clear();
 }
 
@@ -55,7 +55,8 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   const sedr::Refinement refined = sedr::refineToPlan(
       sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);
   std::vector<bool> is_used(refined.sources.size(), false);
-  for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_)) {
+  for (const auto& repaired :
+       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_)) {
     const bool is_new = repaired.source < 0;
     PointT p{};
     if (is_new)

@@ -62,6 +62,13 @@ struct WallSeeds {
   pcl::Indices below;
 };
 
+/** @brief The seeds that are left when those of rims with less than the minimum support
+ * have gone. */
+WallSeeds seedsWithSupport(const PointView& points,
+                           const WallParts& parts,
+                           const WallSeeds& seeds,
+                           const WallGrowingOptions& options);
+
 /** @brief The candidates that are near a seed in plan. O((n + s) log s) for n
  * candidates and s seeds. */
 pcl::Indices growWalls(const PointView& points,

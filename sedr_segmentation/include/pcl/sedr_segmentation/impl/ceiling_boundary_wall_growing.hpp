@@ -29,6 +29,7 @@ pcl::CeilingBoundaryWallGrowing<PointT>::segment(pcl::PointIndices& walls)
   for (auto* result :
        {&ceiling_boundary_, &scope_boundary_, &floor_boundary_, &wall_indices_})
     result->clear();
+  seeds_ = sedr::WallSeeds();
   this->clearError();
   if (!input_ || !this->initCompute())
     return this->fail("CeilingBoundaryWallGrowing", "no input cloud was set");
@@ -41,7 +42,8 @@ pcl::CeilingBoundaryWallGrowing<PointT>::segment(pcl::PointIndices& walls)
         points, *indices_, ceiling_.get(), floor_.get(), details_.get(), growing_);
     wrong = sedr::problemOf(parts, growing_);
     if (wrong.empty()) {
-      wall_indices_ = sedr::growWalls(points, parts, findSeeds(parts), growing_);
+      seeds_ = sedr::seedsWithSupport(points, parts, findSeeds(parts), growing_);
+      wall_indices_ = sedr::growWalls(points, parts, seeds_, growing_);
       walls.indices = sedr::unite(wall_indices_, parts.details);
     }
   }

@@ -76,7 +76,7 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   evidence.room = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
   std::string problem;
   plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem,
-                       warnings_);
+                       warnings_, &boundaries_);
   return problem.empty() || fail("FloorplanFitting", problem);
 }
 
@@ -86,6 +86,7 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
 {
   plan.rooms.clear();
   warnings_.clear();
+  boundaries_.clear();
   this->clearError();
   if (!this->initCompute())
     return fail("FloorplanFitting", "no input cloud was set");

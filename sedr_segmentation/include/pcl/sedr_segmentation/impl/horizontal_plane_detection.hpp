@@ -34,6 +34,7 @@ bool
 pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& planes)
 {
   planes.clear();
+  histogram_ = sedr::HeightHistogram();
   this->clearError();
   if (!this->initCompute())
     return this->fail("HorizontalPlaneDetection", "no input cloud was set");
@@ -48,7 +49,8 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
   }
 
   const sedr::PointView points(*input_);
-  std::vector<sedr::Level> levels = sedr::findLevels(points, *indices_, parameters_);
+  std::vector<sedr::Level> levels =
+      sedr::findLevels(points, *indices_, parameters_, &histogram_);
   sedr::classifyLevels(levels, parameters_);
   sedr::markPlatforms(levels, points, *indices_, parameters_);
   sedr::collectInliers(levels, points, *indices_, parameters_);

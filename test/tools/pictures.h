@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+inline std::ostream&
+operator<<(std::ostream& stream, Colour c)
+{
+  return stream << '(' << int{c.red} << ", " << int{c.green} << ", " << int{c.blue}
+                << ')';
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
+
+namespace programs {
+
+using namespace pcl::sedr::tools;
+
+/** The image in the bytes of a PNG file; empty if they are none. */
+inline Image
+imageOf(std::string png)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetMemoryBuffer(png.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(png.size()));
+  reader->Update();
+  const int* size = reader->GetOutput()->GetDimensions();
+  if (size[0] < 2 || reader->GetOutput()->GetNumberOfScalarComponents() != 3)
+    return {};
+  Image image(size[0], size[1], colours::paper);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto* p = static_cast<const std::uint8_t*>(
+          reader->GetOutput()->GetScalarPointer(x, image.height - 1 - y, 0));
+      image.at(x, y) = {p[0], p[1], p[2]};
+    }
+  return image;
+}
+
+/** The colour of a panel at a place, metres. */
+inline Colour
+colourAt(const Panel& panel, double x, double y)
+{
+  constexpr double size = 600;
+  Canvas canvas(static_cast<int>(size), static_cast<int>(size));
+  panel.draw(canvas, {{0, 0}, {size, size}});
+  const Box view = panel.view();
+  const Eigen::Vector2d at = (Eigen::Vector2d(x, y) - view.low)
+                                 .cwiseQuotient(view.size())
+                                 .cwiseProduct(Eigen::Vector2d(size, size));
+  EXPECT_TRUE(view.contains({x, y})) << x << ' ' << y;
+  return canvas.image().at(static_cast<int>(at.x()), static_cast<int>(size - at.y()));
+}
+
+/** Panel `i` of a picture, counted row by row. */
+inline const Panel&
+panelOf(const Picture& picture, std::size_t i)
+{
+  for (const auto& row : picture.rows()) {
+    if (i < row.size())
+      return row[i];
+    i -= row.size();
+  }
+  throw std::out_of_range("the picture has no such panel");
+}
+
+/** The cells of rows `y0` to `y1` and columns `x0` to `x1`, ends included. */
+inline pcl::sedr::CellSet
+block(int x0, int x1, int y0, int y1)
+{
+  std::vector<pcl::sedr::CellKey> keys;
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x)
+      keys.push_back(pcl::sedr::keyOf({x, y}));
+  return pcl::sedr::CellSet(std::move(keys));
+}
+
+} // namespace programs

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief Fine pixels along the edge of a pixel. */
+constexpr int fineness = 3;
+
+/** @brief Fine pixels that a box is wide at least, so that single cells show. */
+constexpr double least_fine = 2;
+
+/** @brief The first fine pixel whose middle is not before `x`, within 0 and `limit`. */
+int
+firstFrom(double x, int limit)
+{
+  return static_cast<int>(
+      std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(limit)));
+}
+
+} // namespace
+
+void
+Box::extend(const Eigen::Vector2d& p)
+{
+  const bool was_empty = isEmpty();
+  low = was_empty ? p : Eigen::Vector2d(low.cwiseMin(p));
+  high = was_empty ? p : Eigen::Vector2d(high.cwiseMax(p));
+}
+
+void
+Box::extend(const Box& box)
+{
+  if (box.isEmpty())
+    return;
+  extend(box.low);
+  extend(box.high);
+}
+
+Box
+Box::grown(double margin) const
+{
+  return {low.array() - margin, high.array() + margin};
+}
+
+Canvas::Canvas(int width, int height)
+    : fine_(fineness * width, fineness * height, colours::paper)
+    , clip_right_(fine_.width)
+    , clip_bottom_(fine_.height)
+{}
+
+void
+Canvas::setClip(const Box& box)
+{
+  clip_left_ = firstFrom(fineness * box.low.x(), fine_.width);
+  clip_right_ = firstFrom(fineness * box.high.x(), fine_.width);
+  clip_top_ = firstFrom(fineness * box.low.y(), fine_.height);
+  clip_bottom_ = firstFrom(fineness * box.high.y(), fine_.height);
+}
+
+void
+Canvas::fillRow(int row, double from, double to, Colour colour)
+{
+  if (row < clip_top_ || row >= clip_bottom_)
+    return;
+  const int first = std::max(firstFrom(from, fine_.width), clip_left_);
+  const int last = std::min(firstFrom(to, fine_.width), clip_right_);
+  for (int x = first; x < last; ++x)
+    fine_.at(x, row) = colour;
+}
+
+void
+Canvas::fillBox(const Box& box, Colour colour)
+{
+  Eigen::Vector2d low = fineness * box.low;
+  Eigen::Vector2d high = fineness * box.high;
+  for (int k = 0; k < 2; ++k)
+    if (high[k] - low[k] < least_fine) {
+      low[k] = std::floor((low[k] + high[k] - least_fine) / 2 + 0.5);
+      high[k] = low[k] + least_fine;
+    }
+  const int last = firstFrom(high.y(), fine_.height);
+  for (int row = firstFrom(low.y(), fine_.height); row < last; ++row)
+    fillRow(row, low.x(), high.x(), colour);
+}
+
+void
+Canvas::drawDisc(const Eigen::Vector2d& centre, double radius, Colour colour)
+{
+  const Eigen::Vector2d middle = fineness * centre;
+  const double r = fineness * radius;
+  const int last = firstFrom(middle.y() + r, fine_.height);
+  for (int row = firstFrom(middle.y() - r, fine_.height); row < last; ++row) {
+    const double up = row + 0.5 - middle.y();
+    const double half = std::sqrt(std::max(0.0, r * r - up * up));
+    fillRow(row, middle.x() - half, middle.x() + half, colour);
+  }
+}
+
+void
+Canvas::fillConvex(const std::vector<Eigen::Vector2d>& corners, Colour colour)
+{
+  double top = std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const auto& c : corners) {
+    top = std::min(top, c.y());
+    bottom = std::max(bottom, c.y());
+  }
+  const int last = firstFrom(bottom, fine_.height);
+  for (int row = firstFrom(top, fine_.height); row < last; ++row) {
+    const double y = row + 0.5;
+    double from = std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2d& a = corners[i];
+      const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
+      if ((a.y() <= y) == (b.y() <= y))
+        continue;
+      const double x = a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
+      from = std::min(from, x);
+      to = std::max(to, x);
+    }
+    fillRow(row, from, to, colour);
+  }
+}
+
+void
+Canvas::drawLine(const Eigen::Vector2d& a,
+                 const Eigen::Vector2d& b,
+                 double width,
+                 Colour colour)
+{
+  drawDisc(a, width / 2, colour);
+  drawDisc(b, width / 2, colour);
+  const Eigen::Vector2d way = b - a;
+  if (!(way.norm() > 0))
+    return;
+  const Eigen::Vector2d side =
+      Eigen::Vector2d(-way.y(), way.x()) / way.norm() * width / 2;
+  std::vector<Eigen::Vector2d> corners{a + side, b + side, b - side, a - side};
+  for (auto& c : corners)
+    c *= fineness;
+  fillConvex(corners, colour);
+}
+
+void
+Canvas::fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colour)
+{
+  if (depths_.empty())
+    depths_.assign(fine_.pixels.size(), std::numeric_limits<float>::infinity());
+  Box box;
+  std::array<Eigen::Vector2d, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    p[k] = fineness * corners[k].head<2>();
+    box.extend(p[k]);
+  }
+  const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  const double whole = cross(p[1] - p[0], p[2] - p[0]);
+  if (whole == 0)
+    return;
+  // Neighbours share the fine pixels along their edge, so that no gap shows.
+  constexpr double rim = -1e-9;
+  const int left = std::max(clip_left_, firstFrom(box.low.x(), fine_.width));
+  const int right = std::min(clip_right_, firstFrom(box.high.x(), fine_.width));
+  const int top = std::max(clip_top_, firstFrom(box.low.y(), fine_.height));
+  const int bottom = std::min(clip_bottom_, firstFrom(box.high.y(), fine_.height));
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x) {
+      const Eigen::Vector2d q(x + 0.5, y + 0.5);
+      const double b = cross(q - p[0], p[2] - p[0]) / whole;
+      const double c = cross(p[1] - p[0], q - p[0]) / whole;
+      if (b < rim || c < rim || b + c > 1 - rim)
+        continue;
+      const auto depth = static_cast<float>((1 - b - c) * corners[0].z() +
+                                            b * corners[1].z() + c * corners[2].z());
+      float& nearest =
+          depths_[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine_.width) +
+                  static_cast<std::size_t>(x)];
+      if (depth >= nearest)
+        continue;
+      nearest = depth;
+      fine_.at(x, y) = colour;
+    }
+}
+
+Image
+Canvas::image() const
+{
+  Image result(fine_.width / fineness, fine_.height / fineness, colours::paper);
+  constexpr int count = fineness * fineness;
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x) {
+      int sum[3] = {0, 0, 0};
+      for (int dy = 0; dy < fineness; ++dy)
+        for (int dx = 0; dx < fineness; ++dx) {
+          const Colour c = fine_.at(fineness * x + dx, fineness * y + dy);
+          sum[0] += c.red;
+          sum[1] += c.green;
+          sum[2] += c.blue;
+        }
+      const auto mean = [](int s) {
+        return static_cast<std::uint8_t>((s + count / 2) / count);
+      };
+      result.at(x, y) = {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+    }
+  for (const auto& text : texts_)
+    drawText(text, result);
+  return result;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

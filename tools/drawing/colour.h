@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/point_types.h>
+
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief A colour of a picture, 0 to 255 a channel. */
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend constexpr bool operator==(Colour a, Colour b)
+  {
+    return a.red == b.red && a.green == b.green && a.blue == b.blue;
+  }
+
+  friend constexpr bool operator!=(Colour a, Colour b) { return !(a == b); }
+};
+
+/** @brief What a colour means, the same in all pictures. */
+namespace colours {
+constexpr Colour paper{255, 255, 255};
+constexpr Colour ink{34, 34, 34};      ///< text, the lines of a plan
+constexpr Colour faint{214, 214, 214}; ///< frames, what a panel is not about
+constexpr Colour other{155, 155, 155};
+constexpr Colour ceiling{240, 144, 30};
+constexpr Colour floor{45, 114, 196};
+constexpr Colour wall{54, 160, 74};
+constexpr Colour detail{216, 48, 44};
+constexpr Colour column{141, 68, 176};
+constexpr Colour removed{60, 60, 60};
+constexpr Colour recovered{231, 41, 138}; ///< what a stage has added
+constexpr Colour arc{0, 150, 190};
+} // namespace colours
+
+/** @brief `a` with `share` (0 to 1) of `b` in it. */
+constexpr Colour
+mixed(Colour a, Colour b, double share)
+{
+  const auto mix = [share](std::uint8_t u, std::uint8_t v) {
+    return static_cast<std::uint8_t>(u + (v - u) * share + 0.5);
+  };
+  return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
+constexpr Colour
+lightened(Colour colour, double share)
+{
+  return mixed(colour, colours::paper, share);
+}
+
+constexpr Colour
+darkened(Colour colour, double share)
+{
+  return mixed(colour, Colour{0, 0, 0}, share);
+}
+
+constexpr Colour
+colourOf(StructureLabel label)
+{
+  switch (label) {
+  case StructureLabel::Ceiling:
+    return colours::ceiling;
+  case StructureLabel::Floor:
+    return colours::floor;
+  case StructureLabel::Wall:
+    return colours::wall;
+  case StructureLabel::Detail:
+    return colours::detail;
+  case StructureLabel::Column:
+    return colours::column;
+  default:
+    return colours::other;
+  }
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "canvas.h"
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief A triangle seen by the viewer: x to the right, y up, depth away from him. */
+struct ViewedTriangle {
+  std::array<Eigen::Vector3d, 3> corners;
+  Colour colour;
+};
+
+/** @brief A part of a picture: shapes in metres, the later ones over the earlier, x to
+ * the right and y up. A map shows both axes at one scale, with a bar to measure by; a
+ * chart each at its own, with numbers along them. */
+class Panel {
+public:
+  explicit Panel(std::string panel_title)
+      : title(std::move(panel_title))
+  {}
+
+  /** @brief Makes the panel a chart with these words at its axes. */
+  void setAxes(const std::string& along_x, const std::string& along_y);
+
+  bool isChart() const { return is_chart_; }
+  const std::string& xAxis() const { return x_axis_; }
+  const std::string& yAxis() const { return y_axis_; }
+
+  void addBoxes(std::vector<Box> boxes, Colour colour);
+
+  void addCells(const CellSet& cells, double cell_size, Colour colour);
+
+  void addPoints(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 2);
+
+  /** @brief A line through points, `pixels` wide. */
+  void addPath(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 1.5);
+
+  /** @brief The elements of a loop: segments in one colour, arcs in another. */
+  void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels = 1.5);
+
+  void addTriangles(std::vector<ViewedTriangle> triangles);
+
+  /** @brief A text at a place; it is left out where an earlier label of the panel is in
+   * its way. */
+  void addLabel(const Eigen::Vector2d& place,
+                const std::string& text,
+                Colour colour = colours::ink,
+                Anchor anchor = Anchor::Middle);
+
+  /** @brief Shows this part of the plane; else all shapes with a margin. */
+  void setView(const Box& view) { view_ = view; }
+
+  /** @brief What is shown, never empty. */
+  Box view() const;
+
+  /** @brief Draws the inside of the panel into a box of pixels. */
+  void draw(Canvas& canvas, const Box& pixels) const;
+
+  std::string title;
+
+private:
+  struct Boxes {
+    std::vector<Box> boxes;
+    Colour colour;
+  };
+  struct Points {
+    std::vector<Eigen::Vector2d> points;
+    Colour colour;
+    double pixels;
+  };
+  struct Path {
+    std::vector<Eigen::Vector2d> points;
+    Colour colour;
+    double pixels;
+  };
+  struct Label {
+    Eigen::Vector2d place;
+    std::string text;
+    Colour colour;
+    Anchor anchor;
+  };
+  using Triangles = std::vector<ViewedTriangle>;
+
+  /** @brief From metres to pixels. */
+  struct Frame;
+
+  static void draw(const Boxes& layer, const Frame& frame, Canvas& canvas);
+  static void draw(const Points& layer, const Frame& frame, Canvas& canvas);
+  static void draw(const Path& layer, const Frame& frame, Canvas& canvas);
+  static void draw(const Triangles& layer, const Frame& frame, Canvas& canvas);
+
+  void drawLabels(const Frame& frame, Canvas& canvas) const;
+
+  Box view_;
+  Box bounds_; ///< of all shapes
+  std::vector<std::variant<Boxes, Points, Path, Triangles>> layers_;
+  std::vector<Label> labels_;
+  bool is_chart_ = false;
+  std::string x_axis_;
+  std::string y_axis_;
+};
+
+/** @brief The part of the plane that cells lie in, without the farthest stray ones: a
+ * scan may hold points hundreds of metres off. One in a thousand cells at each side may
+ * fall off, where that makes the view smaller by half.
+ * @return empty for no cells */
+Box viewOf(const CellSet& cells, double cell_size);
+
+/** @brief The part of the plane with the connected pieces of at least `least` cells;
+ * viewOf() where there are none. */
+Box viewOfPieces(const CellSet& cells, double cell_size, std::size_t least);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

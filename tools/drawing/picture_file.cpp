@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
+
+#include "tool_error.h"
+#include "whole_file.h"
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+void
+addPictureOption(Options& options, std::string& path)
+{
+  options.text("picture", path, "PNG file for a picture of what was decided");
+}
+
+void
+checkPictureOutput(const std::string& path)
+{
+  if (path.empty())
+    return;
+  if (path.size() < 4 || path.compare(path.size() - 4, 4, ".png") != 0)
+    throw ToolError("cannot write '" + path + "': the name of a picture ends in .png");
+  checkWritable(path);
+}
+
+void
+savePicture(const std::string& path, const Picture& picture)
+{
+  const std::string bytes = pngOf(picture.draw());
+  writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

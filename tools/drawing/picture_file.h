@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.h"
+#include "picture.h"
+
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Adds the option `--picture FILE.png` to a stage's program. */
+void addPictureOption(Options& options, std::string& path);
+
+/** @brief Throws a ToolError if a picture is wanted (`path` is not empty) and none can
+ * be written there, or if the name does not end in .png. To be asked before the work.
+ */
+void checkPictureOutput(const std::string& path);
+
+/** @brief Writes a picture as PNG, whole or not at all. */
+void savePicture(const std::string& path, const Picture& picture);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <pcl/sedr_filters/floor_projection_recovery.h>
+
+#include <pcl/point_types.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What became of the cells of a floor. */
+struct FloorCells {
+  double cell_size = 0; ///< metres
+  CellSet seen;
+  CellSet recovered; ///< below the ceiling, without a floor point
+  CellSet removed;   ///< outside the room
+};
+
+/** @brief The cells of the last run of a recovery that extracts removed indices. */
+FloorCells floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recovery);
+
+/** @brief What FloorProjectionRecovery decided (paper, Figure 5): the floor before,
+ * with what is hidden and what lies outside, and after.
+ * @param rooms one a run */
+Picture drawFloor(const std::vector<FloorCells>& rooms);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <pcl/sedr_filters/floorplan.h>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Adds the walls, columns and details of all rooms: segments and arcs each in
+ * their colour. */
+void addPlan(const Floorplan& plan, double pixels, Panel& panel);
+
+/** @brief Adds a dot at every end of a wall. */
+void addCorners(const Floorplan& plan, Panel& panel);
+
+/** @brief Adds the number of each room, deep inside it, and its area if wanted. */
+void addRoomNumbers(const Floorplan& plan, bool with_area, Panel& panel);
+
+/** @brief What addPlan()'s colours mean, of what the plan has. */
+void addPlanLegend(const Floorplan& plan, Picture& picture);
+
+/** @brief All rooms, with `margin` metres around. */
+Box viewOf(const Floorplan& plan, double margin);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <pcl/sedr_filters/region_selection.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What GridRegionOutlierRemoval decided (paper, Figure 3b to d): the binary
+ * map, the regions with their sizes, and which of them are kept.
+ * @param maps one a run: as many as there are ceilings, of any height */
+Picture drawRegions(const std::vector<RegionMap>& maps);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

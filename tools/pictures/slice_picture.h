@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/slice_detail.h>
+#include <pcl/types.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief The grid-slices analysis of one room. */
+struct RoomSlices {
+  std::uint32_t room = 0; ///< 0: the only one
+  SliceDetails analysis;
+  pcl::Indices points;  ///< what was looked at
+  pcl::Indices ceiling; ///< the main ceiling of these
+};
+
+/** @brief What GridSliceDetail decided (paper, Figure 4): a map a trial with the cells
+ * of ceiling and slices and the zero-valued regions, a map of the details, and a
+ * vertical section with the heights of the slices.
+ * @param points the cloud that the indices are of
+ * @param cell_size of the analysis, metres */
+Picture drawSlices(const std::vector<RoomSlices>& rooms,
+                   const PointView& points,
+                   double cell_size);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "thinning_picture.h"
+
+#include "map_cells.h"
+
+#include <pcl/sedr_filters/cell_mask.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief A shade for cells with at least so many points. */
+struct Shade {
+  std::uint32_t least;
+  Colour colour;
+  const char* meaning;
+};
+
+constexpr std::array<Shade, 7> shades{{{1, {198, 219, 239}, "1 point a cell"},
+                                       {2, {158, 202, 225}, "2"},
+                                       {4, {107, 174, 214}, "4"},
+                                       {10, {49, 130, 189}, "10"},
+                                       {50, {8, 81, 156}, "50"},
+                                       {250, {8, 48, 107}, "250"},
+                                       {1000, {3, 19, 43}, "1000 or more"}}};
+
+/** @brief The cells that a view shows. */
+CellBox
+boxOf(const Box& view, double cell_size)
+{
+  const auto cell = [&](double x) {
+    return static_cast<std::int32_t>(std::floor(x / cell_size));
+  };
+  return {{cell(view.low.x()), cell(view.low.y())},
+          {cell(view.high.x()), cell(view.high.y())}};
+}
+
+Panel
+densityPanel(const std::string& title,
+             const PointView& points,
+             const CellGrid& grid,
+             const CellBox& box)
+{
+  CellMask shade(box);
+  std::vector<std::uint32_t> count(shade.values().size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = points[i];
+    if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    if (shade.isInside(cell))
+      ++count[shade.indexOf(cell)];
+  }
+  Panel panel(title);
+  for (std::size_t s = 0; s < shades.size(); ++s) {
+    for (std::size_t i = 0; i < count.size(); ++i)
+      shade.values()[i] =
+          count[i] >= shades[s].least &&
+                  (s + 1 == shades.size() || count[i] < shades[s + 1].least)
+              ? 1
+              : 0;
+    panel.addCells(shade.toSet(), grid.size(), shades[s].colour);
+  }
+  return panel;
+}
+
+} // namespace
+
+Picture
+drawThinning(const PointView& before, const PointView& after, double leaf)
+{
+  constexpr std::size_t least_piece = 400; // what is smaller lies outside, scattered
+  pcl::Indices all(after.size());
+  std::iota(all.begin(), all.end(), 0);
+  double size = leaf;
+  CellSet cells(CellGrid(size), after, all);
+  Box view = viewOfPieces(cells, size, least_piece);
+  // A building much larger than its voxels is looked at in larger cells.
+  while (!maskProblem(boxOf(view, size)).empty() ||
+         view.size().maxCoeff() / size > 4000) {
+    size *= 2;
+    cells = CellSet(CellGrid(size), after, all);
+    view = viewOfPieces(cells, size, least_piece);
+  }
+  const CellGrid grid(size);
+  const CellBox box = boxOf(view, size);
+  Panel scan =
+      densityPanel("scan: " + counted(before.size(), "point"), before, grid, box);
+  Panel thinned =
+      densityPanel("thinned: " + counted(after.size(), "point"), after, grid, box);
+  for (Panel* panel : {&scan, &thinned})
+    panel->setView(view);
+  Picture picture("Thinning: the mean of the points of each voxel, seen from above");
+  picture.addMaps({scan, thinned});
+  for (const auto& shade : shades)
+    picture.addLegend(shade.meaning, shade.colour);
+  return picture;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture.h"
+
+#include <pcl/sedr_filters/point_view.h>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What ParallelVoxelGrid did: how many points lie in each cell of the plan
+ * before and after.
+ * @param leaf edge of a voxel and of a cell, metres */
+Picture drawThinning(const PointView& before, const PointView& after, double leaf);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

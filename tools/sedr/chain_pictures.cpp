@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "chain_pictures.h"
+
+#include "mesh_picture.h"
+#include "plan_picture.h"
+#include "plane_picture.h"
+#include "refinement_picture.h"
+#include "region_picture.h"
+#include "repair_picture.h"
+#include "room_picture.h"
+#include "thinning_picture.h"
+
+#include <pcl/sedr_filters/structure_fields.h>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief The thinned points: what the chain's cloud began with. */
+PointView
+thinnedPoints(const ChainPictures::Chain& chain)
+{
+  const auto& cloud = *chain.getChain().cloud;
+  return {cloud.empty() ? nullptr : &cloud[0].x, sizeof(pcl::PointXYZ),
+          chain.getStageReports().front().points_out};
+}
+
+/** @brief The cells of the ceilings that are kept. */
+CellSet
+keptCeilings(const std::vector<RegionMap>& maps)
+{
+  CellSet kept;
+  for (const auto& map : maps)
+    kept = unite(kept, map.keptCells());
+  return kept;
+}
+
+} // namespace
+
+ChainPictures::ChainPictures(Chain& chain)
+    : chain_(chain)
+{
+  chain_.getChain().on_result = [this](const std::string& stage, std::uint32_t room) {
+    note(stage, room);
+  };
+}
+
+ChainPictures::~ChainPictures()
+{
+  chain_.getChain().on_result = nullptr;
+}
+
+void
+ChainPictures::note(const std::string& stage, std::uint32_t room)
+{
+  const StructureChain& chain = chain_.getChain();
+  if (stage == "GridRegionOutlierRemoval")
+    regions_.push_back(chain.outlier_removal.getRegionMap());
+  else if (stage == "GridSliceDetail")
+    slices_.push_back({room, chain.slice_detail.getAnalysis(),
+                       *chain_.getChain().slice_detail.getIndices(),
+                       *chain.slice_detail.getCeilingIndices()});
+  else if (stage == "FloorProjectionRecovery")
+    floors_.push_back(floorCellsOf(chain.floor_recovery));
+  else if (stage == "CeilingBoundaryWallGrowing")
+    walls_.push_back(roomWallsOf(chain.wall_growing, room));
+}
+
+std::vector<std::string>
+ChainPictures::names()
+{
+  return {"01_parallel_voxel_grid.png",
+          "02_horizontal_plane_detection.png",
+          "03_grid_region_outlier_removal.png",
+          "04_room_segmentation.png",
+          "05_grid_slice_detail.png",
+          "06_floor_projection_recovery.png",
+          "07_ceiling_boundary_wall_growing.png",
+          "08_floorplan_fitting.png",
+          "09_structure_refinement.png",
+          "10_vertical_hole_repair.png",
+          "11_structural_poisson.png"};
+}
+
+std::vector<PictureFile>
+ChainPictures::draw() const
+{
+  const StructureChain& chain = chain_.getChain();
+  const PointView points(*chain.cloud);
+  const std::vector<std::uint32_t> labels = labelsOf(*chain.refinement.getInputCloud());
+  const std::vector<Picture> pictures{
+      drawThinning(PointView(*chain_.getInputCloud()), thinnedPoints(chain_),
+                   chain_.getVoxelSize()),
+      drawPlanes(chain.planes, chain.plane_detection.getHeightHistogram(), points,
+                 chain_.getGridSize()),
+      drawRegions(regions_),
+      drawRooms(chain.getRoomRegions(), keptCeilings(regions_),
+                chain.room_segmentation.cell_size),
+      drawSlices(slices_, points, chain_.getGridSize()),
+      drawFloor(floors_),
+      drawWalls(walls_, points),
+      drawPlan(*chain.plan, chain.floorplan_fitting.getBoundaries()),
+      drawRefinement(refinedWallsOf(chain.refinement, labels), *chain.plan),
+      drawRepair(repairedSurfacesOf(chain.hole_repair), *chain.plan),
+      drawMesh(chain.poisson.getMesh())};
+  std::vector<PictureFile> files;
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    files.push_back({names()[i], pngOf(pictures[i].draw())});
+  return files;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief A folder of results: asked for before the work, made when there is something
+ * to write, and gone again, if it was made here, when writing fails. What cannot be
+ * written to is a ToolError. */
+class OutputFolder {
+public:
+  /** @param path it may be missing, and so may the folders above it
+   * @param names of the files that will be in it */
+  OutputFolder(const std::string& path, std::vector<std::string> names);
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+  /** @brief Makes the folder and calls `write`, which fills it. */
+  void fill(const std::function<void()>& write) const;
+
+private:
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+  std::filesystem::path path_;
+  std::vector<std::string> names_;
+  std::vector<std::filesystem::path> missing_; ///< what must be made, innermost first
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
