@@ -205,6 +205,17 @@ fitParallel(const PointView& points,
 {
   PlanSlab slab = start;
   slab.plane.head<3>() = direction.plane.head<3>();
+  // Turned about the points, not about the origin, which may be far away.
+  const std::vector<int> first = withinBand(points, indices, start, band);
+  std::vector<double> offsets;
+  for (const int i : first)
+    offsets.push_back(distanceAbove(slab, points[static_cast<std::size_t>(i)]));
+  if (!offsets.empty()) {
+    const auto middle =
+        offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+    std::nth_element(offsets.begin(), middle, offsets.end());
+    slab.plane[3] -= *middle;
+  }
   const double widest = band;
   for (int round = 0; round < 6; ++round) {
     const std::vector<int> inside = withinBand(points, indices, slab, band);

@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/detail_fit.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/column_table.h>
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -45,6 +46,9 @@ detailLevels(const PointView& points,
 /** @brief A step of less than this between two heights is unevenness, metres. */
 constexpr double least_step = 0.06;
 
+/** @brief Smallest part of a floor at a height of its own, square metres. */
+constexpr double least_floor_area = 1.0;
+
 /** @brief Mean height of a slab over the main one, above the cells of a mask. */
 double
 heightOverMain(const PlanSlab& main,
@@ -64,8 +68,8 @@ heightOverMain(const PlanSlab& main,
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-/** @brief The plane of the detail over some cells: parallel to the main slab, unless
- * its points say clearly otherwise. */
+/** @brief The plane of the detail over some cells: parallel to the main slab, unless it
+ * is wide enough for its points to say clearly otherwise. */
 PlanSlab
 detailSlab(const PointView& points,
            const SlabEvidence& evidence,
@@ -86,9 +90,12 @@ detailSlab(const PointView& points,
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
       fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
+  constexpr double least_width = 1.0;
+  const bool is_wide =
+      eroded(cells, cellsFor(least_width / 2, grid.size())).count() > 0;
   const bool is_clear =
       leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
-  return is_clear ? leaning : parallel;
+  return is_wide && is_clear ? leaning : parallel;
 }
 
 /** @brief Labels the cells of the main slab and of each connected detail. */
@@ -100,8 +107,11 @@ seenHeights(const PointView& points,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  const auto least = static_cast<std::size_t>(parameters.minimum_detail_area /
-                                              (grid.size() * grid.size()));
+  // Furniture leaves small and thin pieces at the heights of a floor.
+  const double least_area =
+      evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
+  const double opening = evidence.is_floor ? 2 : 1;
+  const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map{room,
                 std::vector<std::int32_t>(room.values().size(), -1),
                 main_slab,
@@ -116,7 +126,7 @@ seenHeights(const PointView& points,
     if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < least_step)
       continue;
     cells = subtract(eroded(dilated(cells, 2), 2), main);
-    cells = intersect(cells, dilated(eroded(cells, 1), 2));
+    cells = intersect(cells, dilated(eroded(cells, opening), opening + 1));
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < least)
@@ -237,8 +247,11 @@ hasRisers(const HeightMap& map,
       const double a = map.slabOf(label).heightAt(p);
       const double b = map.slabOf(other).heightAt(p);
       ++edges;
-      if (std::abs(a - b) < 0.1 || columns.share(cell, std::min(a, b) + 0.02,
-                                                 std::max(a, b) - 0.02, 4, 2) >= 0.5)
+      const double low = std::min(a, b) + 0.02;
+      const double high = std::max(a, b) - 0.02;
+      // Bins that hold a voxel each, at most four.
+      const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
+      if (high - low < 0.06 || columns.share(cell, low, high, bins, 2) >= 0.5)
         ++closed;
     }
   }

@@ -153,6 +153,18 @@ TEST(FitParallel, KeepsTheDirectionAndFindsTheHeight)
   EXPECT_NEAR(slab.residual, 0, 1e-5);
 }
 
+TEST(FitParallel, StartsFromALeaningPlaneAmongThePointsHoweverFarTheOrigin)
+{
+  Points cloud;
+  cloud.add(slabAt(2.4), 50, 0.5);
+  // Leans by two degrees and passes through the middle of the points.
+  const double slope = std::tan(2 * M_PI / 180);
+  const PlanSlab start = slabAt(2.4 - slope * 50.25, slope, 0);
+  const PlanSlab slab = fitParallel(cloud.view(), cloud.all(), slabAt(0), start, 0.05);
+  EXPECT_NEAR(slab.heightAt({50, 1}), 2.4, 1e-5);
+  EXPECT_EQ(slab.inliers, cloud.points.size());
+}
+
 TEST(FitParallel, OfAPlaneThatLeansOtherwiseHasItsDeviationForResidual)
 {
   // Over 4 m it is off by up to 2 cm each way, evenly: 4 cm / sqrt(12).
