@@ -21,9 +21,9 @@ namespace sedr_test {
 
 /** Which indices the parts of a room got. */
 struct RoomParts {
-  std::vector<int> floor;
+  std::vector<int> floor;   ///< platforms included
   std::vector<int> ceiling; ///< the main one
-  std::vector<int> details; ///< undersides and risers
+  std::vector<int> details; ///< undersides, risers and niches
   std::vector<int> walls;   ///< and faces of columns
 };
 
@@ -95,14 +95,24 @@ public:
       };
     };
     RoomParts parts;
-    parts.floor = slab(room.boundary, room.floor, [&](double x, double y) {
-      return room.contains({x, y});
-    });
+    const auto isAbove = [&](int detail) {
+      return [&room, detail](double x, double y) {
+        return room.contains({x, y}) && room.floorDetailAt({x, y}) == detail;
+      };
+    };
+    parts.floor = slab(room.boundary, room.floor, isAbove(-1));
+    for (std::size_t d = 0; d < room.floor_details.size(); ++d)
+      for (const int i : slab(room.floor_details[d].boundary,
+                              room.floor_details[d].slab, isAbove(static_cast<int>(d))))
+        parts.floor.push_back(i);
     parts.ceiling = slab(room.boundary, room.ceiling, isBelow(-1));
     const std::size_t details = points_.size();
     for (std::size_t d = 0; d < room.details.size(); ++d)
       slab(room.details[d].boundary, room.details[d].slab,
            isBelow(static_cast<int>(d)));
+    for (const auto& niche : room.niches)
+      for (const auto* level : {&niche.bottom, &niche.top})
+        slab(niche.boundary, *level);
     const auto uprights = pcl::sedr::uprightSurfaces(room);
     const auto addUprights = [&](bool are_risers) {
       for (const auto& surface : uprights)

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/floor_platforms.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** 5 m x 4 m, 2.6 m high. */
+PlanRoom
+hall()
+{
+  return roomOf(rectangle(0, 0, 5, 4), 2.6);
+}
+
+/** Heights of the levels that are floors, lowest first. */
+std::vector<double>
+floorsOf(const RoomPoints& points)
+{
+  const LevelParameters parameters;
+  std::vector<Level> levels = findLevels(points.view(), points.all(), parameters);
+  classifyLevels(levels, parameters);
+  markPlatforms(levels, points.view(), points.all(), parameters);
+  std::vector<double> heights;
+  for (const auto& level : levels)
+    if (level.kind == LevelKind::Floor)
+      heights.push_back(level.height);
+  return heights;
+}
+
+void
+expectFloors(const RoomPoints& points, const std::vector<double>& heights)
+{
+  const std::vector<double> found = floorsOf(points);
+  ASSERT_EQ(found.size(), heights.size());
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    EXPECT_NEAR(found[i], heights[i], 0.005);
+}
+
+/** A closed box on the floor. */
+void
+addBox(RoomPoints& points, const PlanLoop& footprint, double height)
+{
+  points.slab(footprint, height);
+  for (const auto& side : footprint.elements)
+    points.wall(side, 0, height);
+}
+
+TEST(Platforms, OneAlongAWallIsAFloor)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(3.5, 0, 5, 4), 0.3)};
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.3});
+}
+
+TEST(Platforms, ANarrowStepUpToOneIsAFloorToo)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(3.2, 0, 5, 4), 0.15),
+                        detailOf(rectangle(3.5, 0, 5, 4), 0.3)};
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.15, 0.3});
+}
+
+TEST(Platforms, ANarrowStepThatLeadsNowhereIsNone)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(4.7, 0, 5, 4), 0.3)}; // a bench
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0});
+}
+
+TEST(Platforms, AreTheirOwnCellsOnly)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(3.5, 0, 5, 4), 0.3)};
+  RoomPoints points;
+  points.room(room);
+  const auto crate = points.slab(rectangle(1, 1, 1.6, 1.6), 0.3);
+  LevelParameters parameters;
+  std::vector<Level> levels = findLevels(points.view(), points.all(), parameters);
+  classifyLevels(levels, parameters);
+  markPlatforms(levels, points.view(), points.all(), parameters);
+  collectInliers(levels, points.view(), points.all(), parameters);
+  for (const auto& level : levels)
+    for (const int i : level.inliers)
+      EXPECT_TRUE(level.kind == LevelKind::Other || i < crate.front() ||
+                  i > crate.back());
+}
+
+TEST(Platforms, ABoxInTheRoomIsNone)
+{
+  RoomPoints points;
+  points.room(hall());
+  addBox(points, rectangle(1, 1, 3, 2.2), 0.4);
+  expectFloors(points, {0});
+}
+
+TEST(Platforms, ATableAlongAWallIsNoneForTheFloorIsSeenBelow)
+{
+  RoomPoints points;
+  points.room(hall());
+  points.slab(rectangle(0, 0, 1.5, 3), 0.4);
+  expectFloors(points, {0});
+}
+
+TEST(Platforms, ABedIsTooHigh)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(3, 2.4, 5, 4), 0.55)};
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0});
+}
+
+} // namespace
