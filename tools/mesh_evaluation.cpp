@@ -5,12 +5,15 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
+#include <pcl/common/point_tests.h>
+#include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 
 using namespace pcl::sedr::tools;
@@ -26,6 +29,8 @@ struct Settings {
   std::string truth;
   std::string cloud;
   std::string labels;
+  std::string near;
+  double near_distance = 0.05;
   std::string json;
 };
 
@@ -56,20 +61,67 @@ parseLabels(const std::string& list)
   return labels;
 }
 
-pcl::IndicesPtr
-select(const ToolCloud& cloud, const std::string& list)
+/** @brief The points with one of the labels of a list. */
+pcl::Indices
+withLabels(const ToolCloud& cloud, const std::string& list)
 {
   if (!cloud.has_label)
     throw ToolError(cloud.path + " has no field 'label', which --labels asks for");
   const std::vector<std::uint32_t> labels = parseLabels(list);
-  auto indices = std::make_shared<pcl::Indices>();
+  pcl::Indices indices;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (std::find(labels.begin(), labels.end(), cloud.label[i]) != labels.end())
-      indices->push_back(static_cast<pcl::index_t>(i));
-  if (indices->empty())
+      indices.push_back(static_cast<pcl::index_t>(i));
+  if (indices.empty())
     throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " +
                         cloud.path + " has one of the labels " + list,
                     NothingFound);
+  return indices;
+}
+
+/** @brief Those of `indices` within a distance of a mesh. */
+pcl::Indices
+nearMesh(const Settings& settings, const ToolCloud& cloud, const pcl::Indices& indices)
+{
+  const auto reference = load(settings.near);
+  const std::string problem = reference->problem();
+  if (!problem.empty() || reference->triangles.empty())
+    throw ToolError(settings.near + " cannot be measured from: " +
+                    (problem.empty() ? "it has no triangles" : problem));
+  pcl::Indices finite;
+  std::vector<Eigen::Vector3d> points;
+  for (const auto i : indices) {
+    const pcl::PointXYZ& p = (*cloud.points)[static_cast<std::size_t>(i)];
+    if (!pcl::isFinite(p))
+      continue;
+    finite.push_back(i);
+    points.push_back(p.getVector3fMap().cast<double>());
+  }
+  const std::vector<double> distances =
+      pcl::sedr::MeshDistance(*reference).distances(points);
+  pcl::Indices near;
+  for (std::size_t k = 0; k < finite.size(); ++k)
+    if (distances[k] <= settings.near_distance)
+      near.push_back(finite[k]);
+  if (near.empty())
+    throw ToolError("none of " + std::to_string(indices.size()) + " points of " +
+                        cloud.path + " lies within " +
+                        std::to_string(settings.near_distance) + " m of " +
+                        settings.near,
+                    NothingFound);
+  return near;
+}
+
+/** @brief The points that are measured. */
+pcl::IndicesPtr
+select(const Settings& settings, const ToolCloud& cloud)
+{
+  auto indices = std::make_shared<pcl::Indices>(cloud.size());
+  std::iota(indices->begin(), indices->end(), 0);
+  if (!settings.labels.empty())
+    *indices = withLabels(cloud, settings.labels);
+  if (!settings.near.empty())
+    *indices = nearMesh(settings, cloud, *indices);
   return indices;
 }
 
@@ -139,14 +191,16 @@ run(const Settings& settings, pcl::MeshEvaluation& evaluation)
     checkWritable(settings.json);
   if (!settings.labels.empty() && settings.cloud.empty())
     throw ToolError("--labels chooses points of a cloud, but there is no --cloud");
+  if (!settings.near.empty() && settings.cloud.empty())
+    throw ToolError("--near chooses points of a cloud, but there is no --cloud");
   evaluation.setInputMesh(load(settings.model));
   if (!settings.truth.empty())
     evaluation.setTruth(load(settings.truth));
   if (!settings.cloud.empty()) {
     const ToolCloud cloud = loadCloud(settings.cloud);
     evaluation.setInputCloud(cloud.points);
-    if (!settings.labels.empty())
-      evaluation.setIndices(select(cloud, settings.labels));
+    if (!settings.labels.empty() || !settings.near.empty())
+      evaluation.setIndices(select(settings, cloud));
   }
   MeshEvaluationResult result;
   {
@@ -183,6 +237,10 @@ main(int argc, char** argv)
   options.text("truth", settings.truth, "PLY or OBJ mesh that the model should be");
   options.text("cloud", settings.cloud, "PCD or PLY cloud to measure from the model");
   options.text("labels", settings.labels, "only points of these labels, such as 1,2,3");
+  options.text("near", settings.near,
+               "only points near this PLY or OBJ mesh, such as a model of the walls");
+  options.number("near-distance", settings.near_distance, "m", "how near, with --near",
+                 Range::atLeast(0));
   options.text("json", settings.json, "file to write all figures to");
   options.number("spacing", spacing, "m", "between the samples of a mesh",
                  Range::above(0));

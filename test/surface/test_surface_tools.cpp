@@ -148,6 +148,24 @@ TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_al
   EXPECT_NE(json.find("\"truth_to_mesh\""), std::string::npos);
 }
 
+TEST_F(SurfaceTools, evaluation_measures_points_near_a_mesh_only)
+{
+  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
+  writeCloud(); // 25 cm and 3 cm above the cube
+  const ProgramRun result =
+      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
+                            in("cube.ply"), "--near-distance", "0.1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("cloud to model         1    3.000"), std::string::npos)
+      << result.out;
+  expectFailure(
+      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
+                            in("cube.ply"), "--near-distance", "0.01"}),
+      2, "none of 2 points");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--near", in("cube.ply")}), 1,
+                "no --cloud");
+}
+
 TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
 {
   ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
