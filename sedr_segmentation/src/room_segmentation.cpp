@@ -314,38 +314,79 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   return group;
 }
 
-/** @brief The cells just outside of a room. What was not seen within it is no outline:
- * gaps between its ceilings are closed. */
+/** @brief A room with what was not seen within it: gaps between its ceilings closed. */
 CellMask
-outlineOf(const Storey& storey, const CellMask& scope)
+solidOf(const Storey& storey, const CellMask& scope)
 {
   const double gap = cellsFor(0.4, storey.grid.size());
   const CellMask closed = eroded(dilated(scope, gap), gap);
-  const CellMask solid = unite(closed, enclosedCells(closed));
-  return subtract(dilated(solid, 1), solid);
+  return unite(closed, enclosedCells(closed));
 }
 
-/** @brief Whether the outline of a room has walls in its upper half along enough of it,
- * and none below its floor: a floor that walls go through is a table or a shelf. */
-bool
-isWalled(const Storey& storey, const CellMask& scope, const Piece& main)
+/** @brief What stands and lies around a room. */
+struct Surroundings {
+  CellMask walls; ///< columns that are occupied in the upper half of the room
+  CellMask floor; ///< cells outside of the room where the floor goes on
+};
+
+Surroundings
+surroundingsOf(const Storey& storey, const CellMask& solid, const Piece& main)
 {
-  const CellMask outline = outlineOf(storey, scope);
-  double all = 0;
-  double walls = 0;
-  double below = 0;
+  Surroundings around{CellMask(solid.box()), CellMask(solid.box())};
+  const int reach = cellsFor(0.7, storey.grid.size());
+  const CellMask rim = subtract(dilated(solid, reach), eroded(solid, reach));
+  for (std::size_t i = 0; i < rim.values().size(); ++i) {
+    if (!rim.values()[i])
+      continue;
+    const Cell cell = rim.cellAt(i);
+    const double top = storey.heightOf(main.level, cell);
+    const double floor = storey.heightOf(main.floor, cell);
+    around.walls.values()[i] =
+        storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 1) >= 0.6 ? 1 : 0;
+    around.floor.values()[i] =
+        !solid.values()[i] && storey.columns.hasWithin(cell, floor - 0.07, floor + 0.07)
+            ? 1
+            : 0;
+  }
+  return around;
+}
+
+/** @brief How much of a room's outline is closed rather than open: the share with a
+ * wall within 0.6 m, for a cupboard may hide the ceiling that far, less the share
+ * across which the floor goes on and no wall stands. What is seen through a door or a
+ * window only has no walls towards it, and less of its ceiling is seen than of its
+ * floor. */
+double
+enclosureOf(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  const double size = storey.grid.size();
+  const Surroundings around = surroundingsOf(storey, solid, main);
+  const CellMask outline = subtract(dilated(solid, 1), solid);
+  const CellMask walled = dilated(around.walls, cellsFor(0.6, size));
+  const CellMask open = subtract(dilated(around.floor, cellsFor(0.15, size)),
+                                 dilated(around.walls, cellsFor(0.1, size)));
+  const auto count = [&](const CellMask& mask) {
+    return static_cast<double>(intersect(outline, mask).count());
+  };
+  return (count(walled) - count(open)) /
+         static_cast<double>(std::max<std::size_t>(1, outline.count()));
+}
+
+/** @brief Whether something goes on below the floor along most of the outline: then it
+ * is a table or a shelf. */
+bool
+hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  const CellMask outline = subtract(dilated(solid, 1), solid);
+  std::size_t below = 0;
   for (std::size_t i = 0; i < outline.values().size(); ++i) {
     if (!outline.values()[i])
       continue;
     const Cell cell = outline.cellAt(i);
-    const double top = storey.heightOf(main.level, cell);
     const double floor = storey.heightOf(main.floor, cell);
-    all += 1;
-    walls +=
-        storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 2) >= 0.6 ? 1 : 0;
     below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 1, 2) > 0 ? 1 : 0;
   }
-  return walls >= storey.parameters.minimum_wall_share * all && below <= 0.6 * all;
+  return 5 * below > 3 * outline.count();
 }
 
 /** @brief Boxes around the ceilings that are large enough to be one, what is far apart
@@ -397,7 +438,11 @@ makeRoom(const Storey& storey,
   }
   const double area =
       static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
-  if (area < storey.parameters.minimum_area || !isWalled(storey, scope, main))
+  if (area < storey.parameters.minimum_area)
+    return false;
+  const CellMask solid = solidOf(storey, scope);
+  if (enclosureOf(storey, solid, main) < storey.parameters.minimum_enclosure ||
+      hasWallsBelow(storey, solid, main))
     return false;
   if (members.size() > 1) {
     const CellMask strips = stripsOf(storey, main.level, scope);

@@ -259,9 +259,9 @@ StructureChain::partRooms(StageReport& report)
     std::snprintf(
         text, sizeof text,
         "no room of at least %.1f square metres with a floor below %.0f %% of its "
-        "ceiling and walls along %.0f %% of its outline; planes: ",
+        "ceiling and an outline of which %.0f %% more is walled than open; planes: ",
         parameters.minimum_area, 100 * parameters.minimum_floor_share,
-        100 * parameters.minimum_wall_share);
+        100 * parameters.minimum_enclosure);
     return fail(text + listOf(planes));
   }
   const CellGrid grid(parameters.cell_size);

@@ -60,7 +60,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"minimum_supported_cells", c.outlier_removal.getMinimumSupportedCells()},
           {"minimum_room_area", c.room_segmentation.minimum_area},
           {"minimum_floor_share", c.room_segmentation.minimum_floor_share},
-          {"minimum_wall_share", c.room_segmentation.minimum_wall_share},
+          {"minimum_enclosure", c.room_segmentation.minimum_enclosure},
           {"minimum_open_share", c.room_segmentation.minimum_open_share},
           {"widest_door", c.room_segmentation.widest_door},
           {"detail_tolerance", c.slice_detail.getDistanceThreshold()},

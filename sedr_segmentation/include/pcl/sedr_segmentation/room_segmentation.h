@@ -16,7 +16,7 @@ struct RoomParameters {
   double minimum_area = 1.0;        ///< of a room, square metres
   double minimum_height = 1.5;      ///< of a room, from floor to ceiling
   double minimum_floor_share = 0.1; ///< of a room's cells that have its floor below
-  double minimum_wall_share = 0.5;  ///< of a room's outline that has a wall below
+  double minimum_enclosure = 0.4;   ///< of its outline walled less that left open
   double minimum_open_share =
       0.15; ///< of the outline of a piece that is open to what it belongs to
   double widest_door = 1.6; ///< an opening below a lintel that is wider joins two rooms
