@@ -79,11 +79,40 @@ widePart(const CellMask& region, double width, double cell_size)
   return intersect(region, dilated(eroded(region, radius), radius));
 }
 
-/** @brief The platforms among the cells of `level`, above `floor`; `higher` are those
- * found already. */
+/** @brief The floor that goes on most beside a region, or null if that is no step below
+ * it. */
+const Level*
+floorBeside(const CellMask& region,
+            const Level& level,
+            const std::vector<const Level*>& floors,
+            const CellGrid& grid,
+            const PlatformParameters& platform)
+{
+  const CellMask beside = subtract(dilated(region, cellsFor(0.6, grid.size())), region);
+  const Level* best = nullptr;
+  std::size_t most = 0;
+  for (const Level* floor : floors) {
+    const std::size_t cells =
+        intersect(CellMask(floor->cells, region.box()), beside).count();
+    if (cells <= most)
+      continue;
+    most = cells;
+    best = floor;
+  }
+  if (best == nullptr)
+    return nullptr;
+  const CellBox& box = region.box();
+  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
+  const double step = level.slab.heightAt(middle) - best->slab.heightAt(middle);
+  return step >= platform.least_height && step <= platform.greatest_height ? best
+                                                                           : nullptr;
+}
+
+/** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
+ * those found already. */
 CellSet
 platformCells(const Level& level,
-              const Level& floor,
+              const std::vector<const Level*>& floors,
               const CellSet& higher,
               const PointView& points,
               const std::vector<int>& indices,
@@ -102,7 +131,7 @@ platformCells(const Level& level,
     const CellSet cells = CellSet::fromSorted(std::move(k));
     if (cells.size() < least / 2)
       continue;
-    const CellBox box = grown(boxOf(cells), 6);
+    const CellBox box = grown(boxOf(cells), cellsFor(0.7, cell_size));
     if (!maskProblem(box).empty())
       continue;
     // What stands on a platform hides parts of it.
@@ -111,29 +140,17 @@ platformCells(const Level& level,
     const CellMask region = widePart(
         unite(closed, enclosedCells(closed)),
         above.count() > 0 ? platform.minimum_tread : platform.minimum_width, cell_size);
-    if (region.count() < least || hasFloorBelow(floor, region))
+    const Level* floor = region.count() < least
+                             ? nullptr
+                             : floorBeside(region, level, floors, grid, platform);
+    if (floor == nullptr || hasFloorBelow(*floor, region))
       continue;
-    const Step step{level, floor, grid, ColumnTable(grid, box, points, indices),
+    const Step step{level, *floor, grid, ColumnTable(grid, box, points, indices),
                     CellMask(higher, box)};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }
   return found;
-}
-
-/** @brief The floor that a level is a step above, or null. */
-const Level*
-floorBelow(const std::vector<Level>& levels,
-           const std::vector<std::size_t>& floors,
-           const Level& level,
-           const PlatformParameters& platform)
-{
-  for (const std::size_t f : floors) {
-    const double step = level.height - levels[f].height;
-    if (step >= platform.least_height && step <= platform.greatest_height)
-      return &levels[f];
-  }
-  return nullptr;
 }
 
 } // namespace
@@ -145,20 +162,17 @@ markPlatforms(std::vector<Level>& levels,
               const LevelParameters& parameters,
               const PlatformParameters& platform)
 {
-  std::vector<std::size_t> floors;
-  for (std::size_t l = 0; l < levels.size(); ++l)
-    if (levels[l].kind == LevelKind::Floor)
-      floors.push_back(l);
+  std::vector<const Level*> floors;
+  for (const Level& level : levels)
+    if (level.kind == LevelKind::Floor)
+      floors.push_back(&level);
   CellSet found;
   // From the highest to the lowest: a step is told by the platform that it leads to.
   for (std::size_t l = levels.size(); l-- > 0;) {
     Level& level = levels[l];
-    const Level* floor = level.kind == LevelKind::Other
-                             ? floorBelow(levels, floors, level, platform)
-                             : nullptr;
-    if (floor == nullptr)
+    if (level.kind != LevelKind::Other)
       continue;
-    const CellSet cells = platformCells(level, *floor, found, points, indices,
+    const CellSet cells = platformCells(level, floors, found, points, indices,
                                         parameters.cell_size, platform);
     if (cells.empty())
       continue;

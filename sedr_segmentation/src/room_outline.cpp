@@ -75,7 +75,7 @@ private:
   {
     const double top = topAround(cell);
     const double floor = floor_.heightAt(grid_.centre(cell));
-    return columns_.share(cell, top - 0.3, top - 0.08, 1, 1) >= 1 &&
+    return columns_.share(cell, top - 0.16, top - 0.05, 1, 1) >= 1 &&
            columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
@@ -89,8 +89,9 @@ private:
            columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5;
   }
 
-  /** @brief Whether the hole is closed by a wall from the floor up to the ceiling, along
-   * two fifths of its rim: from where people stand, half of a column is in view. */
+  /** @brief Whether the hole is closed by a wall from the floor up to the ceiling,
+   * along two fifths of its rim: from where people stand, half of a column is in view.
+   */
   bool isColumn(const CellMask& hole) const
   {
     const CellMask rim = subtract(hole, eroded(hole, 1));

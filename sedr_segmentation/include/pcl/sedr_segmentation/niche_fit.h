@@ -15,7 +15,7 @@ struct NicheParameters {
   double least_depth = 0.1;
   double greatest_depth = 0.6;
   double least_size = 0.3;       ///< width and height
-  double least_alcove = 0.25;    ///< depth of one that starts at the floor
+  double least_alcove = 0.2;     ///< depth of one that starts at the floor
   double minimum_coverage = 0.7; ///< share of its back that was seen
   double greatest_view = 0.1;    ///< share of its back, or rim, beyond which one sees
 };
