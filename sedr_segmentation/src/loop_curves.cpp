@@ -26,18 +26,6 @@ agreement(const ContourSample& sample, const PlanCurve& curve, double tolerance)
   return sample.weight() * (1 - d * d);
 }
 
-double
-score(const std::vector<ContourSample>& samples,
-      const std::vector<std::size_t>& open,
-      const PlanCurve& curve,
-      double tolerance)
-{
-  double sum = 0;
-  for (const std::size_t i : open)
-    sum += agreement(samples[i], curve, tolerance);
-  return sum;
-}
-
 /** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on
  * one wall. */
 class CurveSearch {
@@ -83,12 +71,23 @@ public:
 private:
   static constexpr int trials = 400;
 
+  /** @brief How much of the open samples a curve explains. Where nothing was seen,
+   * walls are taken for straight. */
+  double scoreOf(const PlanCurve& curve, const std::vector<std::size_t>& open) const
+  {
+    double sum = 0;
+    for (const std::size_t i : open)
+      if (samples_[i].isSupported() || !curve.isCircle() || !is_seen_)
+        sum += agreement(samples_[i], curve, parameters_.tolerance);
+    return sum;
+  }
+
   void keepBetter(const PlanCurve& curve,
                   const std::vector<std::size_t>& open,
                   PlanCurve& best,
                   double& best_score) const
   {
-    const double s = score(samples_, open, curve, parameters_.tolerance);
+    const double s = scoreOf(curve, open);
     if (s > best_score) {
       best_score = s;
       best = curve;
@@ -108,7 +107,7 @@ private:
     const PlanCurve fitted =
         fitRobustly(inliers, curve, parameters_.tolerance, parameters_.minimum_radius,
                     parameters_.maximum_radius);
-    const double s = score(samples_, open, fitted, parameters_.tolerance);
+    const double s = scoreOf(fitted, open);
     if (s <= best_score)
       return curve;
     best_score = s;
@@ -118,6 +117,7 @@ private:
   const std::vector<ContourSample>& samples_;
   const LoopParameters& parameters_;
   std::mt19937_64 random_;
+  bool is_seen_;
 };
 
 void

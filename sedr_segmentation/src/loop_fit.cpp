@@ -130,7 +130,7 @@ revise(LoopChain& chain,
   if (chain.size() < 3)
     return;
   refitLinks(chain, evidence, parameters);
-  const Guides guides{mainDirections(chain, known), known};
+  const Guides guides{mainDirections(linesOf(chain, known)), known};
   const PathCost cost(samples, evidence, guides.directions, noiseOf(chain), parameters);
   reviseChain(chain, cost, evidence, guides, parameters);
   for (int round = 0; round < 2; ++round) {

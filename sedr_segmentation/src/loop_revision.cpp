@@ -11,35 +11,18 @@
 namespace pcl {
 namespace sedr {
 
-std::vector<Eigen::Vector2d>
-mainDirections(const LoopChain& chain, const std::vector<PlanCurve>& known)
+std::vector<DirectedLine>
+linesOf(const LoopChain& chain, const std::vector<PlanCurve>& known)
 {
-  constexpr std::size_t most = 5;
-  constexpr double same = 0.03; // radians
-  constexpr double shortest = 0.6;
-  std::vector<std::pair<double, Eigen::Vector2d>> lines; // by length
+  constexpr double length_of_known = 1;
+  std::vector<DirectedLine> lines;
   for (std::size_t i = 0; i < chain.size(); ++i)
     if (!chain.links[i].curve.isCircle() && !chain.links[i].is_bridge)
-      lines.emplace_back(chain.element(i).length(), chain.links[i].curve.direction);
+      lines.push_back({chain.element(i).length(), chain.links[i].curve.direction});
   for (const auto& curve : known)
     if (!curve.isCircle())
-      lines.emplace_back(shortest, curve.direction);
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<Eigen::Vector2d> directions;
-  for (const auto& line : lines) {
-    const bool is_new = std::none_of(
-        directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
-          return std::abs(leftOf(d).dot(line.second)) < same;
-        });
-    // Shorter lines have no direction of their own: noise would lend them any.
-    const bool is_long = line.first >= shortest || directions.empty();
-    if (!is_new || !is_long || directions.size() == 2 * most)
-      continue;
-    directions.push_back(line.second);
-    directions.push_back(leftOf(line.second));
-  }
-  return directions;
+      lines.push_back({length_of_known, curve.direction});
+  return lines;
 }
 
 double

@@ -4,6 +4,7 @@
 #include "loop_chain.h"
 #include "loop_path_cost.h"
 #include "loop_window.h"
+#include "main_directions.h"
 
 #include <Eigen/Core>
 
@@ -12,10 +13,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Unit directions: of the lines of a chain and of `known` curves, the longest
- * first, and square to them; at most five pairs. */
-std::vector<Eigen::Vector2d> mainDirections(const LoopChain& chain,
-                                            const std::vector<PlanCurve>& known);
+/** @brief The lines of a chain and those of `known` curves. */
+std::vector<DirectedLine>
+linesOf(const LoopChain& chain, const std::vector<PlanCurve>& known);
 
 /** @brief Standard deviation of the evidence from the links: the median of their
  * residuals by inliers, metres; 0 where none was fitted. */
