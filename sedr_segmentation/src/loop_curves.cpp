@@ -26,18 +26,6 @@ agreement(const ContourSample& sample, const PlanCurve& curve, double tolerance)
   return sample.weight() * (1 - d * d);
 }
 
-double
-score(const std::vector<ContourSample>& samples,
-      const std::vector<std::size_t>& open,
-      const PlanCurve& curve,
-      double tolerance)
-{
-  double sum = 0;
-  for (const std::size_t i : open)
-    sum += agreement(samples[i], curve, tolerance);
-  return sum;
-}
-
 /** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on
  * one wall. */
 class CurveSearch {
@@ -83,12 +71,23 @@ public:
 private:
   static constexpr int trials = 400;
 
+  /** @brief How much of the open samples a curve explains. Where nothing was seen,
+   * walls are taken for straight. */
+  double scoreOf(const PlanCurve& curve, const std::vector<std::size_t>& open) const
+  {
+    double sum = 0;
+    for (const std::size_t i : open)
+      if (samples_[i].isSupported() || !curve.isCircle() || !is_seen_)
+        sum += agreement(samples_[i], curve, parameters_.tolerance);
+    return sum;
+  }
+
   void keepBetter(const PlanCurve& curve,
                   const std::vector<std::size_t>& open,
                   PlanCurve& best,
                   double& best_score) const
   {
-    const double s = score(samples_, open, curve, parameters_.tolerance);
+    const double s = scoreOf(curve, open);
     if (s > best_score) {
       best_score = s;
       best = curve;
@@ -108,7 +107,7 @@ private:
     const PlanCurve fitted =
         fitRobustly(inliers, curve, parameters_.tolerance, parameters_.minimum_radius,
                     parameters_.maximum_radius);
-    const double s = score(samples_, open, fitted, parameters_.tolerance);
+    const double s = scoreOf(fitted, open);
     if (s <= best_score)
       return curve;
     best_score = s;
@@ -118,6 +117,7 @@ private:
   const std::vector<ContourSample>& samples_;
   const LoopParameters& parameters_;
   std::mt19937_64 random_;
+  bool is_seen_;
 };
 
 void
@@ -161,77 +161,6 @@ proposeLines(CurveSearch& search,
     eraseExplained(samples, line, parameters.tolerance, open);
   }
 }
-
-/** @brief The cost from which on it grows slowly only, in units of (half a tolerance)
- * squared: so far off, a sample is an outlier. */
-constexpr double outlier_cost = 9;
-
-/** @brief What a sample costs beyond that on a curve that is far away, for each metre.
- */
-constexpr double cost_per_metre = 10;
-
-/** @brief What a sample that no points support costs on a curve. The wall may be hidden
- * behind furniture, so that it runs outside of the contour, or an opening may have led
- * the contour astray, so that it runs inside: both are cheap over some tenths of a
- * metre, beyond which it is costly. */
-double
-costUnsupported(const ContourSample& sample, const PlanCurve& curve)
-{
-  constexpr double farthest_outside = 0.6;
-  constexpr double farthest_inside = 0.3;
-  const Eigen::Vector2d inwards(-sample.tangent.y(), sample.tangent.x());
-  const double inside = (curve.project(sample.position) - sample.position).dot(inwards);
-  const double d = curve.distance(sample.position);
-  const double excess = inside < 0 ? d / farthest_outside : d / farthest_inside;
-  const double cheap = (inside < 0 ? 0.05 : 0.2) + 0.45 * excess;
-  return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
-}
-
-/** @brief What a sample costs on a curve. */
-double
-costOf(const ContourSample& sample, const PlanCurve& curve, double tolerance)
-{
-  const double cosine = std::abs(curve.tangentAt(sample.position).dot(sample.tangent));
-  const double turned = cosine < least_cosine ? sample.weight() : 0;
-  if (!sample.isSupported())
-    return costUnsupported(sample, curve) + turned;
-  const double d = curve.distance(sample.position);
-  const double squared = std::pow(d / (tolerance / 2), 2);
-  if (squared <= outlier_cost)
-    return sample.weight() * squared + turned;
-  return sample.weight() * outlier_cost + cost_per_metre * (d - 1.5 * tolerance) +
-         turned;
-}
-
-/** @brief What a change of curve costs. */
-constexpr double change_cost = 6;
-
-/** @brief The curves as seen from one sample. */
-class CurvesAt {
-public:
-  void look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
-  {
-    places_.clear();
-    tangents_.clear();
-    for (const auto& curve : curves) {
-      places_.push_back(curve.project(sample.position));
-      tangents_.push_back(curve.tangentAt(sample.position));
-    }
-  }
-
-  /** @brief What it costs to step from one curve to another that runs beside it, as
-   * walls rarely do; nothing where they meet at an angle or touch. */
-  double sideStep(std::size_t a, std::size_t b, double tolerance) const
-  {
-    if (std::abs(tangents_[a].dot(tangents_[b])) < 0.97)
-      return 0;
-    return 4 * std::min(1.0, (places_[a] - places_[b]).norm() / tolerance);
-  }
-
-private:
-  std::vector<Eigen::Vector2d> places_;
-  std::vector<Eigen::Vector2d> tangents_;
-};
 
 } // namespace
 
@@ -277,52 +206,6 @@ findCurves(const std::vector<ContourSample>& samples,
     open.swap(left);
   }
   return curves;
-}
-
-std::vector<std::size_t>
-assignCurves(const std::vector<ContourSample>& samples,
-             const std::vector<PlanCurve>& curves,
-             const LoopParameters& parameters)
-{
-  const std::size_t n = samples.size();
-  const std::size_t k = curves.size();
-  // Two rounds: by the second, what the first sample was given no longer matters.
-  const std::size_t rounds = 2 * n;
-  std::vector<double> cost(k, 0);
-  std::vector<double> next(k, 0);
-  std::vector<std::uint16_t> from(rounds * k);
-  CurvesAt here;
-  for (std::size_t step = 0; step < rounds; ++step) {
-    const ContourSample& sample = samples[step % n];
-    here.look(sample, curves);
-    for (std::size_t c = 0; c < k; ++c) {
-      std::size_t best = c;
-      double least = cost[c];
-      for (std::size_t other = 0; other < k; ++other) {
-        if (cost[other] + change_cost >= least)
-          continue;
-        const double changed =
-            cost[other] + change_cost + here.sideStep(other, c, parameters.tolerance);
-        if (changed < least) {
-          least = changed;
-          best = other;
-        }
-      }
-      from[step * k + c] = static_cast<std::uint16_t>(best);
-      next[c] = least + costOf(sample, curves[c], parameters.tolerance);
-    }
-    cost.swap(next);
-  }
-  auto current = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) -
-                                          cost.begin());
-  std::vector<std::size_t> assigned(n);
-  for (std::size_t step = rounds; step-- > 0;) {
-    // The middle of the two rounds has neighbours on both sides.
-    if (step >= n / 2 && step < n / 2 + n)
-      assigned[step % n] = current;
-    current = from[step * k + current];
-  }
-  return assigned;
 }
 
 } // namespace sedr

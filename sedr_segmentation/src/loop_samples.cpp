@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "wall_stretch.h"
+
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <algorithm>
@@ -17,43 +19,6 @@ constexpr std::size_t tangent_reach = 4;
  * what the walls of the loop have on average. */
 constexpr std::size_t least_evidence = 3;
 constexpr double least_evidence_share = 0.2;
-
-/** @brief The stretch of sorted offsets that shows the wall. */
-struct WallStretch {
-  double offset = 0; ///< mean of the stretch
-  std::size_t count = 0;
-};
-
-/** @brief Mean and number of the offsets within `width` of each other, for the stretch
- * with most of them, near ones before far ones: the wall is looked for at `expected`,
- * within `reach`. */
-WallStretch
-findWall(std::vector<double>& offsets, double width, double expected, double reach)
-{
-  std::sort(offsets.begin(), offsets.end());
-  std::vector<WallStretch> stretches;
-  double sum = 0;
-  for (std::size_t first = 0, last = 0; last < offsets.size(); ++last) {
-    sum += offsets[last];
-    for (; offsets[last] - offsets[first] > width; ++first)
-      sum -= offsets[first];
-    const std::size_t count = last - first + 1;
-    const double mean = sum / static_cast<double>(count);
-    if (std::abs(mean - expected) <= reach)
-      stretches.push_back({mean, count});
-  }
-  WallStretch best;
-  double best_score = 0;
-  for (const auto& s : stretches) {
-    const double score =
-        static_cast<double>(s.count) * (1.2 - std::abs(s.offset - expected) / reach);
-    if (score > best_score) {
-      best_score = score;
-      best = s;
-    }
-  }
-  return best;
-}
 
 /** @brief Measures the evidence of each sample by that of the others; thin evidence is
  * none. */
@@ -115,30 +80,18 @@ sampleContour(const Contour& contour,
   for (std::size_t i = 0; i < n; ++i) {
     ContourSample& sample = samples[i];
     // The staircase of cells is evened out before looking across it.
-    sample.position.setZero();
+    sample.place.setZero();
     for (std::size_t k = 0; k < 4; ++k)
-      sample.position += corner(i + n - 1 + k) / 4;
+      sample.place += corner(i + n - 1 + k) / 4;
+    sample.position = sample.place;
     const Eigen::Vector2d way = corner(i + 1 + reach) - corner(i + n - reach);
     sample.tangent = way.norm() > 0
                          ? Eigen::Vector2d(way.normalized())
                          : Eigen::Vector2d((corner(i + 1) - corner(i)).normalized());
-    const Eigen::Vector2d across(-sample.tangent.y(), sample.tangent.x());
-
-    std::vector<double> offsets;
-    const Eigen::Vector2d middle = sample.position;
-    evidence.forEachWithin(
-        middle,
-        std::hypot(std::abs(parameters.expected_offset) + parameters.reach,
-                   parameters.evidence_span),
-        [&](const Eigen::Vector2d& p) {
-          const Eigen::Vector2d d = p - middle;
-          if (std::abs(d.dot(sample.tangent)) <= parameters.evidence_span)
-            offsets.push_back(d.dot(across));
-        });
-    const WallStretch wall = findWall(offsets, parameters.tolerance,
-                                      parameters.expected_offset, parameters.reach);
+    const WallStretch wall =
+        wallAcross(evidence, sample.place, sample.tangent, parameters);
     counts[i] = wall.count;
-    walls[i] = sample.position + wall.offset * across;
+    walls[i] = sample.place + wall.offset * leftOf(sample.tangent);
   }
   judgeSupport(counts, samples);
   if (edge > 0)

@@ -12,12 +12,6 @@ namespace sedr {
 
 namespace {
 
-Eigen::Vector2d
-leftOf(const Eigen::Vector2d& v)
-{
-  return {-v.y(), v.x()};
-}
-
 /** @brief Sets the number of inliers and their residual. */
 PlanCurve
 judged(PlanCurve curve, const std::vector<WeightedPoint>& points)
@@ -88,8 +82,13 @@ circleMeetsCircle(const PlanCurve& a, const PlanCurve& b)
 double
 PlanCurve::distance(const Eigen::Vector2d& p) const
 {
-  return isCircle() ? std::abs((p - point).norm() - radius)
-                    : std::abs((p - point).dot(leftOf(direction)));
+  return std::abs(signedDistance(p));
+}
+
+double
+PlanCurve::signedDistance(const Eigen::Vector2d& p) const
+{
+  return isCircle() ? (p - point).norm() - radius : (p - point).dot(leftOf(direction));
 }
 
 Eigen::Vector2d
@@ -188,12 +187,16 @@ fitCircle(const std::vector<WeightedPoint>& points, const PlanCurve& start)
   return judged(circle, points);
 }
 
+namespace {
+
+/** @brief Fits by `fit(points, start)` to the points within `band`, which shrinks. */
+template <typename Fit>
 PlanCurve
-fitRobustly(const std::vector<WeightedPoint>& points,
-            const PlanCurve& start,
-            double band,
-            double minimum_radius,
-            double maximum_radius)
+fitShrinking(const std::vector<WeightedPoint>& points,
+             const PlanCurve& start,
+             double band,
+             std::size_t least_points,
+             Fit fit)
 {
   PlanCurve curve = start;
   const double widest = band;
@@ -202,14 +205,49 @@ fitRobustly(const std::vector<WeightedPoint>& points,
     for (const auto& p : points)
       if (curve.distance(p.position) <= band)
         inside.push_back(p);
-    if (inside.size() < (start.isCircle() ? 4u : 2u))
+    if (inside.size() < least_points)
       return round == 0 ? start : curve;
-    curve = start.isCircle() ? fitCircle(inside, curve) : fitLine(inside);
+    curve = fit(inside, curve);
     band = std::clamp(2.5 * robustDeviation(inside, curve), 2e-4, widest);
   }
+  return curve;
+}
+
+} // namespace
+
+PlanCurve
+fitRobustly(const std::vector<WeightedPoint>& points,
+            const PlanCurve& start,
+            double band,
+            double minimum_radius,
+            double maximum_radius)
+{
+  const PlanCurve curve =
+      fitShrinking(points, start, band, start.isCircle() ? 4 : 2,
+                   [](const auto& inside, const PlanCurve& from) {
+                     return from.isCircle() ? fitCircle(inside, from) : fitLine(inside);
+                   });
   const bool is_refused = curve.isCircle() && (curve.radius < minimum_radius ||
                                                curve.radius > maximum_radius);
   return is_refused ? start : curve;
+}
+
+PlanCurve
+fitParallel(const std::vector<WeightedPoint>& points,
+            const PlanCurve& start,
+            double band)
+{
+  return fitShrinking(points, start, band, 1, [](const auto& inside, PlanCurve line) {
+    double sum = 0;
+    double weight = 0;
+    for (const auto& p : inside) {
+      sum += p.weight * line.signedDistance(p.position);
+      weight += p.weight;
+    }
+    if (weight > 0)
+      line.point += sum / weight * leftOf(line.direction);
+    return judged(line, inside);
+  });
 }
 
 std::vector<Eigen::Vector2d>

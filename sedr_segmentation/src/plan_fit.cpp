@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "shared_faces.h"
+
 #include <pcl/sedr_segmentation/plan_fit.h>
 
 #include <pcl/sedr_segmentation/room_territory.h>
@@ -37,6 +39,45 @@ shareOut(const std::vector<int>& indices, std::size_t rooms, RoomOf roomOf)
       shares[static_cast<std::size_t>(r)].push_back(i);
   }
   return shares;
+}
+
+/** @brief What a room was fitted to. */
+struct RoomWork {
+  RoomEvidence evidence;
+  std::vector<FittedBoundary> boundaries;
+};
+
+/** @brief Fits a room again without the points of its neighbours' walls where it runs
+ * along them; it stays where that makes it no simpler. */
+void
+leaveToOthers(const PointView& points,
+              const RoomFitParameters& parameters,
+              Floorplan& plan,
+              std::size_t r,
+              RoomWork& work)
+{
+  const std::vector<PlanElement> faces = facesOfOthers(plan, r);
+  if (faces.empty())
+    return;
+  const auto isOfOthers = [&](int i) {
+    const Eigen::Vector2d p =
+        points[static_cast<std::size_t>(i)].head<2>().cast<double>();
+    return std::any_of(faces.begin(), faces.end(), [&](const PlanElement& e) {
+      return e.distance(p) < parameters.loop.tolerance;
+    });
+  };
+  RoomWork again{work.evidence, {}};
+  auto& walls = again.evidence.walls;
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
+  std::string problem;
+  PlanRoom room =
+      fitRoom(points, again.evidence, parameters, problem, &again.boundaries);
+  room.id = plan.rooms[r].id;
+  if (!problem.empty() ||
+      room.boundary.elements.size() >= plan.rooms[r].boundary.elements.size())
+    return;
+  plan.rooms[r] = std::move(room);
+  work = std::move(again);
 }
 
 } // namespace
@@ -85,27 +126,32 @@ fitPlan(const PointView& points,
                    ? around
                    : shareOut(evidence.walls, numbers.size(), nearest);
 
+  std::vector<RoomWork> work;
   for (std::size_t r = 0; r < numbers.size(); ++r) {
+    RoomWork own{{around[r], ceilings[r], details[r], floors[r], walls[r]}, {}};
     std::string reason;
     if (ceilings[r].size() < 3 || floors[r].size() < 3)
       reason = std::to_string(ceilings[r].size()) + " ceiling points and " +
                std::to_string(floors[r].size()) +
                " floor points are too few, 3 are needed of each";
     PlanRoom room;
-    std::vector<FittedBoundary> fitted;
     if (reason.empty())
-      room = fitRoom(points, {around[r], ceilings[r], details[r], floors[r], walls[r]},
-                     parameters, reason, &fitted);
+      room = fitRoom(points, own.evidence, parameters, reason, &own.boundaries);
     room.id = numbers[r];
-    for (auto& boundary : fitted) {
-      boundary.room = numbers[r];
+    if (!reason.empty()) {
+      warnings.push_back("room " + std::to_string(numbers[r]) + ": " + reason);
+      continue;
+    }
+    plan.rooms.push_back(std::move(room));
+    work.push_back(std::move(own));
+  }
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    leaveToOthers(points, parameters, plan, r, work[r]);
+    for (auto& boundary : work[r].boundaries) {
+      boundary.room = plan.rooms[r].id;
       if (boundaries)
         boundaries->push_back(std::move(boundary));
     }
-    if (reason.empty())
-      plan.rooms.push_back(std::move(room));
-    else
-      warnings.push_back("room " + std::to_string(numbers[r]) + ": " + reason);
   }
   if (plan.rooms.empty())
     problem =

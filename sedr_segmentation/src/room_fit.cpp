@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "main_directions.h"
+
 #include <pcl/sedr_segmentation/room_fit.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
+#include <pcl/sedr_segmentation/column_fit.h>
 #include <pcl/sedr_segmentation/detail_fit.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_outline.h>
@@ -56,17 +59,17 @@ isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3
   });
 }
 
-/** @brief The wall points of the upper half of the room in plan: furniture hides the
- * lower. */
+/** @brief The places of those of some points that show walls or columns: upright things
+ * in the upper half of the room, as furniture hides the lower. */
 PlanPoints
-wallEvidence(const PointView& points,
-             const RoomEvidence& evidence,
-             const PlanRoom& room,
-             const ColumnTable& columns,
-             const CellGrid& grid)
+uprightPlaces(const PointView& points,
+              const std::vector<int>& indices,
+              const PlanRoom& room,
+              const ColumnTable& columns,
+              const CellGrid& grid)
 {
   std::vector<Eigen::Vector2d> upper;
-  for (const int i : evidence.walls) {
+  for (const int i : indices) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Eigen::Vector2d place = p.head<2>().cast<double>();
     const double top = room.ceiling.heightAt(place);
@@ -75,6 +78,23 @@ wallEvidence(const PointView& points,
       upper.push_back(place);
   }
   return {std::move(upper), 0.1};
+}
+
+/** @brief Those of some points that are in the cells of a column or beside them. */
+std::vector<int>
+pointsIn(const CellMask& column,
+         const PointView& points,
+         const std::vector<int>& indices,
+         const CellGrid& grid)
+{
+  const CellMask cells = dilated(column, 1);
+  std::vector<int> inside;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cells.at(grid.at(p.x(), p.y())))
+      inside.push_back(i);
+  }
+  return inside;
 }
 
 /** @brief The contour around the largest region. */
@@ -110,9 +130,21 @@ floorEvidence(const PointView& points,
   return slab;
 }
 
+/** @brief The directions of a loop's straight walls. */
+std::vector<Eigen::Vector2d>
+directionsOf(const PlanLoop& loop)
+{
+  std::vector<DirectedLine> lines;
+  for (const auto& e : loop.elements)
+    if (!e.isArc() && e.length() > 0)
+      lines.push_back({e.length(), (e.end - e.start) / e.length()});
+  return mainDirections(std::move(lines));
+}
+
 PlanLoop
 columnLoop(const CellMask& column,
            const PlanPoints& walls,
+           const PlanLoop& boundary,
            const RoomFitParameters& parameters,
            std::vector<ContourSample>& samples)
 {
@@ -120,7 +152,8 @@ columnLoop(const CellMask& column,
   // hole's.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
-  return fitLoop(contour, walls, {}, loopOnCells(parameters), &samples);
+  return fitColumn(contour, walls, directionsOf(boundary), loopOnCells(parameters),
+                   &samples);
 }
 
 } // namespace
@@ -147,7 +180,7 @@ fitRoom(const PointView& points,
   const ColumnTable columns(grid, box, points, evidence.around);
   const RoomOutline outline =
       outlineRoom(CellMask(seen, box), grid, columns, room.ceiling, room.floor);
-  const PlanPoints walls = wallEvidence(points, evidence, room, columns, grid);
+  const PlanPoints walls = uprightPlaces(points, evidence.walls, room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
@@ -160,7 +193,11 @@ fitRoom(const PointView& points,
     return room;
   }
   for (const CellMask& column : outline.columns) {
-    const PlanLoop loop = columnLoop(column, walls, parameters, fitted.samples);
+    // What the growing took for no wall may still be the column's.
+    const PlanPoints own = uprightPlaces(
+        points, pointsIn(column, points, evidence.around, grid), room, columns, grid);
+    const PlanLoop loop =
+        columnLoop(column, own, room.boundary, parameters, fitted.samples);
     if (loop.elements.empty() || loop.area() >= 0)
       continue;
     room.columns.push_back(loop);

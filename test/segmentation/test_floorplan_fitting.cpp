@@ -269,6 +269,32 @@ TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
   }
 }
 
+TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
+{
+  // The left room's face of the partition is hidden over half a metre, and a bit of
+  // ceiling labelled as its own lies in the partition: behind is the other room's face.
+  TwoRooms scene;
+  const auto isHidden = [&](int i) {
+    const Eigen::Vector3f& p = scene.points[i];
+    return p.x() > 3.9F && p.x() < 4.05F && p.y() > 1 && p.y() < 1.5F;
+  };
+  auto& walls = scene.evidence.walls;
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isHidden), walls.end());
+  for (double y = 1.025; y < 1.5; y += 0.05) {
+    scene.evidence.ceiling.push_back(scene.points.point(4.05, y, 2.5));
+    scene.evidence.room.push_back(7);
+  }
+  scene.evidence.all = scene.points.all();
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan =
+      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_EQ(plan.rooms[1].boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
+}
+
 TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
 {
   TwoRooms scene;

@@ -180,16 +180,53 @@ TEST(FitLoop, ACurvedWallThatBulgesIn)
     }
 }
 
-TEST(FitLoop, ArcsTangentToWallsAreOnTheWalls)
+TEST(FitLoop, ArcsTangentToWallsAreOneArcEach)
 {
-  // Where a tangent joint lies is loose; that the outline is right is not.
-  for (const auto& truth : {stadium(4, 1.5), roundedRectangle(6, 4, 1)}) {
-    const PlanLoop loop = fitted(contourIn(truth), wallPoints(truth, 0.003));
-    EXPECT_NEAR(loop.area(), truth.area(), 0.003 * truth.length());
-    EXPECT_NEAR(loop.length(), truth.length(), 0.02 * truth.length());
+  for (const auto& truth : {stadium(4, 1.5), roundedRectangle(6, 4, 1)})
+    for (const double degrees : {0.0, 33.0}) {
+      SCOPED_TRACE(testing::Message() << truth.elements.size() << " at " << degrees);
+      const PlanLoop there = placed(truth, degrees, {0.017, 0.023});
+      const PlanLoop loop = fitted(contourIn(there), wallPoints(there, 0.003));
+      EXPECT_EQ(loop.elements.size(), there.elements.size());
+      EXPECT_NEAR(loop.area(), there.area(), 0.001 * there.length());
+      for (const auto& e : there.elements)
+        for (double share = 0.05; share < 1; share += 0.1)
+          EXPECT_LT(loop.distance(e.pointAt(share * e.length())), 0.003)
+              << e.pointAt(share * e.length()).transpose();
+      for (const auto& e : loop.elements)
+        if (e.isArc()) {
+          EXPECT_NEAR(e.radius, truth.elements[1].radius, 0.01);
+        }
+    }
+}
+
+TEST(FitLoop, AnSCurveIsTwoArcs)
+{
+  // The right wall of a room leads over two arcs of 2 m to another line, each tangent
+  // to the next.
+  const double a = 50 * M_PI / 180;
+  const Vector2d middle(2 - 2 * std::cos(a), 2 * std::sin(a));
+  const double x = 2 * middle.x();
+  const double y = 2 * middle.y();
+  const PlanLoop truth{{segment({-3, -1.5}, {0, -1.5}), segment({0, -1.5}, {0, 0}),
+                        arc({2, 0}, 2, 180, 130), arc({x - 2, y}, 2, -50, 0),
+                        segment({x, y}, {x, y + 1.2}),
+                        segment({x, y + 1.2}, {-3, y + 1.2}),
+                        segment({-3, y + 1.2}, {-3, -1.5})}};
+  for (const double noise : {0.001, 0.01, 0.02}) {
+    SCOPED_TRACE(noise);
+    const PlanLoop loop = fitted(contourIn(truth), wallPoints(truth, noise));
+    EXPECT_EQ(loop.elements.size(), 7u);
+    double total = 0;
+    for (const auto& e : loop.elements)
+      if (e.isArc()) {
+        EXPECT_NEAR(e.radius, 2, 0.02 + 2 * noise);
+        total += std::abs(e.sweep());
+      }
+    EXPECT_NEAR(total, 2 * a, 0.15);
     for (const auto& e : truth.elements)
       for (double share = 0.05; share < 1; share += 0.1)
-        EXPECT_LT(loop.distance(e.pointAt(share * e.length())), 0.01)
+        EXPECT_LT(loop.distance(e.pointAt(share * e.length())), 0.002 + noise / 4)
             << e.pointAt(share * e.length()).transpose();
   }
 }
@@ -249,6 +286,67 @@ TEST(FitLoop, APilasterOfTenCentimetresIsKept)
       const PlanElement& wall = there.elements[e];
       EXPECT_LT(loop.distance(wall.pointAt(wall.length() / 2)), 0.003) << e;
     }
+  }
+}
+
+/** All but the cells near the inner corners of a loop: what closing the gaps of a
+ * ceiling leaves of them. */
+Where
+awayFromCorners(const PlanLoop& truth, double distance)
+{
+  return [truth, distance](const Vector2d& p) {
+    return std::none_of(truth.elements.begin(), truth.elements.end(),
+                        [&](auto& e) { return (e.start - p).norm() < distance; });
+  };
+}
+
+TEST(FitLoop, APilasterInACornerIsNotCutOff)
+{
+  const PlanLoop truth =
+      polygon({{0, 0}, {4, 0}, {4, 3}, {0.2, 3}, {0.2, 2.85}, {0, 2.85}});
+  for (const double degrees : {0.0, 19.0, 45.0})
+    for (const double noise : {0.001, 0.01, 0.02}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      const PlanLoop there = placed(truth, degrees, {0.01, 0.02});
+      expectLoop(fitted(contourIn(there, awayFromCorners(there, 0.1)),
+                        wallPoints(there, noise)),
+                 there, 0.003 + noise / 2);
+    }
+}
+
+TEST(FitLoop, ANicheAndAPilasterInAWallHaveRightAngles)
+{
+  const PlanLoop truth = polygon({{0, 0},
+                                  {1, 0},
+                                  {1, 0.15},
+                                  {1.4, 0.15},
+                                  {1.4, 0},
+                                  {2.5, 0},
+                                  {2.5, -0.2},
+                                  {2.9, -0.2},
+                                  {2.9, 0},
+                                  {5, 0},
+                                  {5, 3},
+                                  {0, 3}});
+  for (const double degrees : {0.0, 25.0})
+    for (const double noise : {0.003, 0.015}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      const PlanLoop there = placed(truth, degrees, {0.02, 0.013});
+      expectLoop(fitted(contourIn(there, awayFromCorners(there, 0.07)),
+                        wallPoints(there, noise)),
+                 there, 0.004 + noise / 2);
+    }
+}
+
+TEST(FitLoop, AFlatAngleIsKeptWhereTheNoiseShowsIt)
+{
+  // The upper wall is bent by six degrees.
+  const PlanLoop truth = polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3.315}, {0, 3}});
+  for (const double noise : {0.001, 0.02}) {
+    SCOPED_TRACE(noise);
+    const PlanLoop loop = fitted(contourIn(truth), wallPoints(truth, noise));
+    EXPECT_EQ(loop.elements.size(), 5u);
+    EXPECT_LT(loop.distance({3, 3.315}), 0.003 + noise / 4);
   }
 }
 

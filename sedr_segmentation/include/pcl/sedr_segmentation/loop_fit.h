@@ -30,8 +30,9 @@ struct LoopParameters {
 
 /** @brief A place on a contour, moved onto the wall where points show one. */
 struct ContourSample {
-  Eigen::Vector2d position;
-  Eigen::Vector2d tangent; ///< unit, along the contour
+  Eigen::Vector2d place;    ///< on the contour, its staircase evened out
+  Eigen::Vector2d position; ///< on the wall, where points show one, or else the place
+  Eigen::Vector2d tangent;  ///< unit, along the contour
   double support =
       0; ///< points that show the wall here, 1 for the median of the loop or more
 
@@ -62,10 +63,11 @@ std::vector<PlanCurve> findCurves(const std::vector<ContourSample>& samples,
                                   const LoopParameters& parameters);
 
 /** @brief The curve of every sample: the cheapest closed sequence, where a sample costs
- * its squared distance, up to a limit, and every change of curve costs a constant, more
- * where the two run side by side (Viterbi 1967, around the loop). O(n k^2) for n
- * samples and k curves. */
+ * what the evidence around it has against the curve, and every change of curve costs a
+ * constant, more where the two run side by side (Viterbi 1967, around the loop). O(n
+ * k^2) for n samples and k curves. */
 std::vector<std::size_t> assignCurves(const std::vector<ContourSample>& samples,
+                                      const PlanPoints& evidence,
                                       const std::vector<PlanCurve>& curves,
                                       const LoopParameters& parameters);
 

@@ -9,6 +9,13 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief `v` turned by 90 degrees counter-clockwise. */
+inline Eigen::Vector2d
+leftOf(const Eigen::Vector2d& v)
+{
+  return {-v.y(), v.x()};
+}
+
 /** @brief What carries a wall in plan: an infinite line or a whole circle, metres. */
 struct PlanCurve {
   Eigen::Vector2d point =
@@ -22,6 +29,9 @@ struct PlanCurve {
   bool isCircle() const { return radius > 0; }
 
   double distance(const Eigen::Vector2d& p) const;
+
+  /** @brief As distance(), positive to the left of a line, outside of a circle. */
+  double signedDistance(const Eigen::Vector2d& p) const;
 
   /** @brief The point of the curve nearest to `p`. */
   Eigen::Vector2d project(const Eigen::Vector2d& p) const;
@@ -59,6 +69,11 @@ PlanCurve fitRobustly(const std::vector<WeightedPoint>& points,
                       double band,
                       double minimum_radius,
                       double maximum_radius);
+
+/** @brief As fitRobustly() for a line, but it keeps the direction of `start`. */
+PlanCurve fitParallel(const std::vector<WeightedPoint>& points,
+                      const PlanCurve& start,
+                      double band);
 
 /** @brief Points where two curves meet: none, one or two. Parallel lines meet nowhere.
  */

@@ -22,6 +22,8 @@ public:
 
   std::size_t size() const { return points_.size(); }
 
+  const std::vector<Eigen::Vector2d>& all() const { return points_; }
+
   /** @brief Calls `visit(point)` for every point within `radius` of `p`. */
   template <typename Visitor>
   void forEachWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const

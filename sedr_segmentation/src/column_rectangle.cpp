@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column_rectangle.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A rectangle's least side, metres. */
+constexpr double least_side = 0.08;
+
+/** @brief Least share of the points that shows a side. */
+constexpr double least_share = 0.06;
+
+/** @brief A value below which a share of the sorted values lies. */
+double
+quantile(const std::vector<double>& sorted, double share)
+{
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(at + 0.5)];
+}
+
+/** @brief Where the points of a side end. A point stands for those of a voxel, so that
+ * the last is short of the end. */
+double
+endOf(std::vector<double> values, bool is_high, double voxel)
+{
+  constexpr double tail = 0.01;
+  std::sort(values.begin(), values.end());
+  return is_high ? quantile(values, 1 - tail) + voxel / 4
+                 : quantile(values, tail) - voxel / 4;
+}
+
+/** @brief Values around which many are: places of sides. */
+std::vector<double>
+peaksOf(std::vector<double> values, double width)
+{
+  constexpr std::size_t most = 4;
+  const double least = least_share * static_cast<double>(values.size());
+  std::sort(values.begin(), values.end());
+  std::vector<double> peaks;
+  while (peaks.size() < most && !values.empty()) {
+    std::size_t best_first = 0;
+    std::size_t best_count = 0;
+    for (std::size_t first = 0, last = 0; last < values.size(); ++last) {
+      while (values[last] - values[first] > width)
+        ++first;
+      if (last - first + 1 > best_count) {
+        best_count = last - first + 1;
+        best_first = first;
+      }
+    }
+    if (static_cast<double>(best_count) < least)
+      break;
+    double sum = 0;
+    for (std::size_t i = best_first; i < best_first + best_count; ++i)
+      sum += values[i];
+    const double peak = sum / static_cast<double>(best_count);
+    peaks.push_back(peak);
+    values.erase(std::remove_if(values.begin(), values.end(),
+                                [&](double v) { return std::abs(v - peak) <= width; }),
+                 values.end());
+  }
+  return peaks;
+}
+
+/** @brief The points of each side, those near a corner left out. */
+std::array<std::vector<Eigen::Vector2d>, 4>
+pointsOfSides(const std::vector<Eigen::Vector2d>& in_frame,
+              const Rectangle& rectangle,
+              double band)
+{
+  std::array<std::vector<Eigen::Vector2d>, 4> sides;
+  for (const auto& p : in_frame) {
+    std::size_t on = 4;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t other = k < 2 ? 2 : 0;
+      const double along = p[static_cast<Eigen::Index>(other / 2)];
+      if (std::abs(rectangle.fromSide(p, k)) > band ||
+          along < rectangle.side[other] - band ||
+          along > rectangle.side[other + 1] + band)
+        continue;
+      on = k;
+      ++count;
+    }
+    if (count == 1)
+      sides[on].push_back(p);
+  }
+  return sides;
+}
+
+/** @brief Moves the only side that is not shown so that all are equal, unless that is
+ * farther than `slack`: to a voxel, nothing shows where it is. */
+void
+makeSquare(const std::array<bool, 4>& is_shown, double slack, Rectangle& r)
+{
+  if (std::count(is_shown.begin(), is_shown.end(), false) != 1)
+    return;
+  const auto hidden = static_cast<std::size_t>(
+      std::find(is_shown.begin(), is_shown.end(), false) - is_shown.begin());
+  const double other = hidden < 2 ? r.side[3] - r.side[2] : r.side[1] - r.side[0];
+  const double square =
+      hidden % 2 == 1 ? r.side[hidden - 1] + other : r.side[hidden + 1] - other;
+  if (std::abs(square - r.side[hidden]) <= slack)
+    r.side[hidden] = square;
+}
+
+/** @brief Puts sides that no points show where the points beside them end, and says
+ * how well the others are shown. */
+void
+judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle& r)
+{
+  const auto sides = pointsOfSides(in_frame, r, band);
+  const double least =
+      std::max(5.0, least_share * static_cast<double>(in_frame.size()));
+  std::array<bool, 4> is_shown{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    is_shown[k] = static_cast<double>(sides[k].size()) >= least;
+    double sum = 0;
+    for (const auto& p : sides[k])
+      sum += std::pow(r.fromSide(p, k), 2);
+    r.inliers[k] = is_shown[k] ? sides[k].size() : 0;
+    r.residual[k] =
+        is_shown[k] ? std::sqrt(sum / static_cast<double>(sides[k].size())) : 0;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (is_shown[k])
+      continue;
+    const std::size_t beside = k < 2 ? 2 : 0;
+    std::vector<double> along;
+    for (const auto& p : in_frame)
+      if (std::abs(r.fromSide(p, beside)) <= band ||
+          std::abs(r.fromSide(p, beside + 1)) <= band)
+        along.push_back(p[static_cast<Eigen::Index>(k / 2)]);
+    if (along.size() >= 5)
+      r.side[k] = endOf(std::move(along), k % 2 == 1, band);
+  }
+  makeSquare(is_shown, band, r);
+}
+
+std::vector<Eigen::Vector2d>
+framed(const std::vector<Eigen::Vector2d>& points, const Rectangle& r)
+{
+  std::vector<Eigen::Vector2d> in_frame;
+  in_frame.reserve(points.size());
+  for (const auto& p : points)
+    in_frame.push_back(r.inFrame(p));
+  return in_frame;
+}
+
+} // namespace
+
+bool
+Rectangle::isSound() const
+{
+  const auto shown = std::count_if(inliers.begin(), inliers.end(),
+                                   [](std::size_t n) { return n > 0; });
+  return shown >= 2 && side[1] - side[0] >= least_side &&
+         side[3] - side[2] >= least_side;
+}
+
+double
+Rectangle::distance(const Eigen::Vector2d& in_frame) const
+{
+  const double dx = std::max(side[0] - in_frame.x(), in_frame.x() - side[1]);
+  const double dy = std::max(side[2] - in_frame.y(), in_frame.y() - side[3]);
+  if (dx <= 0 && dy <= 0)
+    return -std::max(dx, dy);
+  return std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
+}
+
+PlanLoop
+Rectangle::loop() const
+{
+  const auto at = [&](std::size_t x, std::size_t y) {
+    return Eigen::Vector2d(side[x] * direction + side[y] * leftOf(direction));
+  };
+  const std::array<Eigen::Vector2d, 4> corners{at(0, 2), at(0, 3), at(1, 3), at(1, 2)};
+  constexpr std::array<std::size_t, 4> side_of{0, 3, 1, 2};
+  PlanLoop result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    PlanElement e;
+    e.start = corners[i];
+    e.end = corners[(i + 1) % 4];
+    e.inliers = inliers[side_of[i]];
+    e.residual = residual[side_of[i]];
+    result.elements.push_back(e);
+  }
+  return result;
+}
+
+std::vector<Eigen::Vector2d>
+directionsOf(const std::vector<Eigen::Vector2d>& points,
+             const LoopParameters& parameters)
+{
+  constexpr int trials = 300;
+  constexpr double band = 0.02;
+  constexpr double least_length = 0.1;
+  std::mt19937_64 random(parameters.seed);
+  struct Scored {
+    double score;
+    Eigen::Vector2d direction;
+  };
+  std::vector<Scored> lines;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Eigen::Vector2d& a = points[random() % points.size()];
+    const Eigen::Vector2d& b = points[random() % points.size()];
+    if ((b - a).norm() < least_length)
+      continue;
+    const PlanCurve line = lineThrough(a, b);
+    double score = 0;
+    for (const auto& p : points)
+      score += std::max(0.0, 1 - std::pow(line.distance(p) / band, 2));
+    lines.push_back({score, line.direction});
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  std::vector<Eigen::Vector2d> directions;
+  for (const auto& line : lines) {
+    const bool is_new = std::none_of(
+        directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
+          const double cosine = std::abs(d.dot(line.direction));
+          return std::min(cosine, std::abs(leftOf(d).dot(line.direction))) < 0.17;
+        });
+    if (is_new)
+      directions.push_back(line.direction);
+    if (directions.size() == 2)
+      break;
+  }
+  return directions;
+}
+
+Rectangle
+findRectangle(const std::vector<Eigen::Vector2d>& points,
+              const Eigen::Vector2d& direction,
+              double tolerance)
+{
+  const double width = tolerance / 2;
+  Rectangle best;
+  best.direction = direction;
+  const std::vector<Eigen::Vector2d> in_frame = framed(points, best);
+  std::array<std::vector<double>, 2> places;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    std::vector<double> values;
+    for (const auto& p : in_frame)
+      values.push_back(p[axis]);
+    auto& own = places[static_cast<std::size_t>(axis)];
+    own = peaksOf(values, width);
+    own.push_back(endOf(values, false, tolerance));
+    own.push_back(endOf(values, true, tolerance));
+    std::sort(own.begin(), own.end());
+  }
+  double least = static_cast<double>(points.size());
+  const auto tryOne = [&](double x0, double x1, double y0, double y1) {
+    Rectangle trial;
+    trial.direction = direction;
+    trial.side = {x0, x1, y0, y1};
+    double missed = 0;
+    for (const auto& p : in_frame)
+      missed += std::min(1.0, std::pow(trial.distance(p) / tolerance, 2));
+    if (missed >= least)
+      return;
+    least = missed;
+    best = trial;
+  };
+  for (const double x0 : places[0])
+    for (const double x1 : places[0])
+      for (const double y0 : places[1])
+        for (const double y1 : places[1])
+          if (x1 - x0 >= least_side && y1 - y0 >= least_side)
+            tryOne(x0, x1, y0, y1);
+  // Sides by all their points, then those that nobody saw.
+  for (int round = 0; round < 3; ++round) {
+    const auto sides = pointsOfSides(in_frame, best, tolerance);
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::vector<double> own;
+      for (const auto& p : sides[k])
+        own.push_back(p[static_cast<Eigen::Index>(k / 2)]);
+      if (own.size() < 5)
+        continue;
+      std::sort(own.begin(), own.end());
+      const double middle = quantile(own, 0.5);
+      double sum = 0;
+      double count = 0;
+      for (const double v : own)
+        if (std::abs(v - middle) <= tolerance) {
+          sum += v;
+          count += 1;
+        }
+      best.side[k] = sum / count;
+    }
+    judgeSides(in_frame, tolerance, best);
+  }
+  return best;
+}
+
+Rectangle
+fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
+                   const Rectangle& start,
+                   double tolerance)
+{
+  Rectangle r = start;
+  for (int round = 0; round < 8 && r.isSound(); ++round) {
+    const auto sides = pointsOfSides(framed(points, r), r, tolerance);
+    // Unknown: a turn about the origin of the frame, and a shift of each side.
+    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity() * 1e-9;
+    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
+    const Eigen::Vector2d middle((r.side[0] + r.side[1]) / 2,
+                                 (r.side[2] + r.side[3]) / 2);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (r.inliers[k] == 0)
+        continue;
+      for (const auto& p : sides[k]) {
+        Eigen::Matrix<double, 5, 1> row = Eigen::Matrix<double, 5, 1>::Zero();
+        row[static_cast<Eigen::Index>(k)] = 1;
+        row[4] = k < 2 ? -(p.y() - middle.y()) : p.x() - middle.x();
+        normal.noalias() += row * row.transpose();
+        right += row * r.fromSide(p, k);
+      }
+    }
+    const Eigen::Matrix<double, 5, 1> step = normal.ldlt().solve(right);
+    const double turn = step[4];
+    if (!step.allFinite() || std::abs(turn) > 0.3)
+      return start;
+    // The side turns about the middle, which keeps its place.
+    const Eigen::Vector2d centre =
+        middle.x() * r.direction + middle.y() * leftOf(r.direction);
+    r.direction = (r.direction + turn * leftOf(r.direction)).normalized();
+    const Eigen::Vector2d moved = r.inFrame(centre);
+    for (std::size_t k = 0; k < 4; ++k)
+      r.side[k] += step[static_cast<Eigen::Index>(k)] +
+                   moved[static_cast<Eigen::Index>(k / 2)] -
+                   middle[static_cast<Eigen::Index>(k / 2)];
+    judgeSides(framed(points, r), tolerance, r);
+    if (step.norm() < 1e-7)
+      break;
+  }
+  return r;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_stretch.h"
+
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Cosine of the largest angle between a contour and the curve it follows. */
+const double least_cosine = std::cos(35.0 * M_PI / 180.0);
+
+/** @brief The cost from which on it grows slowly only, in units of (half a tolerance)
+ * squared: so far off, a sample is an outlier. */
+constexpr double outlier_cost = 9;
+
+/** @brief What a sample costs beyond that on a curve that is far away, for each metre.
+ */
+constexpr double cost_per_metre = 10;
+
+/** @brief What a change of curve costs. */
+constexpr double change_cost = 6;
+
+/** @brief What a sample that no points support costs on a curve. The wall may be hidden
+ * behind furniture, so that it runs outside of the contour, or an opening may have led
+ * the contour astray, so that it runs inside: both are cheap over some tenths of a
+ * metre, beyond which it is costly. */
+double
+costUnsupported(const ContourSample& sample, const PlanCurve& curve)
+{
+  constexpr double farthest_outside = 0.6;
+  constexpr double farthest_inside = 0.3;
+  const double inside =
+      (curve.project(sample.place) - sample.place).dot(leftOf(sample.tangent));
+  const double d = curve.distance(sample.place);
+  const double excess = inside < 0 ? d / farthest_outside : d / farthest_inside;
+  const double cheap = (inside < 0 ? 0.05 : 0.2) + 0.45 * excess;
+  return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
+}
+
+/** @brief What the points around a sample say about a curve. */
+struct Testimony {
+  double count = 0;  ///< of the points on the curve, those near it counting more
+  double offset = 0; ///< of their mean from the curve, metres
+};
+
+/** @brief The points around one sample, and the costs of curves by them. */
+class SampleWitness {
+public:
+  SampleWitness(const PlanPoints& evidence, const LoopParameters& parameters)
+      : evidence_(evidence)
+      , parameters_(parameters)
+  {}
+
+  /** @brief Costs of all curves for a sample. */
+  void judge(const ContourSample& sample,
+             const std::vector<PlanCurve>& curves,
+             double* costs)
+  {
+    if (sample.isSupported())
+      gather(sample);
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      const double cosine =
+          std::abs(curves[c].tangentAt(sample.place).dot(sample.tangent));
+      costs[c] = cosine < least_cosine ? sample.weight() : 0;
+      if (!sample.isSupported())
+        costs[c] += costUnsupported(sample, curves[c]);
+    }
+    if (!sample.isSupported())
+      return;
+    testimonies_.clear();
+    most_ = 0;
+    for (const auto& curve : curves) {
+      testimonies_.push_back(hear(sample, curve));
+      most_ = std::max(most_, testimonies_.back().count);
+    }
+    const WallStretch wall =
+        wallAcross(evidence_, sample.place, sample.tangent, parameters_);
+    most_ = std::max(most_, 0.6 * static_cast<double>(wall.count));
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      costs[c] += costSupported(sample, curves[c], testimonies_[c]);
+  }
+
+private:
+  /** @brief How far a curve may be from the contour and still be the wall there. */
+  double reach() const
+  {
+    return std::abs(parameters_.expected_offset) + parameters_.reach;
+  }
+
+  void gather(const ContourSample& sample)
+  {
+    points_.clear();
+    evidence_.forEachWithin(
+        sample.place,
+        std::hypot(reach() + parameters_.tolerance, parameters_.evidence_span),
+        [&](const Eigen::Vector2d& p) { points_.push_back(p); });
+  }
+
+  Testimony hear(const ContourSample& sample, const PlanCurve& curve) const
+  {
+    Testimony heard;
+    if (curve.distance(sample.place) > reach())
+      return heard;
+    const Eigen::Vector2d foot = curve.project(sample.place);
+    const Eigen::Vector2d along = curve.tangentAt(sample.place);
+    for (const auto& p : points_) {
+      const double d = curve.signedDistance(p);
+      const double share = d / parameters_.tolerance;
+      if (std::abs(share) >= 1 ||
+          std::abs((p - foot).dot(along)) > parameters_.evidence_span)
+        continue;
+      const double weight = 1 - share * share;
+      heard.count += weight;
+      heard.offset += weight * d;
+    }
+    if (heard.count > 0)
+      heard.offset /= heard.count;
+    return heard;
+  }
+
+  double costSupported(const ContourSample& sample,
+                       const PlanCurve& curve,
+                       const Testimony& heard) const
+  {
+    // A curve that most of the points here are on lacks nothing.
+    constexpr double enough = 0.95;
+    const double far = curve.distance(sample.place) - reach();
+    if (far > 0)
+      return sample.weight() * outlier_cost + cost_per_metre * far;
+    const double lack = std::max(0.0, 1 - heard.count / (enough * most_));
+    const double squared = std::pow(heard.offset / (parameters_.tolerance / 2), 2);
+    return sample.weight() * std::min(outlier_cost, squared + outlier_cost * lack);
+  }
+
+  const PlanPoints& evidence_;
+  const LoopParameters& parameters_;
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<Testimony> testimonies_;
+  double most_ = 0;
+};
+
+/** @brief The curves as seen from one sample. */
+class CurvesAt {
+public:
+  void look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
+  {
+    places_.clear();
+    tangents_.clear();
+    for (const auto& curve : curves) {
+      places_.push_back(curve.project(sample.position));
+      tangents_.push_back(curve.tangentAt(sample.position));
+    }
+  }
+
+  /** @brief What it costs to step from one curve to another that runs beside it, as
+   * walls rarely do; nothing where they meet at an angle or touch. */
+  double sideStep(std::size_t a, std::size_t b, double tolerance) const
+  {
+    if (std::abs(tangents_[a].dot(tangents_[b])) < 0.97)
+      return 0;
+    return 4 * std::min(1.0, (places_[a] - places_[b]).norm() / tolerance);
+  }
+
+private:
+  std::vector<Eigen::Vector2d> places_;
+  std::vector<Eigen::Vector2d> tangents_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+assignCurves(const std::vector<ContourSample>& samples,
+             const PlanPoints& evidence,
+             const std::vector<PlanCurve>& curves,
+             const LoopParameters& parameters)
+{
+  const std::size_t n = samples.size();
+  const std::size_t k = curves.size();
+  std::vector<double> costs(n * k);
+  SampleWitness witness(evidence, parameters);
+  for (std::size_t i = 0; i < n; ++i)
+    witness.judge(samples[i], curves, costs.data() + i * k);
+
+  // Two rounds: by the second, what the first sample was given no longer matters.
+  const std::size_t rounds = 2 * n;
+  std::vector<double> cost(k, 0);
+  std::vector<double> next(k, 0);
+  std::vector<std::uint16_t> from(rounds * k);
+  CurvesAt here;
+  for (std::size_t step = 0; step < rounds; ++step) {
+    here.look(samples[step % n], curves);
+    for (std::size_t c = 0; c < k; ++c) {
+      std::size_t best = c;
+      double least = cost[c];
+      for (std::size_t other = 0; other < k; ++other) {
+        if (cost[other] + change_cost >= least)
+          continue;
+        const double changed =
+            cost[other] + change_cost + here.sideStep(other, c, parameters.tolerance);
+        if (changed < least) {
+          least = changed;
+          best = other;
+        }
+      }
+      from[step * k + c] = static_cast<std::uint16_t>(best);
+      next[c] = least + costs[step % n * k + c];
+    }
+    cost.swap(next);
+  }
+  auto current = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) -
+                                          cost.begin());
+  std::vector<std::size_t> assigned(n);
+  for (std::size_t step = rounds; step-- > 0;) {
+    // The middle of the two rounds has neighbours on both sides.
+    if (step >= n / 2 && step < n / 2 + n)
+      assigned[step % n] = current;
+    current = from[step * k + current];
+  }
+  return assigned;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A curve that a loop follows for a while. */
+struct LoopLink {
+  PlanCurve curve;               ///< the direction of a line is the way it runs
+  bool counter_clockwise = true; ///< the way a circle runs
+  bool is_known = false;         ///< stays as it is
+  bool keeps_direction = false;  ///< a line that is shifted only
+  bool is_bridge = false;        ///< between curves that do not meet, seen by nobody
+};
+
+/** @brief A loop as the curves it follows and the corners between them: corner i is
+ * where link i starts. */
+struct LoopChain {
+  std::vector<LoopLink> links;
+  std::vector<Eigen::Vector2d> corners;
+
+  std::size_t size() const { return links.size(); }
+  std::size_t after(std::size_t i) const { return (i + 1) % links.size(); }
+  std::size_t before(std::size_t i) const
+  {
+    return (i + links.size() - 1) % links.size();
+  }
+
+  PlanElement element(std::size_t i) const
+  {
+    return elementBetween(links[i], corners[i], corners[after(i)]);
+  }
+
+  static PlanElement elementBetween(const LoopLink& link,
+                                    const Eigen::Vector2d& start,
+                                    const Eigen::Vector2d& end);
+
+  PlanLoop loop() const;
+};
+
+/** @brief Where two curves that follow each other join, near `place`: where they cross
+ * or, of curves that run alike there and pass each other within half the tolerance,
+ * where they are nearest to each other.
+ * @return false where they do neither */
+bool findCorner(const PlanCurve& a,
+                const PlanCurve& b,
+                const Eigen::Vector2d& place,
+                const LoopParameters& parameters,
+                Eigen::Vector2d& corner);
+
+/** @brief Joins links to a chain; `places` tell where, place i where link i starts.
+ * Between links that do not meet a bridge is built. */
+LoopChain joinLinks(const std::vector<LoopLink>& links,
+                    const std::vector<Eigen::Vector2d>& places,
+                    const LoopParameters& parameters);
+
+/** @brief The points of the evidence that show a link: those near it, but for what is
+ * at its corners and may be the neighbour's. */
+std::vector<WeightedPoint> pointsAlong(const LoopChain& chain,
+                                       std::size_t i,
+                                       const PlanPoints& evidence,
+                                       double tolerance);
+
+/** @brief Fits every link to the evidence along it, away from its corners, and joins
+ * them again. The chain stays where they no longer meet. */
+void refitLinks(LoopChain& chain,
+                const PlanPoints& evidence,
+                const LoopParameters& parameters);
+
+/** @brief Makes links that pass each other at a corner touch there, moving them as
+ * little as possible; where that fails, a bridge remains. */
+void closeTangents(LoopChain& chain, const LoopParameters& parameters);
+
+} // namespace sedr
+} // namespace pcl

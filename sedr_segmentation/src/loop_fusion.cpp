@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The point half way along the inner links of a window. */
+Eigen::Vector2d
+halfWay(const Window& window)
+{
+  double length = 0;
+  for (std::size_t k = 1; k + 1 < window.path.size(); ++k)
+    length += window.path[k].length();
+  double left = length / 2;
+  for (std::size_t k = 1; k + 1 < window.path.size(); ++k) {
+    const double own = window.path[k].length();
+    if (left <= own)
+      return window.path[k].pointAt(left);
+    left -= own;
+  }
+  return window.path.back().start;
+}
+
+/** @brief Lines and arcs that may stand for all inner links of a window. */
+std::vector<LoopLink>
+fusionsOf(const LoopChain& chain,
+          const Window& window,
+          const PlanPoints& evidence,
+          const Guides& guides,
+          const LoopParameters& parameters)
+{
+  std::vector<WeightedPoint> points;
+  for (const std::size_t i : window.inner)
+    for (const auto& p : pointsAlong(chain, i, evidence, parameters.tolerance))
+      points.push_back(p);
+  if (points.size() < 10)
+    return {};
+  const Eigen::Vector2d from = window.path[1].start;
+  const Eigen::Vector2d to = window.path[window.path.size() - 2].end;
+  const Eigen::Vector2d middle = halfWay(window);
+  std::vector<PlanCurve> starts{fitLine(points)};
+  const PlanCurve through = circleThrough(from, middle, to);
+  if (through.isCircle())
+    starts.push_back(fitCircle(points, through));
+  for (const std::size_t i : window.inner)
+    if (chain.links[i].curve.isCircle())
+      starts.push_back(chain.links[i].curve);
+  std::vector<LoopLink> links;
+  for (const auto& curve : guides.known)
+    if (curve.distance(from) < parameters.tolerance &&
+        curve.distance(to) < parameters.tolerance) {
+      LoopLink link;
+      link.curve = curve;
+      link.is_known = true;
+      links.push_back(link);
+    }
+  for (const auto& start : starts) {
+    LoopLink link;
+    link.curve = fitRobustly(points, start, parameters.tolerance,
+                             parameters.minimum_radius, parameters.maximum_radius);
+    if (link.curve.isCircle() && (link.curve.radius < parameters.minimum_radius ||
+                                  link.curve.radius > parameters.maximum_radius))
+      continue;
+    links.push_back(link);
+  }
+  for (auto& link : links) {
+    if (link.curve.isCircle())
+      link.counter_clockwise = leftOf(middle - link.curve.point).dot(to - from) > 0;
+    else if (link.curve.direction.dot(to - from) < 0)
+      link.curve.direction = -link.curve.direction;
+  }
+  return links;
+}
+
+} // namespace
+
+bool
+tryFusion(LoopChain& chain,
+          const Window& window,
+          const PathCost& cost,
+          const PlanPoints& evidence,
+          const Guides& guides,
+          const LoopParameters& parameters)
+{
+  if (std::any_of(window.inner.begin(), window.inner.end(),
+                  [&](std::size_t i) { return chain.links[i].is_known; }))
+    return false;
+  const LoopLink& before = chain.links[window.before];
+  const LoopLink& after = chain.links[window.after];
+  const PathCost::Zone zone =
+      cost.zoneAround(window.middle, window.radius, window.rest);
+  double best = cost.of(window.path, zone) - least_gain;
+  bool is_found = false;
+  LoopLink fused;
+  Eigen::Vector2d start;
+  Eigen::Vector2d end;
+  for (const LoopLink& link : fusionsOf(chain, window, evidence, guides, parameters)) {
+    Eigen::Vector2d from;
+    Eigen::Vector2d to;
+    if (!findCorner(before.curve, link.curve, window.path[1].start, parameters, from) ||
+        !findCorner(link.curve, after.curve, window.lead_out.start, parameters, to))
+      continue;
+    const std::vector<PlanElement> path{
+        LoopChain::elementBetween(before, window.lead_in.start, from),
+        LoopChain::elementBetween(link, from, to),
+        LoopChain::elementBetween(after, to, window.lead_out.end)};
+    if (!runsForward(before, path[0], 1e-4) || !runsForward(link, path[1], 0.04) ||
+        !runsForward(after, path[2], 1e-4))
+      continue;
+    const double c = cost.of(path, zone);
+    if (c >= best)
+      continue;
+    best = c;
+    fused = link;
+    start = from;
+    end = to;
+    is_found = true;
+  }
+  return is_found && replaceLinks(chain, window, {fused}, {start, end}, cost);
+}
+
+} // namespace sedr
+} // namespace pcl

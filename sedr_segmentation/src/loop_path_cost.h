@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/loop_fit.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Judges a stretch of a loop by the points that show walls: what the stretch
+ * does not explain, and what does not show the stretch. In metres of wall. */
+class PathCost {
+public:
+  /** @param directions of most walls, unit
+   * @param noise standard deviation of the evidence from the walls, metres */
+  PathCost(const std::vector<ContourSample>& samples,
+           const PlanPoints& evidence,
+           const std::vector<Eigen::Vector2d>& directions,
+           double noise,
+           const LoopParameters& parameters);
+
+  /** @brief What each segment costs. A smaller detour is no wall. */
+  static constexpr double per_element = 0.06;
+
+  /** @brief What a segment costs beyond that if it runs in no direction of other walls.
+   */
+  static constexpr double per_direction = per_element;
+
+  /** @brief What each arc costs: three sides of a small pilaster, blurred by noise, are
+   * not one. */
+  static constexpr double per_arc = 3 * per_element;
+
+  /** @brief Whether the walls of this loop were seen at all. */
+  bool isSeen() const { return density_ > 0; }
+
+  /** @brief Points that show a metre of wall. */
+  double density() const { return density_; }
+
+  /** @brief The distance from which on a point is not explained. */
+  double tolerance() const { return tolerance_; }
+
+  /** @brief A part of the points about a place. */
+  struct Zone {
+    std::vector<Eigen::Vector2d> points;
+    std::vector<double> from_rest; ///< distance of each from the rest of the loop
+    double density = 0;            ///< of these points along a wall, a metre
+  };
+
+  /** @brief `rest`: elements of the loop that are not judged. What they explain, no
+   * path has to. */
+  Zone zoneAround(const Eigen::Vector2d& middle,
+                  double radius,
+                  const std::vector<PlanElement>& rest) const;
+
+  /** @brief Cost of a path in a zone: that of its elements and of the points that they
+   * do not explain. */
+  double of(const std::vector<PlanElement>& path, const Zone& zone) const;
+
+  /** @brief What an element costs whatever else is on the path: what no points show of
+   * it, and where it is farther from the contour than walls are. */
+  double ofElement(const PlanElement& e, const Zone& zone) const;
+
+  /** @brief What each point of the zone costs with a path, 0 to 1. */
+  std::vector<double> pointCosts(const std::vector<PlanElement>& path,
+                                 const Zone& zone) const;
+
+  /** @brief What the points cost that no element of the path explains; some number
+   * above `limit` where it is more than that. */
+  double
+  ofPoints(const std::vector<PlanElement>& path, const Zone& zone, double limit) const;
+
+  /** @brief Cost of a whole loop by all points. */
+  double ofLoop(const PlanLoop& loop) const;
+
+  /** @brief What the points of the zone cost on the nearest of some curves, at least.
+   */
+  double least(const std::vector<PlanCurve>& curves, const Zone& zone) const;
+
+private:
+  Zone zoneOf(const std::vector<Eigen::Vector2d>& all, std::size_t most_points) const;
+
+  /** @brief What a point costs at a distance, 0 to 1. */
+  double missed(double squared_distance) const;
+
+  double simplicity(const PlanElement& e) const;
+
+  /** @brief Length of an element that no points show. */
+  double unseen(const PlanElement& e, const Zone& zone) const;
+
+  /** @brief Length of an element that is farther from the contour than walls are. */
+  double astray(const PlanElement& e) const;
+
+  const PlanPoints& evidence_;
+  std::vector<Eigen::Vector2d> directions_;
+  double tolerance_;
+  double reach_;
+  double density_ = 0;
+  PlanPoints shown_;  ///< places of the contour where a wall was seen
+  PlanPoints hidden_; ///< and where none was
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief How much of the links before and after a window is looked at, metres. */
+constexpr double lead = 0.4;
+
+/** @brief The part of an element between two distances from its start. */
+PlanElement
+part(const PlanElement& e, double from, double to)
+{
+  PlanElement result = e;
+  result.start = e.pointAt(from);
+  result.end = e.pointAt(to);
+  return result;
+}
+
+bool
+crosses(const LoopChain& chain)
+{
+  return crossesItself(chain.loop().polygon(0.005));
+}
+
+} // namespace
+
+Window
+windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
+{
+  Window w;
+  w.before = before;
+  std::size_t at = before;
+  for (std::size_t k = 0; k < inner; ++k) {
+    at = chain.after(at);
+    w.inner.push_back(at);
+  }
+  w.after = chain.after(at);
+  const PlanElement a = chain.element(w.before);
+  const PlanElement b = chain.element(w.after);
+  const double led_in = std::min(lead, a.length());
+  const double led_out = std::min(lead, b.length());
+  w.lead_in = part(a, a.length() - led_in, a.length());
+  w.lead_out = part(b, 0, led_out);
+  for (std::size_t i = chain.after(w.after); i != w.before; i = chain.after(i))
+    w.rest.push_back(chain.element(i));
+  if (led_in < a.length())
+    w.rest.push_back(part(a, 0, a.length() - led_in));
+  if (led_out < b.length())
+    w.rest.push_back(part(b, led_out, b.length()));
+  w.path.push_back(w.lead_in);
+  for (const std::size_t i : w.inner)
+    w.path.push_back(chain.element(i));
+  w.path.push_back(w.lead_out);
+  std::vector<Eigen::Vector2d> places;
+  for (const auto& e : w.path)
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+      places.push_back(e.pointAt(share * e.length()));
+  Eigen::Vector2d low = places[0];
+  Eigen::Vector2d high = low;
+  for (const auto& p : places) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  w.middle = (low + high) / 2;
+  w.radius = (high - low).norm() / 2 + 0.2;
+  return w;
+}
+
+bool
+runsForward(const LoopLink& link, const PlanElement& e, double least_length)
+{
+  if (!e.isArc())
+    return (e.end - e.start).dot(link.curve.direction) >= least_length;
+  return std::abs(e.sweep()) < 1.5 * M_PI && e.length() >= least_length;
+}
+
+bool
+replaceLinks(LoopChain& chain,
+             const Window& window,
+             const std::vector<LoopLink>& links,
+             const std::vector<Eigen::Vector2d>& corners,
+             const PathCost& cost)
+{
+  LoopChain result;
+  std::vector<bool> is_inner(chain.size(), false);
+  for (const std::size_t i : window.inner)
+    is_inner[i] = true;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (i == window.after) {
+      result.links.insert(result.links.end(), links.begin(), links.end());
+      result.corners.insert(result.corners.end(), corners.begin(), corners.end() - 1);
+    }
+    if (is_inner[i])
+      continue;
+    result.links.push_back(chain.links[i]);
+    result.corners.push_back(i == window.after ? corners.back() : chain.corners[i]);
+  }
+  if ((crosses(result) && !crosses(chain)) ||
+      cost.ofLoop(result.loop()) > cost.ofLoop(chain.loop()) - least_gain / 2)
+    return false;
+  chain = std::move(result);
+  return true;
+}
+
+} // namespace sedr
+} // namespace pcl

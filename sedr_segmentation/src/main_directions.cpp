@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "main_directions.h"
+
+#include <pcl/sedr_segmentation/plan_curve.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+std::vector<Eigen::Vector2d>
+mainDirections(std::vector<DirectedLine> lines)
+{
+  constexpr std::size_t most = 5;
+  constexpr double same = 0.03;    // radians
+  constexpr double shortest = 0.6; // metres
+  std::stable_sort(
+      lines.begin(), lines.end(),
+      [](const DirectedLine& a, const DirectedLine& b) { return a.length > b.length; });
+  std::vector<Eigen::Vector2d> directions;
+  for (const auto& line : lines) {
+    const bool is_new = std::none_of(
+        directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
+          return std::abs(leftOf(d).dot(line.direction)) < same;
+        });
+    const bool is_long = line.length >= shortest || directions.empty();
+    if (!is_new || !is_long || directions.size() == 2 * most)
+      continue;
+    directions.push_back(line.direction);
+    directions.push_back(leftOf(line.direction));
+  }
+  return directions;
+}
+
+} // namespace sedr
+} // namespace pcl

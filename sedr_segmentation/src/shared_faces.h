@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Walls of other rooms, seen from the other side, that a part of a room's
+ * boundary runs along though the room has no business there: what is between two rooms
+ * has two faces, and the points of one do not show the other. The longer wall is right.
+ */
+std::vector<PlanElement> facesOfOthers(const Floorplan& plan, std::size_t room);
+
+} // namespace sedr
+} // namespace pcl
