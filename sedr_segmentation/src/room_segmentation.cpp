@@ -158,8 +158,13 @@ judgeMeeting(const Storey& storey,
     }
     has_lintel = has_lintel || storey.columns.hasWithin(cell, top - 0.5, top - 0.12);
   }
+  // One walks below a beam: the floor goes on there, as it does not in a window.
+  const bool has_floor =
+      storey.columns.share(way.front(), floor - 0.1, floor + 0.1, 1, 1) >= 1;
   if (!has_lintel)
     ++frontier.plain;
+  else if (!has_floor)
+    ++frontier.wall;
   else if (isSameHeight(storey, a, b, way.front()))
     frontier.below_lintel.push_back(keyOf(way.front()));
 }
@@ -289,21 +294,20 @@ perimetersOf(const std::vector<Piece>& pieces, const std::vector<std::size_t>& g
   return perimeters;
 }
 
-/** @brief Group of every piece after joining the open frontiers, first those between
- * pieces, then those between the groups that come of it: a beam may part each of two
- * rows of coffers from the other by bits. */
-std::vector<std::size_t>
-groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
+/** @brief Joins the groups that `areOne(frontier, around)` says are one, until none is
+ * left. */
+template <typename AreOne>
+void
+joinGroups(const std::vector<Piece>& pieces,
+           const Frontiers& frontiers,
+           AreOne areOne,
+           std::vector<std::size_t>& group)
 {
-  const Frontiers frontiers = frontiersOf(storey, pieces);
-  std::vector<std::size_t> group(pieces.size());
-  std::iota(group.begin(), group.end(), std::size_t{0});
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     const std::vector<std::size_t> perimeters = perimetersOf(pieces, group);
     for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
-      if (!isOpen(frontier, std::min(perimeters[pair.first], perimeters[pair.second]),
-                  storey.parameters))
+      if (!areOne(frontier, std::min(perimeters[pair.first], perimeters[pair.second])))
         continue;
       const std::size_t kept = std::min(group[pair.first], group[pair.second]);
       const std::size_t gone = std::max(group[pair.first], group[pair.second]);
@@ -311,6 +315,27 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
       has_changed = true;
     }
   }
+}
+
+/** @brief Group of every piece: first what meets without anything between, then what
+ * meets below beams, for a beam may part each of two rows of coffers from the other by
+ * bits, and a half of a ceiling alone makes a doorway look wide. */
+std::vector<std::size_t>
+groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
+{
+  const Frontiers frontiers = frontiersOf(storey, pieces);
+  std::vector<std::size_t> group(pieces.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto isOpenAbove = [&](const Frontier& frontier, std::size_t around) {
+    return 2 * frontier.plain >=
+               frontier.wall + frontier.plain + frontier.below_lintel.size() &&
+           isOpen(frontier, around, storey.parameters);
+  };
+  const auto isOpenBelow = [&](const Frontier& frontier, std::size_t around) {
+    return isOpen(frontier, around, storey.parameters);
+  };
+  joinGroups(pieces, frontiers, isOpenAbove, group);
+  joinGroups(pieces, frontiers, isOpenBelow, group);
   return group;
 }
 
