@@ -256,7 +256,8 @@ TEST(PlanPicture, TellsBoundaryPointsOnAWallFromOthers)
 {
   FittedBoundary boundary;
   for (const double support : {1.0, 0.0})
-    boundary.samples.push_back({Vector2d(1 + support, 1), Vector2d(1, 0), support});
+    boundary.samples.push_back(
+        {Vector2d(1 + support, 1), Vector2d(1 + support, 1), Vector2d(1, 0), support});
   const Picture picture = drawPlan({{boxRoom()}}, {boundary});
   EXPECT_EQ(colourAt(picture, 0, {2, 1}), colours::wall);
   EXPECT_EQ(colourAt(picture, 0, {1, 1}), colours::recovered);
