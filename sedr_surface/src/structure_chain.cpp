@@ -255,11 +255,12 @@ StructureChain::partRooms(StageReport& report)
   if (!reason.empty())
     return fail(reason);
   if (regions_.empty()) {
-    char text[200];
+    char text[240];
     std::snprintf(
         text, sizeof text,
         "no room of at least %.1f square metres with a floor below %.0f %% of its "
-        "ceiling and an outline of which %.0f %% more is walled than open; planes: ",
+        "ceiling and walls around it, along %.0f %% more of its outline than is open; "
+        "planes: ",
         parameters.minimum_area, 100 * parameters.minimum_floor_share,
         100 * parameters.minimum_enclosure);
     return fail(text + listOf(planes));
