@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "delaunay_swaps.h"
+
+#include <deque>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+SwappableTriangulation::SwappableTriangulation(
+    const std::vector<GridPoint>& points,
+    std::vector<std::array<std::uint32_t, 3>> triangles)
+    : points_(points)
+    , anchor_(points.size(), none)
+{
+  mesh_.triangles = std::move(triangles);
+  connect();
+}
+
+void
+SwappableTriangulation::connect()
+{
+  mesh_.neighbours.assign(mesh_.triangles.size(), {none, none, none});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Side> sides;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      anchor_[corner(t, i)] = t;
+      sides[{corner(t, i), corner(t, i + 1)}] = {t, i};
+    }
+  for (const auto& [way, side] : sides) {
+    const auto twin = sides.find({way.second, way.first});
+    if (twin != sides.end())
+      mesh_.neighbours[side.triangle][side.number] = twin->second.triangle;
+  }
+}
+
+std::size_t
+SwappableTriangulation::numberOf(std::uint32_t t, std::uint32_t p) const
+{
+  return corner(t, 0) == p ? 0 : corner(t, 1) == p ? 1 : 2;
+}
+
+SwappableTriangulation::Side
+SwappableTriangulation::across(const Side& side) const
+{
+  const std::uint32_t other = neighbour(side);
+  // There the side runs the other way: from this side's end.
+  return {other, numberOf(other, corner(side.triangle, side.number + 1))};
+}
+
+template <typename Visit>
+void
+SwappableTriangulation::visitAround(std::uint32_t point, Visit visit) const
+{
+  const std::uint32_t first = anchor_[point];
+  if (first == none)
+    return;
+  std::uint32_t t = first;
+  do { // counter-clockwise, to the hull or all round
+    const std::size_t i = numberOf(t, point);
+    if (visit(t, i))
+      return;
+    t = neighbour({t, i + 2});
+  } while (t != none && t != first);
+  if (t == first)
+    return;
+  for (t = neighbour({first, numberOf(first, point)}); t != none;
+       t = neighbour({t, numberOf(t, point)}))
+    if (visit(t, numberOf(t, point)))
+      return;
+}
+
+SwappableTriangulation::Side
+SwappableTriangulation::find(const Ends& ends) const
+{
+  Side found;
+  visitAround(ends.first, [&](std::uint32_t t, std::size_t i) {
+    if (corner(t, i + 1) == ends.second)
+      found = {t, i};
+    else if (corner(t, i + 2) == ends.second)
+      found = {t, (i + 2) % 3};
+    return found.triangle != none;
+  });
+  return found;
+}
+
+bool
+SwappableTriangulation::crossedBy(std::uint32_t a,
+                                  std::uint32_t b,
+                                  std::vector<Ends>& crossed) const
+{
+  const GridPoint& pa = points_[a];
+  const GridPoint& pb = points_[b];
+  Side side;
+  visitAround(a, [&](std::uint32_t t, std::size_t i) {
+    if (turn(pa, points_[corner(t, i + 1)], pb) > 0 &&
+        turn(pa, points_[corner(t, i + 2)], pb) < 0)
+      side = {t, (i + 1) % 3};
+    return side.triangle != none;
+  });
+  while (side.triangle != none && neighbour(side) != none) {
+    crossed.push_back(std::minmax(corner(side.triangle, side.number),
+                                  corner(side.triangle, side.number + 1)));
+    const Side twin = across(side);
+    const std::uint32_t apex = corner(twin.triangle, twin.number + 2);
+    if (apex == b)
+      return true;
+    const std::int64_t at = turn(pa, pb, points_[apex]);
+    if (at == 0)
+      return false;
+    // The twin runs from the left of the way to its right.
+    side = {twin.triangle, (twin.number + (at > 0 ? 1 : 2)) % 3};
+  }
+  return false;
+}
+
+bool
+SwappableTriangulation::crosses(const Ends& side,
+                                std::uint32_t a,
+                                std::uint32_t b) const
+{
+  if (side.first == a || side.first == b || side.second == a || side.second == b)
+    return false;
+  const std::int64_t first = turn(points_[a], points_[b], points_[side.first]);
+  const std::int64_t second = turn(points_[a], points_[b], points_[side.second]);
+  return (first < 0) != (second < 0);
+}
+
+bool
+SwappableTriangulation::isConvex(const Side& side) const
+{
+  const Side twin = across(side);
+  const GridPoint& a = points_[corner(side.triangle, side.number)];
+  const GridPoint& b = points_[corner(side.triangle, side.number + 1)];
+  const GridPoint& c = points_[corner(side.triangle, side.number + 2)];
+  const GridPoint& d = points_[corner(twin.triangle, twin.number + 2)];
+  return turn(a, d, c) > 0 && turn(d, b, c) > 0;
+}
+
+bool
+SwappableTriangulation::isWorse(const Side& side) const
+{
+  const Side twin = across(side);
+  const GridPoint& d = points_[corner(twin.triangle, twin.number + 2)];
+  long double x[3];
+  long double y[3];
+  long double square[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const GridPoint& p = points_[corner(side.triangle, side.number + i)];
+    x[i] = static_cast<long double>(p.x) - d.x;
+    y[i] = static_cast<long double>(p.y) - d.y;
+    square[i] = x[i] * x[i] + y[i] * y[i];
+  }
+  long double sum = 0;
+  long double size = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    sum += square[i] * (x[j] * y[k] - x[k] * y[j]);
+    size += square[i] * (std::abs(x[j] * y[k]) + std::abs(x[k] * y[j]));
+  }
+  // What is on the circle but for rounding stays, or it would be swapped for ever.
+  return sum > 1e-15L * size;
+}
+
+void
+SwappableTriangulation::relink(std::uint32_t triangle,
+                               std::uint32_t from,
+                               std::uint32_t to)
+{
+  if (triangle == none)
+    return;
+  for (auto& n : mesh_.neighbours[triangle])
+    if (n == from) {
+      n = to;
+      return;
+    }
+}
+
+SwappableTriangulation::Ends
+SwappableTriangulation::swap(const Side& side)
+{
+  const std::uint32_t t = side.triangle;
+  const Side twin = across(side);
+  const std::uint32_t u = twin.triangle;
+  const std::uint32_t a = corner(t, side.number);
+  const std::uint32_t b = corner(t, side.number + 1);
+  const std::uint32_t c = corner(t, side.number + 2);
+  const std::uint32_t d = corner(u, twin.number + 2);
+  const std::uint32_t beyond_bc = neighbour({t, side.number + 1});
+  const std::uint32_t beyond_ca = neighbour({t, side.number + 2});
+  const std::uint32_t beyond_ad = neighbour({u, twin.number + 1});
+  const std::uint32_t beyond_db = neighbour({u, twin.number + 2});
+  mesh_.triangles[t] = {a, d, c};
+  mesh_.neighbours[t] = {beyond_ad, u, beyond_ca};
+  mesh_.triangles[u] = {d, b, c};
+  mesh_.neighbours[u] = {beyond_db, beyond_bc, t};
+  relink(beyond_ad, u, t);
+  relink(beyond_bc, t, u);
+  anchor_[a] = anchor_[c] = anchor_[d] = t;
+  anchor_[b] = u;
+  return std::minmax(c, d);
+}
+
+bool
+SwappableTriangulation::insertEdge(std::uint32_t a, std::uint32_t b)
+{
+  const Ends wanted = std::minmax(a, b);
+  if (find(wanted).triangle == none) {
+    std::vector<Ends> crossed;
+    if (!crossedBy(a, b, crossed))
+      return false;
+    for (const Ends& side : crossed)
+      if (fixed_.count(side) > 0)
+        return false;
+    // A side of a concave pair waits until others have been swapped: some pair is
+    // always convex, so this ends.
+    std::deque<Ends> waiting(crossed.begin(), crossed.end());
+    while (!waiting.empty()) {
+      const Side side = find(waiting.front());
+      if (!isConvex(side)) {
+        waiting.push_back(waiting.front());
+        waiting.pop_front();
+        continue;
+      }
+      waiting.pop_front();
+      const Ends diagonal = swap(side);
+      if (crosses(diagonal, a, b))
+        waiting.push_back(diagonal);
+    }
+  }
+  fixed_.insert(wanted);
+  return true;
+}
+
+void
+SwappableTriangulation::improve()
+{
+  std::vector<Ends> waiting;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (corner(t, i) < corner(t, i + 1))
+        waiting.emplace_back(corner(t, i), corner(t, i + 1));
+  // Swaps that make the triangulation Delaunay's cannot go round in circles.
+  while (!waiting.empty()) {
+    const Ends ends = waiting.back();
+    waiting.pop_back();
+    const Side side = find(ends);
+    if (side.triangle == none || neighbour(side) == none || fixed_.count(ends) > 0 ||
+        !isConvex(side) || !isWorse(side))
+      continue;
+    const std::uint32_t t = side.triangle;
+    const std::uint32_t u = neighbour(side);
+    swap(side);
+    for (const std::uint32_t changed : {t, u})
+      for (std::size_t i = 0; i < 3; ++i)
+        waiting.push_back(std::minmax(corner(changed, i), corner(changed, i + 1)));
+  }
+}
+
+} // namespace sedr
+} // namespace pcl
