@@ -169,10 +169,9 @@ splitTriangle(TriangleMesh& mesh,
   const Triangle old = mesh.triangles[t];
   const auto add = [&mesh, t](const Triangle& triangle) {
     mesh.triangles.push_back(triangle);
-    if (!mesh.labels.empty())
-      mesh.labels.push_back(mesh.labels[t]);
-    if (!mesh.rooms.empty())
-      mesh.rooms.push_back(mesh.rooms[t]);
+    for (auto* attribute : mesh.attributes())
+      if (!attribute->empty())
+        attribute->push_back((*attribute)[t]);
   };
   const auto count = 3 - std::count(middle.begin(), middle.end(), none);
   if (count == 3) {

@@ -25,40 +25,59 @@ appendBytes(std::string& bytes, T value)
   bytes.append(raw, sizeof(T));
 }
 
+/** @brief From here on floats are off by up to 0.015 mm and more, metres. */
+constexpr double farthest_float = 256;
+
+bool
+needsDoubles(const TriangleMesh& mesh)
+{
+  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& v) {
+    return v.cwiseAbs().maxCoeff() >= farthest_float;
+  });
+}
+
 std::string
-plyHeader(const TriangleMesh& mesh)
+plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
   std::ostringstream header;
-  header << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n"
-         << "element vertex " << mesh.vertices.size()
-         << "\nproperty float x\nproperty float y\nproperty float z\n"
-         << "element face " << mesh.triangles.size()
+  header << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
+  for (const std::string& comment : comments)
+    header << "comment " << comment << '\n';
+  header << "element vertex " << mesh.vertices.size() << '\n';
+  for (const char* axis : {"x", "y", "z"})
+    header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis << '\n';
+  header << "element face " << mesh.triangles.size()
          << "\nproperty list uchar int vertex_indices\n";
   if (!mesh.labels.empty())
     header << "property int label\n";
   if (!mesh.rooms.empty())
     header << "property int room\n";
+  if (!mesh.elements.empty())
+    header << "property int element\n";
   header << "end_header\n";
   return header.str();
 }
 
 std::string
-plyContent(const TriangleMesh& mesh)
+plyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
-  std::string content = plyHeader(mesh);
-  content.reserve(content.size() + 12 * mesh.vertices.size() +
-                  21 * mesh.triangles.size());
+  std::string content = plyHeader(mesh, comments);
+  const bool doubles = needsDoubles(mesh);
+  content.reserve(content.size() + (doubles ? 24 : 12) * mesh.vertices.size() +
+                  25 * mesh.triangles.size());
   for (const Eigen::Vector3d& vertex : mesh.vertices)
     for (int k = 0; k < 3; ++k)
-      appendBytes(content, static_cast<float>(vertex[k]));
+      if (doubles)
+        appendBytes(content, vertex[k]);
+      else
+        appendBytes(content, static_cast<float>(vertex[k]));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     appendBytes(content, std::uint8_t(3));
     for (const auto v : mesh.triangles[t])
       appendBytes(content, static_cast<std::int32_t>(v));
-    if (!mesh.labels.empty())
-      appendBytes(content, static_cast<std::int32_t>(mesh.labels[t]));
-    if (!mesh.rooms.empty())
-      appendBytes(content, static_cast<std::int32_t>(mesh.rooms[t]));
+    for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
+      if (!attribute->empty())
+        appendBytes(content, static_cast<std::int32_t>((*attribute)[t]));
   }
   return content;
 }
@@ -101,7 +120,9 @@ loadMesh(const std::string& path, TriangleMesh& mesh)
 }
 
 std::string
-savePly(const std::string& path, const TriangleMesh& mesh)
+savePly(const std::string& path,
+        const TriangleMesh& mesh,
+        const std::vector<std::string>& comments)
 {
   const std::string problem = mesh.problem();
   if (!problem.empty())
@@ -111,7 +132,7 @@ savePly(const std::string& path, const TriangleMesh& mesh)
     std::ofstream file(beside, std::ios::binary | std::ios::trunc);
     if (!file)
       return path + " cannot be written: its folder is missing or not writable";
-    const std::string content = plyContent(mesh);
+    const std::string content = plyContent(mesh, comments);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     file.close();
     if (!file) {

@@ -17,10 +17,9 @@ void
 addTriangleLike(TriangleMesh& mesh, const Triangle& triangle, std::uint32_t like)
 {
   mesh.triangles.push_back(triangle);
-  if (!mesh.labels.empty())
-    mesh.labels.push_back(mesh.labels[like]);
-  if (!mesh.rooms.empty())
-    mesh.rooms.push_back(mesh.rooms[like]);
+  for (auto* attribute : mesh.attributes())
+    if (!attribute->empty())
+      attribute->push_back((*attribute)[like]);
 }
 
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();

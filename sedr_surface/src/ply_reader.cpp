@@ -161,8 +161,10 @@ std::string
 readFaces(ValueReader& reader, const Element& element, TriangleMesh& mesh)
 {
   const int corners = findProperty(element, {"vertex_indices", "vertex_index"}, true);
-  const int label = findProperty(element, {"label"}, false);
-  const int room = findProperty(element, {"room"}, false);
+  // In the order of attributes().
+  const int columns[] = {findProperty(element, {"label"}, false),
+                         findProperty(element, {"room"}, false),
+                         findProperty(element, {"element"}, false)};
   if (corners < 0)
     return "has faces without a list of vertex indices";
   Row row;
@@ -183,10 +185,10 @@ readFaces(ValueReader& reader, const Element& element, TriangleMesh& mesh)
       const double value = row.scalars[static_cast<std::size_t>(column)];
       return value > 0 && value < 4294967296. ? static_cast<std::uint32_t>(value) : 0u;
     };
-    if (label >= 0)
-      mesh.labels.resize(mesh.triangles.size(), attribute(label));
-    if (room >= 0)
-      mesh.rooms.resize(mesh.triangles.size(), attribute(room));
+    const auto attributes = mesh.attributes();
+    for (std::size_t k = 0; k < attributes.size(); ++k)
+      if (columns[k] >= 0)
+        attributes[k]->resize(mesh.triangles.size(), attribute(columns[k]));
   }
   return {};
 }

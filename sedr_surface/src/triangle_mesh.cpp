@@ -74,6 +74,7 @@ TriangleMesh::append(const TriangleMesh& other)
   const std::size_t added = other.triangles.size();
   appendAttribute(labels, before, other.labels, added);
   appendAttribute(rooms, before, other.rooms, added);
+  appendAttribute(elements, before, other.elements, added);
   vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
   triangles.reserve(before + added);
   for (std::size_t t = 0; t < added; ++t) {
@@ -91,18 +92,16 @@ TriangleMesh::keepTriangles(const std::vector<bool>& keep)
     if (!keep[t])
       continue;
     triangles[kept] = triangles[t];
-    if (!labels.empty())
-      labels[kept] = labels[t];
-    if (!rooms.empty())
-      rooms[kept] = rooms[t];
+    for (Attribute* attribute : attributes())
+      if (!attribute->empty())
+        (*attribute)[kept] = (*attribute)[t];
     ++kept;
   }
   const std::size_t removed = triangles.size() - kept;
   triangles.resize(kept);
-  if (!labels.empty())
-    labels.resize(kept);
-  if (!rooms.empty())
-    rooms.resize(kept);
+  for (Attribute* attribute : attributes())
+    if (!attribute->empty())
+      attribute->resize(kept);
   return removed;
 }
 
@@ -139,11 +138,14 @@ TriangleMesh::problem() const
   for (std::size_t v = 0; v < vertices.size(); ++v)
     if (!vertices[v].allFinite())
       return "vertex " + std::to_string(v) + " is not finite";
-  if ((!labels.empty() && labels.size() != triangles.size()) ||
-      (!rooms.empty() && rooms.size() != triangles.size()))
+  const auto isOfAnotherLength = [this](const Attribute& attribute) {
+    return !attribute.empty() && attribute.size() != triangles.size();
+  };
+  if (isOfAnotherLength(labels) || isOfAnotherLength(rooms) ||
+      isOfAnotherLength(elements))
     return "the mesh has " + std::to_string(triangles.size()) + " triangles, but " +
-           std::to_string(labels.size()) + " labels and " +
-           std::to_string(rooms.size()) + " rooms";
+           std::to_string(labels.size()) + " labels, " + std::to_string(rooms.size()) +
+           " rooms and " + std::to_string(elements.size()) + " elements";
   return {};
 }
 

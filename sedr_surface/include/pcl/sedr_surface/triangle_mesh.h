@@ -33,6 +33,8 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> labels; ///< a StructureLabel a triangle, or empty
   std::vector<std::uint32_t> rooms;  ///< a room a triangle (0 none), or empty
+  std::vector<std::uint32_t> elements; ///< a number a triangle (0 none), or empty: which
+                                       ///< part of a plan it is, of FloorplanExtrusion
 
   /** @brief True without triangles. */
   bool empty() const { return triangles.empty(); }
@@ -64,12 +66,18 @@ struct TriangleMesh {
   /** @brief Turns every normal round. */
   void flip();
 
-  /** @brief Adds `other` behind the triangles of this mesh. Labels and rooms are kept;
-   * where only one of the two has them, the other's triangles get 0. */
+  /** @brief The labels, rooms and elements: whatever is kept of every triangle. */
+  std::array<std::vector<std::uint32_t>*, 3> attributes()
+  {
+    return {&labels, &rooms, &elements};
+  }
+
+  /** @brief Adds `other` behind the triangles of this mesh. Labels, rooms and elements
+   * are kept; where only one of the two has them, the other's triangles get 0. */
   void append(const TriangleMesh& other);
 
-  /** @brief Keeps the triangles with `keep[t]` true, in their order, with label and
-   * room; vertices stay. `keep` has one entry a triangle.
+  /** @brief Keeps the triangles with `keep[t]` true, in their order, with label, room
+   * and element; vertices stay. `keep` has one entry a triangle.
    * @return the number of triangles removed */
   std::size_t keepTriangles(const std::vector<bool>& keep);
 
@@ -79,7 +87,7 @@ struct TriangleMesh {
 
   /** @brief What makes this structure no mesh, in a sentence ("triangle 3 uses vertex
    * 9, there are 8"), or empty: indices out of range, coordinates that are not finite,
-   * labels or rooms of another length than the triangles. O(n). */
+   * labels, rooms or elements of another length than the triangles. O(n). */
   std::string problem() const;
 };
 

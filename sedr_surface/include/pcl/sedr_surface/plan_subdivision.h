@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/plan_facets.h>
+#include <pcl/sedr_surface/plan_grid.h>
+#include <pcl/sedr_surface/room_layers.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A straight edge of a subdivision, with another region on either side. */
+struct SubdivisionEdge {
+  std::uint32_t a = 0; ///< index of a vertex
+  std::uint32_t b = 0;
+  PlanRegion left; ///< of the way from a to b
+  PlanRegion right;
+  std::vector<std::size_t> elements; ///< SolidElements of the plan that lie on it
+};
+
+/** @brief A room's plan cut into regions with one floor and one ceiling each.
+ *
+ * Edges have nothing in common but their ends, and around every vertex the regions
+ * follow one another without contradiction, so that what is built from the edges fits
+ * together without gaps. */
+struct PlanSubdivision {
+  PlanGrid grid;
+  std::vector<GridPoint> vertices; ///< no two the same
+  std::vector<SubdivisionEdge> edges;
+
+  Eigen::Vector2d placeOf(std::uint32_t vertex) const
+  {
+    return grid.toPlan(vertices[vertex]);
+  }
+};
+
+/** @brief An edge of a subdivision as it leaves a vertex. */
+struct Spoke {
+  std::uint32_t edge = 0;
+  bool forward = true; ///< whether the vertex is the edge's a
+  std::uint32_t end = 0;
+  PlanRegion left; ///< the sector from this spoke to the next, counter-clockwise
+  PlanRegion right;
+};
+
+/** @brief The spokes of every vertex, counter-clockwise. */
+std::vector<std::vector<Spoke>> spokesOf(const PlanSubdivision& subdivision);
+
+/** @brief How a room becomes a solid. */
+struct SolidParameters {
+  double chord_tolerance = 0.0005; ///< metres that facets may be off their arc
+  double snap_tolerance = 0; ///< metres; 0: from the elements' residuals, snapTolerance()
+};
+
+/** @brief What lies nearer together than this in a solid is one, metres: 0.05 mm, small
+ * beside what a scan can tell, large beside the rounding of files with single
+ * precision; more only in rooms so large that the grid is coarser. */
+double
+solidSeparation(const PlanGrid& grid);
+
+/** @brief Cuts the plan of a room at all its loops.
+ *
+ * - Loops are fitted to each other (facetLoops()), then cut exactly where they cross.
+ * - Of what overlaps, columns win over the room and later details over earlier ones
+ *   (RoomLayers::regionOf()); what leaves the boundary is cut off.
+ * - A part of the plan narrower than 2 mm, or than its loops are sure to, goes to what
+ *   is beside it; so do a detail's parts that come within 1 mm of the floor.
+ *
+ * @param layers of a room whose coordinates are finite
+ * @param parameters in range
+ * @param[out] subdivision the result
+ * @param[out] warnings what was done to contradictions of the plan, a sentence each
+ * @return an empty string, or why there is none, a sentence */
+std::string
+subdivideRoom(const RoomLayers& layers,
+              const SolidParameters& parameters,
+              PlanSubdivision& subdivision,
+              std::vector<std::string>& warnings);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_cells.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A ceiling nearer to its floor than this leaves no room, metres. */
+constexpr double least_clearance = 0.001;
+
+/** @brief A piece of a room smaller than this is a crumb, square metres. */
+constexpr double crumb = 0.01;
+
+template <typename... Values>
+std::string
+textOf(const char* format, Values... values)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+} // namespace
+
+PlanCells::PlanCells(const RoomLayers& layers,
+                     const PlanGrid& grid,
+                     const Arrangement& arrangement,
+                     const PlanTriangulation& triangulation,
+                     const std::vector<SegmentSource>& sources,
+                     const std::vector<double>& tolerance)
+    : layers_(layers)
+    , grid_(grid)
+    , arrangement_(arrangement)
+    , triangulation_(triangulation)
+    , sources_(sources)
+    , tolerance_(tolerance)
+    , region_(triangulation.triangles.size())
+{
+  classify();
+}
+
+const Arrangement::Edge*
+PlanCells::edgeAt(std::uint32_t t, std::size_t side) const
+{
+  const std::pair<std::uint32_t, std::uint32_t> ends =
+      std::minmax(corner(t, side), corner(t, side + 1));
+  const auto edge = std::lower_bound(
+      arrangement_.edges.begin(), arrangement_.edges.end(), ends,
+      [](const Arrangement::Edge& e, const auto& wanted) {
+        return std::make_pair(e.a, e.b) < wanted;
+      });
+  const bool is_edge = edge != arrangement_.edges.end() && edge->a == ends.first &&
+                       edge->b == ends.second;
+  return is_edge ? &*edge : nullptr;
+}
+
+void
+PlanCells::classify()
+{
+  using Winding = std::vector<int>;
+  const Winding outside(layers_.loops.size(), 0);
+  std::vector<Winding> winding(region_.size());
+  // The winding numbers on the inner side of a triangle's side, from those beyond it.
+  const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
+    if (const Arrangement::Edge* edge = edgeAt(t, side))
+      for (const SegmentUse& use : edge->uses) {
+        const bool is_left = use.forward == (corner(t, side) == edge->a);
+        beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
+      }
+    return beyond;
+  };
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t t, Winding turns) {
+    region_[t] = layers_.regionOf(turns);
+    winding[t] = std::move(turns);
+    waiting.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < region_.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (triangulation_.neighbours[t][i] == none && winding[t].empty())
+        reach(t, inside(t, i, outside));
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = triangulation_.neighbours[t][i];
+      if (n == none || !winding[n].empty())
+        continue;
+      std::size_t back = 0;
+      while (triangulation_.neighbours[n][back] != t)
+        ++back;
+      reach(n, inside(n, back, winding[t]));
+    }
+  }
+}
+
+PlanRegion
+PlanCells::across(std::uint32_t t, std::size_t side) const
+{
+  const std::uint32_t n = triangulation_.neighbours[t][side];
+  return n == none ? PlanRegion() : region_[n];
+}
+
+double
+PlanCells::areaOf(std::uint32_t t) const
+{
+  const auto& points = arrangement_.vertices;
+  return 0.5 * grid_.unit() * grid_.unit() *
+         static_cast<double>(
+             turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
+}
+
+void
+PlanCells::measure(Part& part, std::uint32_t t, std::size_t side) const
+{
+  const double length =
+      grid_.unit() * distance(arrangement_.vertices[corner(t, side)],
+                              arrangement_.vertices[corner(t, side + 1)]);
+  part.perimeter += length;
+  part.beside[across(t, side)] += length;
+  if (triangulation_.neighbours[t][side] == none)
+    part.is_outside = !part.region.isRoom();
+  if (const Arrangement::Edge* edge = edgeAt(t, side))
+    for (const SegmentUse& use : edge->uses)
+      part.tolerance =
+          std::max(part.tolerance, tolerance_[sources_[use.segment].element]);
+}
+
+template <typename Alike>
+std::vector<PlanCells::Part>
+PlanCells::partsOf(Alike alike) const
+{
+  std::vector<Part> parts;
+  std::vector<bool> is_taken(region_.size(), false);
+  for (std::uint32_t first = 0; first < region_.size(); ++first) {
+    if (is_taken[first])
+      continue;
+    Part part;
+    part.region = region_[first];
+    part.triangles.push_back(first);
+    is_taken[first] = true;
+    for (std::size_t k = 0; k < part.triangles.size(); ++k) {
+      const std::uint32_t t = part.triangles[k];
+      part.area += areaOf(t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t n = triangulation_.neighbours[t][i];
+        if (n == none || !alike(region_[t], region_[n]))
+          measure(part, t, i);
+        else if (!is_taken[n]) {
+          is_taken[n] = true;
+          part.triangles.push_back(n);
+        }
+      }
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::vector<PlanCells::Part>
+PlanCells::regions() const
+{
+  return partsOf([](const PlanRegion& a, const PlanRegion& b) { return a == b; });
+}
+
+PlanRegion
+PlanCells::heirOf(const Part& part)
+{
+  PlanRegion heir;
+  double longest = 0;
+  for (const auto& [region, length] : part.beside)
+    if (region.isRoom() && length > longest) {
+      heir = region;
+      longest = length;
+    }
+  return heir;
+}
+
+void
+PlanCells::assign(const Part& part, const PlanRegion& region)
+{
+  for (const std::uint32_t t : part.triangles)
+    region_[t] = region;
+}
+
+void
+PlanCells::mergeSlivers()
+{
+  // One by one, the narrowest first: what it goes to gets wider.
+  for (;;) {
+    const std::vector<Part> parts = regions();
+    const Part* narrowest = nullptr;
+    double least = 0;
+    for (const Part& part : parts) {
+      const double width = 2 * part.area / part.perimeter;
+      if (part.is_outside || width >= part.tolerance)
+        continue;
+      if (narrowest != nullptr && width >= least)
+        continue;
+      narrowest = &part;
+      least = width;
+    }
+    if (narrowest == nullptr)
+      return;
+    assign(*narrowest, heirOf(*narrowest));
+  }
+}
+
+double
+PlanCells::clearance(const Part& part) const
+{
+  const PlanSlab& floor =
+      layers_.slabs[static_cast<std::size_t>(part.region.floor)].slab;
+  const PlanSlab& ceiling =
+      layers_.slabs[static_cast<std::size_t>(part.region.ceiling)].slab;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : part.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector2d p = grid_.toPlan(arrangement_.vertices[corner(t, i)]);
+      least = std::min(least, ceiling.heightAt(p) - floor.heightAt(p));
+    }
+  return least;
+}
+
+void
+PlanCells::clearFloor(std::vector<std::string>& warnings)
+{
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const Part& part : regions()) {
+      if (!part.region.isRoom())
+        continue;
+      const double height = clearance(part);
+      if (height >= least_clearance)
+        continue;
+      const PlanRegion plain = layers_.withoutDetail(part.region);
+      const auto& slab = layers_.slabs[static_cast<std::size_t>(part.region.ceiling)];
+      warnings.push_back(textOf("%s comes down to %.3f m above the floor: %.2f m2 of it "
+                                "are left out",
+                                layers_.elements[slab.element].name.c_str(), height,
+                                part.area));
+      assign(part, plain == part.region ? PlanRegion() : plain);
+      is_changed = true;
+      break;
+    }
+  }
+}
+
+void
+PlanCells::checkPieces(std::vector<std::string>& warnings)
+{
+  std::vector<Part> pieces;
+  for (Part& part : partsOf([](const PlanRegion& a, const PlanRegion& b) {
+         return a.isRoom() == b.isRoom();
+       }))
+    if (part.region.isRoom())
+      pieces.push_back(std::move(part));
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Part& a, const Part& b) { return a.area > b.area; });
+  while (pieces.size() > 1 && pieces.back().area < crumb) {
+    assign(pieces.back(), PlanRegion());
+    pieces.pop_back();
+  }
+  if (pieces.size() > 1)
+    warnings.push_back(textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
+                              "and %.2f m2",
+                              pieces.size(), pieces[0].area, pieces[1].area));
+}
+
+std::vector<SubdivisionEdge>
+PlanCells::edges() const
+{
+  std::vector<SubdivisionEdge> edges;
+  for (std::uint32_t t = 0; t < region_.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PlanRegion beyond = across(t, i);
+      const Arrangement::Edge* edge = edgeAt(t, i);
+      const bool is_first = triangulation_.neighbours[t][i] == none ||
+                            t < triangulation_.neighbours[t][i];
+      if (edge == nullptr || beyond == region_[t] || !is_first)
+        continue;
+      SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
+      for (const SegmentUse& use : edge->uses)
+        e.elements.push_back(sources_[use.segment].element);
+      std::sort(e.elements.begin(), e.elements.end());
+      e.elements.erase(std::unique(e.elements.begin(), e.elements.end()),
+                       e.elements.end());
+      edges.push_back(std::move(e));
+    }
+  return edges;
+}
+
+} // namespace sedr
+} // namespace pcl

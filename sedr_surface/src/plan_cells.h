@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/constrained_triangulation.h>
+#include <pcl/sedr_surface/plan_subdivision.h>
+#include <pcl/sedr_surface/segment_arrangement.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Where the segments of an arrangement come from. */
+struct SegmentSource {
+  std::size_t loop = 0;    ///< index of RoomLayers::loops
+  std::size_t element = 0; ///< of RoomLayers::elements
+};
+
+/** @brief A room's plan in triangles, each with its region: how what the loops say is
+ * told, and mended where it cannot be built. */
+class PlanCells {
+public:
+  /** @param tolerance of each SolidElement, metres: parts narrower than those of the
+   * elements around them are none */
+  PlanCells(const RoomLayers& layers,
+            const PlanGrid& grid,
+            const Arrangement& arrangement,
+            const PlanTriangulation& triangulation,
+            const std::vector<SegmentSource>& sources,
+            const std::vector<double>& tolerance);
+
+  /** @brief Gives parts that are too narrow to what is beside them. */
+  void mergeSlivers();
+
+  /** @brief Takes out the details, and then what else comes too near to the floor. */
+  void clearFloor(std::vector<std::string>& warnings);
+
+  /** @brief Takes out crumbs that columns or crossing walls cut off, and tells of larger
+   * pieces. */
+  void checkPieces(std::vector<std::string>& warnings);
+
+  /** @brief The edges between different regions. */
+  std::vector<SubdivisionEdge> edges() const;
+
+private:
+  static constexpr std::uint32_t none = PlanTriangulation::none;
+
+  /** @brief Triangles of one region that hang together. */
+  struct Part {
+    PlanRegion region;
+    std::vector<std::uint32_t> triangles;
+    double area = 0;      ///< square metres
+    double perimeter = 0; ///< metres
+    double tolerance = 0; ///< the largest of the elements around it, metres
+    bool is_outside = false;             ///< beside the hull, in no room
+    std::map<PlanRegion, double> beside; ///< length of edge to other regions
+  };
+
+  void classify();
+
+  /** @brief Parts of triangles for which `alike(t, u)` holds across their sides. */
+  template <typename Alike>
+  std::vector<Part> partsOf(Alike alike) const;
+
+  std::vector<Part> regions() const;
+
+  void measure(Part& part, std::uint32_t t, std::size_t side) const;
+
+  /** @brief The region that a narrow part goes to: of those in the room, or else of
+   * all, the one with the longest edge beside it. */
+  static PlanRegion heirOf(const Part& part);
+
+  void assign(const Part& part, const PlanRegion& region);
+
+  /** @brief Least height of a part's ceiling over its floor, metres. */
+  double clearance(const Part& part) const;
+
+  PlanRegion across(std::uint32_t t, std::size_t side) const;
+
+  /** @brief The edge that is a triangle's side, or null. */
+  const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const;
+
+  std::uint32_t corner(std::uint32_t t, std::size_t i) const
+  {
+    return triangulation_.triangles[t][i % 3];
+  }
+
+  double areaOf(std::uint32_t t) const;
+
+  const RoomLayers& layers_;
+  const PlanGrid& grid_;
+  const Arrangement& arrangement_;
+  const PlanTriangulation& triangulation_;
+  const std::vector<SegmentSource>& sources_;
+  const std::vector<double>& tolerance_;
+  std::vector<PlanRegion> region_; ///< of each triangle
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid_builder.h"
+
+#include <pcl/sedr_surface/room_solid.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double most_coordinate = 1e6; // metres, as floorplanFromJson() has it
+
+bool
+isSound(const PlanElement& element)
+{
+  const auto isPlace = [](const Eigen::Vector2d& p) {
+    return p.allFinite() && p.cwiseAbs().maxCoeff() <= most_coordinate;
+  };
+  return isPlace(element.start) && isPlace(element.end) && isPlace(element.centre) &&
+         std::isfinite(element.radius) && std::isfinite(element.residual);
+}
+
+std::string
+loopProblem(const PlanLoop& loop, const std::string& name)
+{
+  if (loop.elements.empty())
+    return name + " has 0 elements";
+  for (std::size_t i = 0; i < loop.elements.size(); ++i)
+    if (!isSound(loop.elements[i]))
+      return "element " + std::to_string(i + 1) + " of " + name +
+             " is not finite or lies beyond 1000000 m";
+  return {};
+}
+
+std::string
+slabProblem(const PlanSlab& slab, const std::string& name)
+{
+  const Eigen::Vector4d& plane = slab.plane;
+  const bool is_sound = plane.allFinite() && plane[2] >= 0.7 * plane.head<3>().norm() &&
+                        plane[2] > 0 &&
+                        std::abs(slab.heightAt({0, 0})) <= 4 * most_coordinate;
+  return is_sound ? std::string()
+                  : name + " is not finite, leans by more than 45 degrees or lies "
+                           "beyond 1000000 m";
+}
+
+/** @brief Adds up the areas of triangles by what they are. */
+void
+measure(const TriangleMesh& solid, RoomSolidReport& report)
+{
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const double area = solid.scaledNormal(t).norm() / 2;
+    report.area += area;
+    switch (static_cast<StructureLabel>(solid.labels[t])) {
+    case StructureLabel::Floor:
+      report.floor_area += area;
+      break;
+    case StructureLabel::Ceiling:
+    case StructureLabel::Detail:
+      report.ceiling_area += area;
+      break;
+    default:
+      report.wall_area += area;
+    }
+  }
+  report.triangles = solid.triangles.size();
+  report.volume = solid.signedVolume();
+  report.topology = checkTopology(solid);
+  report.closed = report.topology.isClosedManifold();
+  if (!report.closed)
+    report.problem = "its solid is not closed: " + report.topology.problem();
+}
+
+} // namespace
+
+std::string
+roomProblem(const PlanRoom& room)
+{
+  std::string problem = loopProblem(room.boundary, "its boundary");
+  const auto check = [&problem](const std::string& next) {
+    problem = problem.empty() ? next : problem;
+  };
+  for (std::size_t c = 0; c < room.columns.size(); ++c)
+    check(loopProblem(room.columns[c], "column " + std::to_string(c + 1)));
+  check(slabProblem(room.floor, "its floor"));
+  check(slabProblem(room.ceiling, "its ceiling"));
+  for (std::size_t d = 0; d < room.details.size(); ++d) {
+    const PlanDetail& detail = room.details[d];
+    const std::string name = "detail " + std::to_string(d + 1);
+    check(slabProblem(detail.slab, name));
+    check(loopProblem(detail.boundary, name));
+    for (const PlanLoop& hole : detail.holes)
+      check(loopProblem(hole, "a hole of " + name));
+  }
+  return problem;
+}
+
+RoomSolidReport
+extrudeRoom(const PlanRoom& room,
+            const SolidParameters& parameters,
+            TriangleMesh& solid,
+            std::vector<SolidElement>& elements)
+{
+  solid = TriangleMesh();
+  RoomSolidReport report;
+  report.room = room.id;
+  report.problem = roomProblem(room);
+  if (!report.problem.empty())
+    return report;
+  const RoomLayers layers(room);
+  PlanSubdivision subdivision;
+  report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);
+  if (report.problem.empty())
+    report.problem = SolidBuilder(layers, subdivision).build(solid);
+  if (!report.problem.empty()) {
+    solid = TriangleMesh();
+    return report;
+  }
+  const auto first = static_cast<std::uint32_t>(elements.size()) + 1;
+  for (auto& element : solid.elements)
+    element += first;
+  solid.rooms.assign(solid.triangles.size(), room.id);
+  elements.insert(elements.end(), layers.elements.begin(), layers.elements.end());
+  measure(solid, report);
+  return report;
+}
+
+} // namespace sedr
+} // namespace pcl

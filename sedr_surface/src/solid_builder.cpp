@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid_builder.h"
+
+#include <pcl/sedr_surface/constrained_triangulation.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+bool
+has(const PlanRegion& region, int slab)
+{
+  return region.floor == slab || region.ceiling == slab;
+}
+
+/** @brief The triangles on the inner side of edges that go round an area. */
+std::vector<bool>
+insideOf(const PlanTriangulation& mesh,
+         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted_edges)
+{
+  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
+    const auto& corners = mesh.triangles[t];
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corners[i], corners[(i + 1) % 3]);
+    return std::binary_search(sorted_edges.begin(), sorted_edges.end(), ends);
+  };
+  std::vector<bool> is_inside(mesh.triangles.size(), false);
+  std::vector<bool> is_known(mesh.triangles.size(), false);
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t t, bool inside) {
+    if (is_known[t])
+      return;
+    is_known[t] = true;
+    is_inside[t] = inside;
+    waiting.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] == PlanTriangulation::none)
+        reach(t, isEdge(t, i));
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] != PlanTriangulation::none)
+        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
+  }
+  return is_inside;
+}
+
+} // namespace
+
+SolidBuilder::SolidBuilder(const RoomLayers& layers, const PlanSubdivision& plan)
+    : layers_(layers)
+    , plan_(plan)
+{
+  const auto spokes = spokesOf(plan);
+  for (std::uint32_t v = 0; v < spokes.size(); ++v)
+    levels_.emplace_back(layers, plan, v, spokes[v]);
+}
+
+std::string
+SolidBuilder::build(TriangleMesh& mesh)
+{
+  for (std::size_t slab = 0; slab < layers_.slabs.size(); ++slab)
+    if (!addSlab(static_cast<int>(slab)))
+      return layers_.elements[layers_.slabs[slab].element].name +
+             " could not be triangulated";
+  for (const SubdivisionEdge& edge : plan_.edges)
+    addUpright(edge);
+  mesh = std::move(mesh_);
+  return {};
+}
+
+void
+SolidBuilder::addTriangle(const std::array<Corner, 3>& corners, std::size_t element)
+{
+  Triangle triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto [known, is_new] = vertex_.emplace(corners[i], next);
+    if (is_new) {
+      const Eigen::Vector2d place = plan_.placeOf(corners[i].first);
+      mesh_.vertices.emplace_back(place.x(), place.y(),
+                                  plan_.grid.unit() *
+                                      static_cast<double>(corners[i].second));
+    }
+    triangle[i] = known->second;
+  }
+  mesh_.triangles.push_back(triangle);
+  mesh_.labels.push_back(static_cast<std::uint32_t>(layers_.elements[element].label));
+  mesh_.elements.push_back(static_cast<std::uint32_t>(element));
+}
+
+bool
+SolidBuilder::addSlab(int slab)
+{
+  // The rim of the slab's regions, on vertices numbered anew.
+  std::vector<std::uint32_t> number(plan_.vertices.size(), PlanTriangulation::none);
+  std::vector<std::uint32_t> vertices;
+  std::vector<GridPoint> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
+  bool faces_up = false;
+  for (const SubdivisionEdge& edge : plan_.edges) {
+    if (has(edge.left, slab) == has(edge.right, slab))
+      continue;
+    faces_up = edge.left.ceiling == slab || edge.right.ceiling == slab;
+    for (const std::uint32_t v : {edge.a, edge.b})
+      if (number[v] == PlanTriangulation::none) {
+        number[v] = static_cast<std::uint32_t>(points.size());
+        points.push_back(plan_.vertices[v]);
+        vertices.push_back(v);
+      }
+    rim.push_back(std::minmax(number[edge.a], number[edge.b]));
+  }
+  std::sort(rim.begin(), rim.end());
+  PlanTriangulation faces;
+  if (!triangulateConstrained(points, rim, faces))
+    return false;
+  const std::vector<bool> is_inside = insideOf(faces, rim);
+  for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
+    if (!is_inside[t])
+      continue;
+    std::array<Corner, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = vertices[faces.triangles[t][faces_up ? i : 2 - i]];
+      corners[i] = {v, levels_[v].levelOf(slab)};
+    }
+    addTriangle(corners, layers_.slabs[static_cast<std::size_t>(slab)].element);
+  }
+  return true;
+}
+
+std::vector<std::int64_t>
+SolidBuilder::levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const
+{
+  const auto& levels = levels_[vertex].levels();
+  return {std::lower_bound(levels.begin(), levels.end(),
+                           levels_[vertex].levelOf(low_slab)),
+          std::upper_bound(levels.begin(), levels.end(),
+                           levels_[vertex].levelOf(high_slab))};
+}
+
+void
+SolidBuilder::addStrip(std::uint32_t a,
+                       std::uint32_t b,
+                       int low_slab,
+                       int high_slab,
+                       std::size_t element)
+{
+  const auto at_a = levelsBetween(a, low_slab, high_slab);
+  const auto at_b = levelsBetween(b, low_slab, high_slab);
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i + 1 < at_a.size() || j + 1 < at_b.size()) {
+    const bool climbs_b =
+        i + 1 == at_a.size() || (j + 1 < at_b.size() && at_b[j + 1] <= at_a[i + 1]);
+    const Corner low_a{a, at_a[i]};
+    const Corner low_b{b, at_b[j]};
+    const Corner next = climbs_b ? Corner{b, at_b[++j]} : Corner{a, at_a[++i]};
+    addTriangle({low_a, low_b, next}, element);
+  }
+}
+
+void
+SolidBuilder::addUpright(const SubdivisionEdge& edge)
+{
+  // The slabs of both sides from low to high; they do not cross over the edge.
+  std::vector<std::pair<std::int64_t, int>> slabs;
+  for (const PlanRegion* side : {&edge.left, &edge.right})
+    for (const int slab : {side->floor, side->ceiling})
+      if (slab != PlanRegion::nothing)
+        slabs.emplace_back(levels_[edge.a].levelOf(slab) +
+                               levels_[edge.b].levelOf(slab),
+                           slab);
+  std::sort(slabs.begin(), slabs.end());
+  const auto stands = [&](const PlanRegion& side, std::int64_t above) {
+    if (!side.isRoom())
+      return false;
+    const auto heightOf = [&](int slab) {
+      return levels_[edge.a].levelOf(slab) + levels_[edge.b].levelOf(slab);
+    };
+    return heightOf(side.floor) <= above && above < heightOf(side.ceiling);
+  };
+  const std::size_t element = elementOn(edge);
+  for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
+    const auto [height, slab] = slabs[k];
+    if (slabs[k + 1].first == height)
+      continue;
+    const bool on_left = stands(edge.left, height);
+    if (on_left == stands(edge.right, height))
+      continue;
+    addStrip(on_left ? edge.a : edge.b, on_left ? edge.b : edge.a, slab,
+             slabs[k + 1].second, element);
+  }
+}
+
+std::size_t
+SolidBuilder::elementOn(const SubdivisionEdge& edge) const
+{
+  const bool is_riser = edge.left.isRoom() && edge.right.isRoom();
+  const auto fits = [&](StructureLabel label) {
+    return (label == StructureLabel::Detail) == is_riser;
+  };
+  // A wall before a column that stands at it, of details the later.
+  if (is_riser) {
+    const auto last =
+        std::find_if(edge.elements.rbegin(), edge.elements.rend(),
+                     [&](std::size_t e) { return fits(layers_.elements[e].label); });
+    if (last != edge.elements.rend())
+      return *last;
+  }
+  else
+    for (const std::size_t e : edge.elements)
+      if (fits(layers_.elements[e].label))
+        return e;
+  // A sliver went to what is beside it: the edge is that of something else.
+  const Eigen::Vector2d middle = (plan_.placeOf(edge.a) + plan_.placeOf(edge.b)) / 2;
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& loop : layers_.loops)
+    for (std::size_t i = 0; fits(loop.label) && i < loop.loop->elements.size(); ++i) {
+      const double d = loop.loop->elements[i].distance(middle);
+      if (d >= least)
+        continue;
+      least = d;
+      nearest = loop.first_element + i;
+    }
+  return nearest;
+}
+
+} // namespace sedr
+} // namespace pcl
