@@ -36,8 +36,9 @@ public:
   /** @brief Gives parts that are too narrow to what is beside them. */
   void mergeSlivers();
 
-  /** @brief Takes out the details, and then what else comes too near to the floor. */
-  void clearFloor(std::vector<std::string>& warnings);
+  /** @brief Takes out details and niches, and then what else, that leave no height
+   * between floor and ceiling, or that could not be told from what is beside them. */
+  void dropUnbuildable(std::vector<std::string>& warnings);
 
   /** @brief Takes out crumbs that columns or crossing walls cut off, and tells of larger
    * pieces. */
@@ -76,8 +77,20 @@ private:
 
   void assign(const Part& part, const PlanRegion& region);
 
+  double heightOf(int slab, std::uint32_t vertex) const;
+
   /** @brief Least height of a part's ceiling over its floor, metres. */
   double clearance(const Part& part) const;
+
+  /** @brief Whether a part's floor meets the ceiling of what is beside it along an edge,
+   * or the other way round. */
+  bool touchesBeside(const Part& part) const;
+
+  /** @brief Whether a part is open to a part of the room beside it. */
+  bool isOpen(const Part& part) const;
+
+  /** @brief Why a part cannot be built, or empty. */
+  std::string problemOf(const Part& part) const;
 
   PlanRegion across(std::uint32_t t, std::size_t side) const;
 

@@ -119,7 +119,7 @@ subdivideRoom(const RoomLayers& layers,
   PlanCells cells(layers, subdivision.grid, arrangement, triangulation, sources,
                   tolerances);
   cells.mergeSlivers();
-  cells.clearFloor(warnings);
+  cells.dropUnbuildable(warnings);
   cells.checkPieces(warnings);
   subdivision.vertices = arrangement.vertices;
   subdivision.edges = cells.edges();

@@ -8,8 +8,7 @@ namespace sedr {
 
 namespace {
 
-constexpr int floor_slab = 0;
-constexpr int ceiling_slab = 1;
+constexpr PlanRegion main_region{0, 1};
 
 std::string
 numbered(const std::string& name, std::size_t index)
@@ -17,79 +16,132 @@ numbered(const std::string& name, std::size_t index)
   return name + "_" + std::to_string(index + 1);
 }
 
+StructureLabel
+labelOf(LoopRole role)
+{
+  return role == LoopRole::Wall         ? StructureLabel::Wall
+         : role == LoopRole::ColumnFace ? StructureLabel::Column
+                                        : StructureLabel::Detail;
+}
+
 } // namespace
 
 RoomLayers::RoomLayers(const PlanRoom& room)
+    : room_(room.id)
 {
-  addSlab(room, room.floor, StructureLabel::Floor, "floor");
-  addSlab(room, room.ceiling, StructureLabel::Ceiling, "ceiling");
-  addLoop(room, room.boundary, StructureLabel::Wall, "wall");
+  addSlab(room.floor, StructureLabel::Floor, "floor");
+  addSlab(room.ceiling, StructureLabel::Ceiling, "ceiling");
+  addLoop(room.boundary, LoopRole::Wall, "wall");
   for (std::size_t c = 0; c < room.columns.size(); ++c)
-    addLoop(room, room.columns[c], StructureLabel::Column,
-            numbered("column", c) + "_face");
-  for (std::size_t d = 0; d < room.details.size(); ++d) {
-    const PlanDetail& detail = room.details[d];
-    const std::string name = numbered("detail", d);
-    details.push_back({static_cast<int>(slabs.size()), loops.size(), detail.holes.size()});
-    addSlab(room, detail.slab, StructureLabel::Detail, name);
-    addLoop(room, detail.boundary, StructureLabel::Detail, name + "_edge");
-    for (std::size_t h = 0; h < detail.holes.size(); ++h)
-      addLoop(room, detail.holes[h], StructureLabel::Detail,
-              name + numbered("_hole", h) + "_edge");
+    addLoop(room.columns[c], LoopRole::ColumnFace, numbered("column", c) + "_face");
+  addDetails(room.details, LoopRole::CeilingRiser, "detail");
+  addDetails(room.floor_details, LoopRole::FloorRiser, "floor_detail");
+  first_niche_slab_ = static_cast<int>(slabs.size());
+  for (std::size_t n = 0; n < room.niches.size(); ++n) {
+    const std::string name = numbered("niche", n);
+    Part niche;
+    niche.boundary = loops.size();
+    niche.region.floor =
+        addSlab(room.niches[n].bottom, StructureLabel::Detail, name + "_bottom");
+    niche.region.ceiling =
+        addSlab(room.niches[n].top, StructureLabel::Detail, name + "_top");
+    addLoop(room.niches[n].boundary, LoopRole::NicheSide, name + "_side");
+    niches_.push_back(niche);
   }
 }
 
 void
-RoomLayers::addSlab(const PlanRoom& room,
-                    const PlanSlab& slab,
-                    StructureLabel label,
-                    const std::string& name)
+RoomLayers::addDetails(const std::vector<PlanDetail>& details,
+                       LoopRole role,
+                       const std::string& name)
+{
+  const bool is_floor = role == LoopRole::FloorRiser;
+  for (std::size_t d = 0; d < details.size(); ++d) {
+    Part part;
+    part.boundary = loops.size();
+    part.holes = details[d].holes.size();
+    (is_floor ? part.region.floor : part.region.ceiling) =
+        addSlab(details[d].slab,
+                is_floor ? StructureLabel::Floor : StructureLabel::Detail,
+                numbered(name, d));
+    addLoop(details[d].boundary, role, numbered(name, d) + "_edge");
+    for (std::size_t h = 0; h < details[d].holes.size(); ++h)
+      addLoop(details[d].holes[h], role,
+              numbered(name, d) + numbered("_hole", h) + "_edge");
+    details_.push_back(part);
+  }
+}
+
+int
+RoomLayers::addSlab(const PlanSlab& slab, StructureLabel label, const std::string& name)
 {
   slabs.push_back({slab, elements.size()});
-  elements.push_back({room.id, label, numbered("room", room.id - 1) + "_" + name});
+  elements.push_back({room_, label, "room_" + std::to_string(room_) + "_" + name});
+  return static_cast<int>(slabs.size()) - 1;
 }
 
 void
-RoomLayers::addLoop(const PlanRoom& room,
-                    const PlanLoop& loop,
-                    StructureLabel label,
-                    const std::string& name)
+RoomLayers::addLoop(const PlanLoop& loop, LoopRole role, const std::string& name)
 {
-  loops.push_back({&loop, label, elements.size()});
+  loops.push_back({&loop, role, elements.size()});
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    elements.push_back({room.id, label,
-                        numbered("room", room.id - 1) + "_" + numbered(name, i)});
+    elements.push_back({room_, labelOf(role),
+                        "room_" + std::to_string(room_) + "_" + numbered(name, i)});
+}
+
+bool
+RoomLayers::Part::contains(const std::vector<int>& winding) const
+{
+  const auto hole = winding.begin() + static_cast<std::ptrdiff_t>(boundary) + 1;
+  return winding[boundary] != 0 &&
+         std::all_of(hole, hole + static_cast<std::ptrdiff_t>(holes),
+                     [](int turns) { return turns == 0; });
 }
 
 PlanRegion
 RoomLayers::regionOf(const std::vector<int>& winding) const
 {
-  PlanRegion region;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (winding[l] == 0)
-      continue;
-    if (loops[l].label == StructureLabel::Column)
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    if (loops[l].role == LoopRole::ColumnFace && winding[l] != 0)
       return {};
-    if (loops[l].label == StructureLabel::Wall)
-      region = {floor_slab, ceiling_slab};
+  if (winding[0] == 0) {
+    const auto niche = std::find_if(niches_.begin(), niches_.end(), [&](const Part& n) {
+      return n.contains(winding);
+    });
+    return niche == niches_.end() ? PlanRegion() : niche->region;
   }
-  if (!region.isRoom())
-    return {};
-  for (const Detail& detail : details) {
-    const auto hole = winding.begin() + static_cast<std::ptrdiff_t>(detail.boundary) + 1;
-    const bool is_in_hole =
-        std::any_of(hole, hole + static_cast<std::ptrdiff_t>(detail.holes),
-                    [](int turns) { return turns != 0; });
-    if (winding[detail.boundary] != 0 && !is_in_hole)
-      region.ceiling = detail.slab;
+  PlanRegion region = main_region;
+  for (const Part& detail : details_) {
+    if (!detail.contains(winding))
+      continue;
+    if (detail.region.floor != PlanRegion::nothing)
+      region.floor = detail.region.floor;
+    else
+      region.ceiling = detail.region.ceiling;
   }
   return region;
 }
 
-PlanRegion
-RoomLayers::withoutDetail(PlanRegion region) const
+std::vector<PlanRegion>
+RoomLayers::plainRegions(const PlanRegion& region) const
 {
-  return region.isRoom() ? PlanRegion{floor_slab, ceiling_slab} : region;
+  if (isNiche(region))
+    return {{}};
+  return {{main_region.floor, region.ceiling},
+          {region.floor, main_region.ceiling},
+          main_region,
+          {}};
+}
+
+LoopRole
+RoomLayers::roleOf(std::size_t element) const
+{
+  LoopRole role = LoopRole::Wall;
+  for (const Loop& loop : loops)
+    if (element >= loop.first_element &&
+        element < loop.first_element + loop.loop->elements.size())
+      role = loop.role;
+  return role;
 }
 
 } // namespace sedr

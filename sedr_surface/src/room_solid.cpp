@@ -82,17 +82,27 @@ roomProblem(const PlanRoom& room)
   const auto check = [&problem](const std::string& next) {
     problem = problem.empty() ? next : problem;
   };
-  for (std::size_t c = 0; c < room.columns.size(); ++c)
-    check(loopProblem(room.columns[c], "column " + std::to_string(c + 1)));
+  const auto checkDetails = [&](const std::vector<PlanDetail>& details,
+                                const std::string& kind) {
+    for (std::size_t d = 0; d < details.size(); ++d) {
+      const std::string name = kind + std::to_string(d + 1);
+      check(slabProblem(details[d].slab, name));
+      check(loopProblem(details[d].boundary, name));
+      for (const PlanLoop& hole : details[d].holes)
+        check(loopProblem(hole, "a hole of " + name));
+    }
+  };
   check(slabProblem(room.floor, "its floor"));
   check(slabProblem(room.ceiling, "its ceiling"));
-  for (std::size_t d = 0; d < room.details.size(); ++d) {
-    const PlanDetail& detail = room.details[d];
-    const std::string name = "detail " + std::to_string(d + 1);
-    check(slabProblem(detail.slab, name));
-    check(loopProblem(detail.boundary, name));
-    for (const PlanLoop& hole : detail.holes)
-      check(loopProblem(hole, "a hole of " + name));
+  for (std::size_t c = 0; c < room.columns.size(); ++c)
+    check(loopProblem(room.columns[c], "column " + std::to_string(c + 1)));
+  checkDetails(room.details, "detail ");
+  checkDetails(room.floor_details, "floor detail ");
+  for (std::size_t n = 0; n < room.niches.size(); ++n) {
+    const std::string name = "niche " + std::to_string(n + 1);
+    check(slabProblem(room.niches[n].bottom, "the bottom of " + name));
+    check(slabProblem(room.niches[n].top, "the top of " + name));
+    check(loopProblem(room.niches[n].boundary, name));
   }
   return problem;
 }

@@ -11,12 +11,6 @@ namespace sedr {
 
 namespace {
 
-bool
-has(const PlanRegion& region, int slab)
-{
-  return region.floor == slab || region.ceiling == slab;
-}
-
 /** @brief The triangles on the inner side of edges that go round an area. */
 std::vector<bool>
 insideOf(const PlanTriangulation& mesh,
@@ -106,7 +100,7 @@ SolidBuilder::addSlab(int slab)
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
   bool faces_up = false;
   for (const SubdivisionEdge& edge : plan_.edges) {
-    if (has(edge.left, slab) == has(edge.right, slab))
+    if (edge.left.has(slab) == edge.right.has(slab))
       continue;
     faces_up = edge.left.ceiling == slab || edge.right.ceiling == slab;
     for (const std::uint32_t v : {edge.a, edge.b})
@@ -169,67 +163,71 @@ SolidBuilder::addStrip(std::uint32_t a,
 void
 SolidBuilder::addUpright(const SubdivisionEdge& edge)
 {
-  // The slabs of both sides from low to high; they do not cross over the edge.
+  // Of two slabs one is higher over the whole edge: they do not cross there.
+  const auto heightOf = [&](int slab) {
+    return levels_[edge.a].levelOf(slab) + levels_[edge.b].levelOf(slab);
+  };
   std::vector<std::pair<std::int64_t, int>> slabs;
   for (const PlanRegion* side : {&edge.left, &edge.right})
     for (const int slab : {side->floor, side->ceiling})
       if (slab != PlanRegion::nothing)
-        slabs.emplace_back(levels_[edge.a].levelOf(slab) +
-                               levels_[edge.b].levelOf(slab),
-                           slab);
+        slabs.emplace_back(heightOf(slab), slab);
   std::sort(slabs.begin(), slabs.end());
-  const auto stands = [&](const PlanRegion& side, std::int64_t above) {
-    if (!side.isRoom())
-      return false;
-    const auto heightOf = [&](int slab) {
-      return levels_[edge.a].levelOf(slab) + levels_[edge.b].levelOf(slab);
-    };
-    return heightOf(side.floor) <= above && above < heightOf(side.ceiling);
+  const auto isSolid = [&](const PlanRegion& side, std::int64_t above) {
+    return side.isRoom() && heightOf(side.floor) <= above &&
+           above < heightOf(side.ceiling);
   };
-  const std::size_t element = elementOn(edge);
   for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
-    const auto [height, slab] = slabs[k];
-    if (slabs[k + 1].first == height)
+    const std::int64_t height = slabs[k].first;
+    const bool on_left = isSolid(edge.left, height);
+    if (slabs[k + 1].first == height || on_left == isSolid(edge.right, height))
       continue;
-    const bool on_left = stands(edge.left, height);
-    if (on_left == stands(edge.right, height))
-      continue;
-    addStrip(on_left ? edge.a : edge.b, on_left ? edge.b : edge.a, slab,
-             slabs[k + 1].second, element);
+    const PlanRegion& solid = on_left ? edge.left : edge.right;
+    const PlanRegion& other = on_left ? edge.right : edge.left;
+    const bool is_above = other.isRoom() && height >= heightOf(other.ceiling);
+    addStrip(on_left ? edge.a : edge.b, on_left ? edge.b : edge.a, slabs[k].second,
+             slabs[k + 1].second,
+             elementOn(edge, rolesOn(solid, other, is_above)));
   }
 }
 
-std::size_t
-SolidBuilder::elementOn(const SubdivisionEdge& edge) const
+std::vector<LoopRole>
+SolidBuilder::rolesOn(const PlanRegion& solid,
+                      const PlanRegion& other,
+                      bool above) const
 {
-  const bool is_riser = edge.left.isRoom() && edge.right.isRoom();
-  const auto fits = [&](StructureLabel label) {
-    return (label == StructureLabel::Detail) == is_riser;
-  };
-  // A wall before a column that stands at it, of details the later.
-  if (is_riser) {
-    const auto last =
-        std::find_if(edge.elements.rbegin(), edge.elements.rend(),
-                     [&](std::size_t e) { return fits(layers_.elements[e].label); });
-    if (last != edge.elements.rend())
-      return *last;
-  }
-  else
-    for (const std::size_t e : edge.elements)
-      if (fits(layers_.elements[e].label))
-        return e;
-  // A sliver went to what is beside it: the edge is that of something else.
+  if (layers_.isNiche(solid))
+    return {LoopRole::NicheSide};
+  if (!other.isRoom())
+    return {LoopRole::Wall, LoopRole::ColumnFace};
+  if (layers_.isNiche(other)) // above or below the niche
+    return {LoopRole::Wall};
+  return {above ? LoopRole::CeilingRiser : LoopRole::FloorRiser};
+}
+
+std::size_t
+SolidBuilder::elementOn(const SubdivisionEdge& edge,
+                        const std::vector<LoopRole>& roles) const
+{
+  // Of several the last: the later of two details is the one that is there.
+  for (const LoopRole role : roles)
+    for (auto e = edge.elements.rbegin(); e != edge.elements.rend(); ++e)
+      if (layers_.roleOf(*e) == role)
+        return *e;
   const Eigen::Vector2d middle = (plan_.placeOf(edge.a) + plan_.placeOf(edge.b)) / 2;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& loop : layers_.loops)
-    for (std::size_t i = 0; fits(loop.label) && i < loop.loop->elements.size(); ++i) {
+  for (const auto& loop : layers_.loops) {
+    if (std::find(roles.begin(), roles.end(), loop.role) == roles.end())
+      continue;
+    for (std::size_t i = 0; i < loop.loop->elements.size(); ++i) {
       const double d = loop.loop->elements[i].distance(middle);
       if (d >= least)
         continue;
       least = d;
       nearest = loop.first_element + i;
     }
+  }
   return nearest;
 }
 

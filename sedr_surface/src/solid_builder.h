@@ -49,9 +49,15 @@ private:
   std::vector<std::int64_t>
   levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const;
 
-  /** @brief The element that stands on an edge: of several the one that a person would
-   * name. */
-  std::size_t elementOn(const SubdivisionEdge& edge) const;
+  /** @brief What stands on an edge where one side is solid and the other is not.
+   * @param above whether it reaches up from the other side's ceiling */
+  std::vector<LoopRole>
+  rolesOn(const PlanRegion& solid, const PlanRegion& other, bool above) const;
+
+  /** @brief The element of one of the roles that lies on an edge; where none does, since
+   * a sliver went to what is beside it, the nearest. */
+  std::size_t elementOn(const SubdivisionEdge& edge,
+                        const std::vector<LoopRole>& roles) const;
 
   void addTriangle(const std::array<Corner, 3>& corners, std::size_t element);
 

@@ -16,9 +16,6 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
   const double unit = subdivision.grid.unit();
   const auto same =
       static_cast<std::int64_t>(solidSeparation(subdivision.grid) / unit);
-  const auto has = [](const PlanRegion& region, int slab) {
-    return region.floor == slab || region.ceiling == slab;
-  };
   std::vector<std::pair<std::int64_t, int>> heights;
   for (const Spoke& spoke : spokes)
     for (const int slab : {spoke.left.floor, spoke.left.ceiling})
@@ -36,7 +33,7 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
     of_slab_.emplace_back(slab, level);
     const bool ends_here =
         std::any_of(spokes.begin(), spokes.end(),
-                    [&, s = slab](const Spoke& spoke) { return !has(spoke.left, s); });
+                    [&, s = slab](const Spoke& spoke) { return !spoke.left.has(s); });
     if (ends_here && (levels_.empty() || levels_.back() != level))
       levels_.push_back(level);
   }

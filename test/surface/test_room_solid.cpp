@@ -167,6 +167,54 @@ TEST(RoomSolid, ALeaningDetailThatGoesThroughTheCeiling)
   EXPECT_TRUE(solid.hasVertex(3, 4, 2.5));
 }
 
+TEST(RoomSolid, APlatformWithAStepBesideTheWall)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
+  room.floor_details.push_back(detailOf(rectangle(4, 0, 6, 5), 0.4));
+  room.floor_details.push_back(detailOf(rectangle(3.7, 0, 4, 5), 0.2));
+  room.floor_details.push_back(detailOf(rectangle(1, 1, 2, 2), -0.3)); // a pit
+  const Solid solid(room);
+  expectPiece(solid, 30 * 2.5 - 10 * 0.4 - 1.5 * 0.2 + 0.3);
+  EXPECT_NEAR(solid.areaOf("room_1_floor_detail_1"), 10, 1e-5);
+  EXPECT_NEAR(solid.areaOf("room_1_floor_detail_2_edge_4"), 5 * 0.2, 1e-5);
+  EXPECT_NEAR(solid.areaOf("room_1_floor_detail_2_edge_2"), 5 * 0.2, 1e-5);
+  EXPECT_NEAR(solid.areaOf("room_1_floor_detail_3_edge_1"), 0.3, 1e-5);
+  EXPECT_NEAR(solid.report.floor_area, 30, 1e-5) << "whatever its height";
+}
+
+TEST(RoomSolid, APlatformBelowASoffit)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
+  room.details.push_back(detailOf(rectangle(0, 3, 6, 5), 2.2));
+  room.floor_details.push_back(detailOf(rectangle(4, 0, 6, 5), 0.4));
+  const Solid solid(room);
+  expectPiece(solid, 30 * 2.5 - 12 * 0.3 - 10 * 0.4);
+  for (const auto& [x, z] : {std::pair{4., 0.4}, {4., 2.2}, {4., 0.}})
+    EXPECT_TRUE(solid.hasVertex(x, 5, z));
+}
+
+TEST(RoomSolid, ANicheInAWall)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
+  room.niches.push_back({rectangle(1, 5, 2, 5.3), slabAt(0.8), slabAt(1.8)});
+  const Solid solid(room);
+  expectPiece(solid, 30 * 2.5 + 0.3);
+  EXPECT_NEAR(solid.areaOf("room_1_niche_1_bottom"), 0.3, 1e-5);
+  EXPECT_NEAR(solid.areaOf("room_1_niche_1_top"), 0.3, 1e-5);
+  EXPECT_NEAR(solid.areaOf("room_1_niche_1_side_3"), 1, 1e-5) << "its back";
+  EXPECT_EQ(solid.names().count("room_1_niche_1_side_1"), 0u) << "where it is open";
+  EXPECT_NEAR(solid.areaOf("room_1_wall_3"), 6 * 2.5 - 1, 1e-5);
+  room.niches[0].bottom = slabAt(0); // down to the floor
+  expectPiece(Solid(room), 30 * 2.5 + 0.3 * 1.8);
+  // In a round wall: its front is where the facets are.
+  PlanRoom round = roomOf(circle({0, 0}, 3), 2.5);
+  round.niches.push_back({rectangle(2.9, -0.5, 3.4, 0.5), slabAt(0.8), slabAt(1.8)});
+  const Solid in_round(round);
+  expectSound(in_round);
+  const double beyond = 1 * 3.4 - 9 * std::asin(0.5 / 3) - 0.5 * std::sqrt(9 - 0.25);
+  EXPECT_NEAR(in_round.report.volume, facetArea(round.boundary) * 2.5 + beyond, 1e-3);
+}
+
 TEST(RoomSolid, ALongCorridor)
 {
   const Solid solid(roomOf(placed(rectangle(0, 0, 40, 1.8), 7, {3, 4}), 2.6));

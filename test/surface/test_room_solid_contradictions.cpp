@@ -116,6 +116,24 @@ TEST(RoomSolidContradictions, ADetailDownToTheFloorIsLeftOut)
   EXPECT_TRUE(Solid(room).mesh.empty());
 }
 
+TEST(RoomSolidContradictions, NichesThatCannotBeBuiltAreLeftOut)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
+  room.niches.push_back({rectangle(1, 6, 2, 7), slabAt(0.8), slabAt(1.8)}); // elsewhere
+  room.niches.push_back({rectangle(3, 5, 4, 6), slabAt(2.5), slabAt(3)}); // above
+  room.niches.push_back({rectangle(5, 5, 6, 6), slabAt(1.5), slabAt(1.2)}); // upside down
+  const Solid solid(room);
+  expectPiece(solid, 30 * 2.5);
+  EXPECT_EQ(solid.report.warnings.size(), 3u);
+  // Beside a soffit as low as the niche's bottom, and a platform as high.
+  room.niches = {{rectangle(1, 5, 3, 6), slabAt(2.2), slabAt(2.4)}};
+  room.details.push_back(detailOf(rectangle(0, 4, 2, 5), 2.2));
+  expectPiece(Solid(room), 30 * 2.5 - 2 * 0.3);
+  room.niches.clear();
+  room.floor_details.push_back(detailOf(rectangle(2, 4, 3, 5), 2.2));
+  expectPiece(Solid(room), 30 * 2.5 - 2 * 0.3);
+}
+
 TEST(RoomSolidContradictions, ABoundaryThatCrossesItself)
 {
   // A bow tie turned inside out, and a loop that runs over itself.
@@ -199,6 +217,14 @@ randomRoom(std::mt19937& random)
       room.details.back().holes.push_back(
           reversed(loop(2, {between(0, 4), between(0, 4)})));
   }
+  for (unsigned i = random() % 3; i > 0; --i) {
+    const double height = random() % 2 == 0 ? 0.4 : between(-0.2, 2.4);
+    room.floor_details.push_back(
+        detailOf(loop(3, {between(-1, 5), between(-1, 5)}), height));
+  }
+  for (unsigned i = random() % 3; i > 0; --i)
+    room.niches.push_back({loop(2, {between(-1, 7), between(-1, 7)}),
+                           slabAt(std::round(between(0, 20)) / 10), slabAt(between(1, 2.6))});
   for (unsigned i = random() % 4; i > 0; --i)
     room.columns.push_back(reversed(loop(1.2, {between(-1, 5), between(-1, 5)})));
   return room;

@@ -68,7 +68,10 @@ solidSeparation(const PlanGrid& grid);
  * - Of what overlaps, columns win over the room and later details over earlier ones
  *   (RoomLayers::regionOf()); what leaves the boundary is cut off.
  * - A part of the plan narrower than 2 mm, or than its loops are sure to, goes to what
- *   is beside it; so do a detail's parts that come within 1 mm of the floor.
+ *   is beside it.
+ * - Details are left out where they leave less than 1 mm between floor and ceiling,
+ *   niches that are not open to the room, and both where their floor is as high as the
+ *   ceiling beside it.
  *
  * @param layers of a room whose coordinates are finite
  * @param parameters in range

@@ -16,7 +16,9 @@ struct SolidElement {
   std::uint32_t room = 0; ///< PlanRoom::id
   StructureLabel label = StructureLabel::Other;
   /** @brief Where it stands in the plan, counted from 1: room_1_floor, room_1_wall_3,
-   * room_1_column_2_face_1, room_1_detail_1, room_1_detail_1_edge_4. */
+   * room_1_column_2_face_1, room_1_detail_1, room_1_detail_1_edge_4,
+   * room_1_detail_1_hole_1_edge_2, the same of room_1_floor_detail_1, and
+   * room_1_niche_1_bottom, room_1_niche_1_top, room_1_niche_1_side_2. */
   std::string name;
 };
 
@@ -29,6 +31,7 @@ struct PlanRegion {
   int ceiling = nothing;
 
   bool isRoom() const { return floor != nothing; }
+  bool has(int slab) const { return floor == slab || ceiling == slab; }
   bool operator==(const PlanRegion& o) const
   {
     return floor == o.floor && ceiling == o.ceiling;
@@ -40,6 +43,9 @@ struct PlanRegion {
   }
 };
 
+/** @brief What stands on the elements of a loop. */
+enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
+
 /** @brief A room's plan as a pile of loops: which lie over which, and what each means.
  * All that the solid knows of the parts of a PlanRoom stands here. */
 struct RoomLayers {
@@ -50,42 +56,57 @@ struct RoomLayers {
 
   struct Loop {
     const PlanLoop* loop = nullptr;
-    StructureLabel label = StructureLabel::Other; ///< of the faces that stand on it
+    LoopRole role = LoopRole::Wall;
     std::size_t first_element = 0; ///< SolidElement of the loop's first element
   };
 
-  /** @brief A detail of the ceiling. */
-  struct Detail {
-    int slab = 0;
-    std::size_t boundary = 0; ///< index of its loop; those of its holes follow
-    std::size_t holes = 0;
-  };
-
   std::vector<SolidElement> elements;
-  std::vector<Slab> slabs; ///< floor, ceiling, then an underside a detail
-  std::vector<Loop> loops; ///< the boundary, then columns, then details
-  std::vector<Detail> details;
+  std::vector<Slab> slabs; ///< floor, ceiling, then those of details and niches
+  std::vector<Loop> loops; ///< the boundary first: later ones are fitted to earlier
 
   /** @param room must stay where it is */
   explicit RoomLayers(const PlanRoom& room);
 
-  /** @brief What is at a place that the loops run around `winding` times: columns are
-   * cut out of what is inside the boundary, and of details the last is there. */
+  /** @brief What is at a place that the loops run around `winding` times. Columns are
+   * cut out of all; of details of the ceiling, and of the floor, the last is there; of
+   * niches, beside the boundary, the first. */
   PlanRegion regionOf(const std::vector<int>& winding) const;
 
-  /** @brief The region without its detail: below the main ceiling. */
-  PlanRegion withoutDetail(PlanRegion region) const;
+  bool isNiche(const PlanRegion& region) const
+  {
+    return region.isRoom() && region.floor >= first_niche_slab_;
+  }
+
+  /** @brief What may be there instead of a region that cannot be built, the nearest to it
+   * first: without its detail of the floor, of the ceiling, of both, and nothing. */
+  std::vector<PlanRegion> plainRegions(const PlanRegion& region) const;
+
+  /** @brief Of what role an element's loop is; of a slab's element Wall. */
+  LoopRole roleOf(std::size_t element) const;
 
 private:
-  void addSlab(const PlanRoom& room,
-               const PlanSlab& slab,
-               StructureLabel label,
-               const std::string& name);
+  /** @brief A detail or niche: its region where it is all there is, `nothing` for what
+   * it leaves as it was. */
+  struct Part {
+    PlanRegion region;
+    std::size_t boundary = 0; ///< index of its loop; those of its holes follow
+    std::size_t holes = 0;
 
-  void addLoop(const PlanRoom& room,
-               const PlanLoop& loop,
-               StructureLabel label,
-               const std::string& name);
+    bool contains(const std::vector<int>& winding) const;
+  };
+
+  int addSlab(const PlanSlab& slab, StructureLabel label, const std::string& name);
+
+  void addLoop(const PlanLoop& loop, LoopRole role, const std::string& name);
+
+  void addDetails(const std::vector<PlanDetail>& details,
+                  LoopRole role,
+                  const std::string& name);
+
+  std::uint32_t room_ = 0;
+  std::vector<Part> details_; ///< of ceiling and floor, in the order in which they count
+  std::vector<Part> niches_;
+  int first_niche_slab_ = 0;
 };
 
 } // namespace sedr
