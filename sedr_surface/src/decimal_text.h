@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A number with so many decimals, as programs read it whatever the locale. */
+inline std::string
+decimalText(double value, int decimals)
+{
+  char text[400]; // the largest double has 309 digits before its point
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  std::string result(text, end.ptr);
+  return result.find_first_not_of("-0.") == std::string::npos && result[0] == '-'
+             ? result.substr(1)
+             : result;
+}
+
+/** @brief The same without needless zeros behind the point. */
+inline std::string
+shortDecimalText(double value, int decimals)
+{
+  std::string text = decimalText(value, decimals);
+  if (text.find('.') == std::string::npos)
+    return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.')
+    text.pop_back();
+  return text;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "decimal_text.h"
+#include "plan_drawing.h"
+
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+// Millimetres of paper.
+constexpr double page_long = 297; // A4
+constexpr double page_short = 210;
+constexpr double margin_left = 20; // with the overall size
+constexpr double margin_right = 8;
+constexpr double margin_top = 8;
+constexpr double margin_bottom = 30; // with overall size, scale bar and title
+constexpr double least_width = 110;  // of the page: scale bar and title
+constexpr double room_font = 3.2;
+constexpr double size_font = 2.0;
+constexpr double letter = 0.56; // width of a letter over its font's size
+
+constexpr const char* style = R"(
+  text { font-family: Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif; }
+  .room { fill: #f6f3ec; fill-rule: evenodd; stroke: none; }
+  .wall { fill: none; stroke: #111; stroke-width: 0.5; stroke-linejoin: miter; }
+  .column { fill: #7d7d7d; stroke: #111; stroke-width: 0.35; }
+  .detail { fill: none; stroke: #2b62a8; stroke-width: 0.2; stroke-dasharray: 1.8 0.9; }
+  .floor_detail { fill: none; stroke: #333; stroke-width: 0.2; }
+  .niche { fill: #f6f3ec; stroke: #333; stroke-width: 0.3; }
+  .line { fill: none; stroke: #555; stroke-width: 0.15; }
+  .size { fill: #555; text-anchor: middle; }
+  .level { fill: #2b62a8; text-anchor: middle; }
+  .name { fill: #111; text-anchor: middle; }
+  .halo { paint-order: stroke; stroke: #f6f3ec; stroke-width: 0.8; }
+)";
+
+std::string
+mm(double value)
+{
+  return shortDecimalText(value, 4);
+}
+
+/** @brief Writes a plan on a page. */
+class SvgPage {
+public:
+  SvgPage(const Floorplan& plan, double scale)
+      : plan_(plan)
+      , scale_(scale)
+      , bounds_(boundsOf(plan))
+  {
+    if (bounds_.isEmpty())
+      bounds_.extend(Eigen::Vector2d(0, 0));
+    drawn_ = bounds_.sizes() * 1000 / scale_;
+    size_.x() =
+        std::max(least_width, margin_left + drawn_.x() + margin_right);
+    size_.y() = margin_top + drawn_.y() + margin_bottom;
+  }
+
+  std::string write()
+  {
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         << "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\""
+         << mm(size_.x()) << "mm\" height=\"" << mm(size_.y()) << "mm\" viewBox=\"0 0 "
+         << mm(size_.x()) << ' ' << mm(size_.y()) << "\">\n<title>Floor plan 1:"
+         << mm(scale_) << "</title>\n<style>" << style << "</style>\n"
+         << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    for (const PlanRoom& room : plan_.rooms)
+      writeRoom(room);
+    if (!plan_.rooms.empty()) {
+      writeOverallSize();
+      writeScaleBar();
+    }
+    out_ << "</svg>\n";
+    return out_.str();
+  }
+
+private:
+  Eigen::Vector2d onPage(const Eigen::Vector2d& p) const
+  {
+    return {margin_left + (p.x() - bounds_.min().x()) * 1000 / scale_,
+            margin_top + (bounds_.max().y() - p.y()) * 1000 / scale_};
+  }
+
+  std::string at(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2d q = onPage(p);
+    return mm(q.x()) + " " + mm(q.y());
+  }
+
+  /** @brief The path of an element whose start has been reached. */
+  std::string pathTo(const PlanElement& e) const
+  {
+    if (!e.isArc())
+      return "L " + at(e.end);
+    const double sweep = e.sweep();
+    const std::string radius = mm(e.radius * 1000 / scale_);
+    const auto arcTo = [&](const Eigen::Vector2d& end, double turn) {
+      // The page's y runs down, so that what turns left turns right.
+      return "A " + radius + " " + radius + " 0 " + (std::abs(turn) > M_PI ? "1" : "0") +
+             (turn > 0 ? " 0 " : " 1 ") + at(end);
+    };
+    if (std::abs(sweep) < 1.9 * M_PI)
+      return arcTo(e.end, sweep);
+    // Ends that coincide say nothing of a circle: two halves do.
+    return arcTo(e.pointAt(e.length() / 2), sweep / 2) + " " + arcTo(e.end, sweep / 2);
+  }
+
+  std::string pathOf(const PlanLoop& loop) const
+  {
+    std::string path = "M " + at(loop.elements.front().start);
+    for (const PlanElement& e : loop.elements)
+      path += " " + pathTo(e);
+    return path + " Z";
+  }
+
+  void writePath(const char* kind, const std::string& path)
+  {
+    out_ << "<path class=\"" << kind << "\" d=\"" << path << "\"/>\n";
+  }
+
+  void writeText(const std::string& kind,
+                 const Eigen::Vector2d& place,
+                 double font,
+                 const std::string& text,
+                 double degrees = 0)
+  {
+    out_ << "<text class=\"" << kind << "\" x=\"" << mm(place.x()) << "\" y=\""
+         << mm(place.y()) << "\" dy=\"0.35em\" font-size=\"" << mm(font) << '"';
+    if (degrees != 0)
+      out_ << " transform=\"rotate(" << mm(degrees) << ' ' << mm(place.x()) << ' '
+           << mm(place.y()) << ")\"";
+    out_ << '>' << text << "</text>\n";
+  }
+
+  void writeLine(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    writePath("line", "M " + mm(from.x()) + " " + mm(from.y()) + " L " + mm(to.x()) +
+                          " " + mm(to.y()));
+  }
+
+  void writeRoom(const PlanRoom& room)
+  {
+    out_ << "<g id=\"room_" << room.id << "\">\n";
+    writePath("room", pathOf(room.boundary));
+    writePath("wall", pathOf(room.boundary));
+    for (const PlanNiche& niche : room.niches)
+      writePath("niche", pathOf(niche.boundary));
+    Floorplan alone;
+    alone.rooms.push_back(room);
+    for (const DrawnElement& drawn : drawnElements(alone))
+      if (drawn.layer == DrawnLayer::Detail || drawn.layer == DrawnLayer::FloorDetail)
+        writePath(drawn.layer == DrawnLayer::Detail ? "detail" : "floor_detail",
+                  "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
+    for (const PlanLoop& column : room.columns)
+      writePath("column", pathOf(column));
+    for (const PlanElement& e : room.boundary.elements)
+      writeSize(e);
+    const TextSpot spot = textSpotIn(room.boundary, room.columns);
+    for (const LevelNote& note : levelNotes(room))
+      if ((note.spot.place - spot.place).norm() > 0.5 * spot.radius)
+        writeFitting("level halo", note.spot, {note.text}, size_font);
+    writeFitting("name halo", spot, roomTexts(room, spot.place, "m²"), room_font);
+    out_ << "</g>\n";
+  }
+
+  /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing where
+   * they could not be read. */
+  void writeFitting(const char* kind,
+                    const TextSpot& spot,
+                    const std::vector<std::string>& lines,
+                    double font)
+  {
+    constexpr double least = 1.1;
+    std::size_t letters = 0;
+    for (const std::string& line : lines)
+      letters = std::max(letters, line.size());
+    const double half_width = letter * static_cast<double>(letters) / 2;
+    const double half_height = 0.65 * static_cast<double>(lines.size());
+    const double radius = spot.radius * 1000 / scale_;
+    font = std::min(font, radius / std::hypot(half_width, half_height));
+    if (font < least)
+      return;
+    Eigen::Vector2d place = onPage(spot.place);
+    place.y() -= 0.65 * font * static_cast<double>(lines.size() - 1);
+    for (const std::string& line : lines) {
+      writeText(kind, place, font, line);
+      place.y() += 1.3 * font;
+    }
+  }
+
+  /** @brief The size of a wall beside its middle, within the room. */
+  void writeSize(const PlanElement& e)
+  {
+    const std::string text = sizeText(e);
+    const double width = letter * size_font * static_cast<double>(text.size());
+    if (e.length() * 1000 / scale_ < width + 2)
+      return;
+    const Eigen::Vector2d normal = e.normalAt(e.length() / 2);
+    const Eigen::Vector2d place = e.pointAt(e.length() / 2);
+    Eigen::Vector2d beside = onPage(place);
+    beside += 0.9 * size_font * Eigen::Vector2d(normal.x(), -normal.y());
+    // Along the wall, read from below or from the right.
+    double degrees = std::atan2(normal.x(), normal.y()) * 180 / M_PI;
+    if (degrees > 90 - 1e-6)
+      degrees -= 180;
+    if (degrees <= -90 - 1e-6)
+      degrees += 180;
+    writeText("size halo", beside, size_font, text, degrees);
+  }
+
+  void writeOverallSize()
+  {
+    constexpr double off = 6;  // of the line from the plan
+    constexpr double tick = 1; // half its length
+    const Eigen::Vector2d low = onPage({bounds_.min().x(), bounds_.min().y()});
+    const Eigen::Vector2d high = onPage({bounds_.max().x(), bounds_.max().y()});
+    const double y = low.y() + off;
+    const double x = low.x() - off;
+    writeLine({low.x(), y}, {high.x(), y});
+    writeLine({x, low.y()}, {x, high.y()});
+    for (const double end : {low.x(), high.x()})
+      writeLine({end - tick, y + tick}, {end + tick, y - tick});
+    for (const double end : {low.y(), high.y()})
+      writeLine({x - tick, end + tick}, {x + tick, end - tick});
+    writeText("size", {(low.x() + high.x()) / 2, y + 2}, size_font,
+              decimalText(bounds_.sizes().x(), 2));
+    writeText("size", {x - 2, (low.y() + high.y()) / 2}, size_font,
+              decimalText(bounds_.sizes().y(), 2), -90);
+  }
+
+  /** @brief A bar of 25 to 65 mm in four parts, and the scale. */
+  void writeScaleBar()
+  {
+    double length = 0.01; // metres
+    for (int k = 0; length * 1000 / scale_ < 25; ++k)
+      length *= k % 3 == 1 ? 2.5 : 2; // 1, 2, 5, 10
+    const double part = length * 1000 / scale_ / 4;
+    const double y = size_.y() - 12;
+    for (int k = 0; k < 4; ++k)
+      out_ << "<rect x=\"" << mm(margin_left + k * part) << "\" y=\"" << mm(y)
+           << "\" width=\"" << mm(part) << "\" height=\"1.2\" fill=\""
+           << (k % 2 == 0 ? "#111" : "#fff")
+           << "\" stroke=\"#111\" stroke-width=\"0.15\"/>\n";
+    for (int k = 0; k <= 4; k += 2)
+      writeText("size", {margin_left + k * part, y + 3.2}, size_font,
+                shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : ""));
+    writeText("name", {margin_left + 4 * part + 20, y + 0.6}, room_font,
+              "1:" + shortDecimalText(scale_, 2));
+  }
+
+  const Floorplan& plan_;
+  double scale_;
+  Eigen::AlignedBox2d bounds_;
+  Eigen::Vector2d drawn_; ///< size of the plan on paper
+  Eigen::Vector2d size_;  ///< of the page
+  std::ostringstream out_;
+};
+
+} // namespace
+
+double
+drawingScale(const Floorplan& plan)
+{
+  const Eigen::AlignedBox2d bounds = boundsOf(plan);
+  if (bounds.isEmpty())
+    return 100;
+  const double width = 1000 * bounds.sizes().x() + 1e-6;
+  const double height = 1000 * bounds.sizes().y() + 1e-6;
+  const auto fits = [&](double scale, double page_width, double page_height) {
+    return width / scale <= page_width - margin_left - margin_right &&
+           height / scale <= page_height - margin_top - margin_bottom;
+  };
+  double scale = 10;
+  for (int k = 0;
+       !fits(scale, page_long, page_short) && !fits(scale, page_short, page_long); ++k)
+    scale *= k % 3 == 1 ? 2.5 : 2; // 10, 20, 50, 100
+  return scale;
+}
+
+std::string
+floorplanToSvg(const Floorplan& plan, double scale)
+{
+  return SvgPage(plan, scale > 0 ? scale : drawingScale(plan)).write();
+}
+
+} // namespace sedr
+} // namespace pcl

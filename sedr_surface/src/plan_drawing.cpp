@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_drawing.h"
+
+#include "decimal_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief How far an edge may be off a wall and still lie on it, metres. */
+constexpr double on_wall = 0.005;
+
+bool
+liesOn(const PlanElement& element, const PlanRoom& room)
+{
+  const auto isOn = [&](double share) {
+    const Eigen::Vector2d p = element.pointAt(share * element.length());
+    return room.boundary.distance(p) <= on_wall ||
+           std::any_of(room.columns.begin(), room.columns.end(),
+                       [&](const PlanLoop& c) { return c.distance(p) <= on_wall; });
+  };
+  return isOn(0) && isOn(0.25) && isOn(0.5) && isOn(0.75) && isOn(1);
+}
+
+/** @brief Distance from all edges, negative outside of the loop or in an obstacle. */
+double
+clearanceAt(const Eigen::Vector2d& p,
+            const PlanLoop& loop,
+            const std::vector<PlanLoop>& obstacles)
+{
+  double clearance = loop.distance(p);
+  bool is_free = loop.contains(p);
+  for (const PlanLoop& obstacle : obstacles) {
+    clearance = std::min(clearance, obstacle.distance(p));
+    is_free = is_free && !obstacle.contains(p);
+  }
+  return is_free ? clearance : -clearance;
+}
+
+Eigen::AlignedBox2d
+boundsOf(const PlanLoop& loop)
+{
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : loop.polygon(0.001))
+    box.extend(p);
+  return box;
+}
+
+} // namespace
+
+std::vector<DrawnElement>
+drawnElements(const Floorplan& plan)
+{
+  std::vector<DrawnElement> drawn;
+  for (const PlanRoom& room : plan.rooms) {
+    const auto add = [&](const PlanLoop& loop, DrawnLayer layer, bool is_on_top) {
+      for (const PlanElement& element : loop.elements)
+        if (element.length() > 0 && !(is_on_top && liesOn(element, room)))
+          drawn.push_back({element, layer, room.id});
+    };
+    add(room.boundary, DrawnLayer::Wall, false);
+    for (const PlanLoop& column : room.columns)
+      add(column, DrawnLayer::Column, false);
+    for (const auto& [details, layer] :
+         {std::make_pair(&room.details, DrawnLayer::Detail),
+          std::make_pair(&room.floor_details, DrawnLayer::FloorDetail)})
+      for (const PlanDetail& detail : *details) {
+        add(detail.boundary, layer, true);
+        for (const PlanLoop& hole : detail.holes)
+          add(hole, layer, true);
+      }
+    for (const PlanNiche& niche : room.niches)
+      add(niche.boundary, DrawnLayer::Niche, true);
+  }
+  return drawn;
+}
+
+TextSpot
+textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
+{
+  // A lattice over the loop, then finer ones about the best place so far.
+  constexpr int steps = 24;
+  Eigen::AlignedBox2d box = boundsOf(loop);
+  TextSpot best{box.center(), -std::numeric_limits<double>::infinity()};
+  for (int round = 0; round < 3 && !box.isEmpty(); ++round) {
+    const Eigen::Vector2d step = box.sizes() / steps;
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) {
+        const Eigen::Vector2d p = box.min() + step.cwiseProduct(Eigen::Vector2d(i, j));
+        const double clearance = clearanceAt(p, loop, obstacles);
+        // A little more is no reason to leave the middle.
+        if (clearance > best.radius + 1e-9)
+          best = {p, clearance};
+      }
+    box = Eigen::AlignedBox2d(best.place - step, best.place + step);
+  }
+  best.radius = std::max(best.radius, 0.0);
+  return best;
+}
+
+Eigen::AlignedBox2d
+boundsOf(const Floorplan& plan)
+{
+  Eigen::AlignedBox2d box;
+  for (const PlanRoom& room : plan.rooms) {
+    box.extend(boundsOf(room.boundary));
+    for (const PlanNiche& niche : room.niches)
+      box.extend(boundsOf(niche.boundary));
+    for (const PlanLoop& column : room.columns)
+      box.extend(boundsOf(column));
+  }
+  return box;
+}
+
+std::string
+sizeText(const PlanElement& element)
+{
+  return element.isArc() ? "R " + decimalText(element.radius, 2)
+                         : decimalText(element.length(), 2);
+}
+
+std::vector<LevelNote>
+levelNotes(const PlanRoom& room)
+{
+  std::vector<LevelNote> notes;
+  const auto add = [&](const PlanDetail& detail, DrawnLayer layer) {
+    LevelNote note{textSpotIn(detail.boundary, detail.holes), {}, layer};
+    const Eigen::Vector2d& p = note.spot.place;
+    const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
+    const bool is_floor = layer == DrawnLayer::FloorDetail;
+    note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
+    notes.push_back(note);
+  };
+  for (const PlanDetail& detail : room.details)
+    add(detail, DrawnLayer::Detail);
+  for (const PlanDetail& detail : room.floor_details)
+    add(detail, DrawnLayer::FloorDetail);
+  return notes;
+}
+
+std::vector<std::string>
+roomTexts(const PlanRoom& room, const Eigen::Vector2d& place, const std::string& square)
+{
+  const double height = room.ceiling.heightAt(place) - room.floor.heightAt(place);
+  return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " " + square,
+          "h " + decimalText(height, 2) + " m"};
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+#include "run_tool.h"
+#include "sedr/solid_files.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_surface/floorplan_extrusion.h>
+
+#include <cstdio>
+#include <iostream>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
+
+struct Settings {
+  std::string plan;
+  std::string output;
+};
+
+void
+tell(const pcl::sedr::RoomSolidReport& report)
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "room %u: %zu triangles, floor %.2f m2, walls %.2f m2, %.2f m3, %s",
+                report.room, report.triangles, report.floor_area, report.wall_area,
+                report.volume,
+                report.closed ? "closed" : report.problem.c_str());
+  say(text);
+}
+
+int
+run(const Settings& settings, Extrusion& extrusion)
+{
+  checkSolidOutput(settings.output);
+  extrusion.setFloorplan(loadFloorplan(settings.plan));
+  pcl::PolygonMesh unused;
+  extrusion.reconstruct(unused);
+  for (const auto& report : extrusion.getReports())
+    tell(report);
+  if (extrusion.getMesh().empty())
+    throw ToolError(extrusion.getErrorMessage(), NothingFound);
+  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements());
+  for (const auto& warning : extrusion.getWarnings())
+    std::cerr << "pcl_floorplan_extrusion: warning: " << warning << '\n';
+  if (!extrusion.getErrorMessage().empty())
+    std::cerr << "pcl_floorplan_extrusion: " << extrusion.getErrorMessage() << '\n';
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Extrusion extrusion;
+  Settings settings;
+  double chord = extrusion.getChordTolerance();
+  double snap = extrusion.getSnapTolerance();
+  Options options("pcl_floorplan_extrusion",
+                  "Makes the sharp solid of a floor plan: one closed surface a room.");
+  options.file("PLAN.json", settings.plan, "floor plan, as pcl_sedr and "
+                                           "pcl_floorplan_fitting write it");
+  options.file("OUTPUT", settings.output,
+               "solid to write: .ply, faces with room, label and element, or .obj with a "
+               "group an element and materials by label in a .mtl beside it");
+  options.number("chord-tolerance", chord, "m", "farthest that facets are off their arc",
+                 Range::between(1e-6, 1));
+  options.number("snap-tolerance", snap, "m",
+                 "nearer edges and corners are one; 0: by the plan's residuals",
+                 Range::between(0, 0.5));
+  return runTool(options, argc, argv, [&] {
+    extrusion.setChordTolerance(chord);
+    extrusion.setSnapTolerance(snap);
+    return run(settings, extrusion);
+  });
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid_files.h"
+
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/solid_obj.h>
+
+#include <filesystem>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+std::filesystem::path
+materialsOf(const std::string& path)
+{
+  return std::filesystem::path(path).replace_extension(".mtl");
+}
+
+} // namespace
+
+bool
+hasExtension(const std::string& path, const std::string& extension)
+{
+  return path.size() > extension.size() &&
+         path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
+}
+
+void
+checkSolidOutput(const std::string& path)
+{
+  if (!hasExtension(path, ".ply") && !hasExtension(path, ".obj"))
+    throw ToolError("a solid is written as PLY or OBJ, '" + path +
+                    "' ends neither in .ply nor in .obj");
+  checkWritable(path);
+  if (hasExtension(path, ".obj"))
+    checkWritable(materialsOf(path).string());
+}
+
+void
+saveSolid(const std::string& path,
+          const TriangleMesh& mesh,
+          const std::vector<SolidElement>& elements)
+{
+  if (hasExtension(path, ".ply")) {
+    const std::string problem = savePly(path, mesh, elementComments(mesh, elements));
+    if (!problem.empty())
+      throw ToolError(problem);
+    return;
+  }
+  const auto materials = materialsOf(path);
+  writeWhole(materials.string(),
+             [](std::ostream& stream) { stream << solidMaterials(); });
+  writeWhole(path, [&](std::ostream& stream) {
+    stream << solidToObj(mesh, elements, materials.filename().string());
+  });
+}
+
+void
+checkDrawingOutput(const std::string& path)
+{
+  if (!hasExtension(path, ".svg") && !hasExtension(path, ".dxf"))
+    throw ToolError("a drawing is written as SVG or DXF, '" + path +
+                    "' ends neither in .svg nor in .dxf");
+  checkWritable(path);
+}
+
+void
+saveDrawing(const std::string& path, const Floorplan& plan, double scale)
+{
+  writeWhole(path, [&](std::ostream& stream) {
+    stream << (hasExtension(path, ".svg") ? floorplanToSvg(plan, scale)
+                                          : floorplanToDxf(plan));
+  });
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

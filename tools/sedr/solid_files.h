@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_surface/room_layers.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Whether a file's name ends in `extension`, such as ".ply". */
+bool hasExtension(const std::string& path, const std::string& extension);
+
+/** @brief Throws a ToolError if the name of a solid does not end in .ply or .obj, or if
+ * it, and the materials of an OBJ, cannot be written. To be asked before the work. */
+void checkSolidOutput(const std::string& path);
+
+/** @brief Writes solids as PLY, or as OBJ with a file of materials beside it, solid.mtl
+ * for solid.obj; each whole or not at all. What fails is a ToolError. */
+void saveSolid(const std::string& path,
+               const TriangleMesh& mesh,
+               const std::vector<SolidElement>& elements);
+
+/** @brief Likewise for a drawing: .svg or .dxf. */
+void checkDrawingOutput(const std::string& path);
+
+/** @brief Writes a drawing of a plan; `scale`, of an SVG, as floorplanToSvg() has it. */
+void saveDrawing(const std::string& path, const Floorplan& plan, double scale = 0);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
