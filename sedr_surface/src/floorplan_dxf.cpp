@@ -152,10 +152,9 @@ writeRoomTexts(DxfText& dxf, const PlanRoom& room)
     writeText(dxf, text_layer, place, height, line);
     place.y() -= 1.5 * height;
   }
-  for (const LevelNote& note : levelNotes(room))
-    if ((note.spot.place - spot.place).norm() > 4 * height)
-      writeText(dxf, nameOf(note.layer), note.spot.place,
-                std::clamp(note.spot.radius / 3, 0.03, 0.12), note.text);
+  for (const LevelNote& note : levelNotes(room, spot))
+    writeText(dxf, nameOf(note.layer), note.spot.place,
+              std::clamp(note.spot.radius / 3, 0.03, 0.12), note.text);
 }
 
 } // namespace

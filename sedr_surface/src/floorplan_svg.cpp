@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -148,7 +149,6 @@ private:
   {
     out_ << "<g id=\"room_" << room.id << "\">\n";
     writePath("room", pathOf(room.boundary));
-    writePath("wall", pathOf(room.boundary));
     for (const PlanNiche& niche : room.niches)
       writePath("niche", pathOf(niche.boundary));
     Floorplan alone;
@@ -160,11 +160,12 @@ private:
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));
     for (const PlanElement& e : room.boundary.elements)
-      writeSize(e);
+      writeSize(e, room);
+    // Last, so that no text breaks its line.
+    writePath("wall", pathOf(room.boundary));
     const TextSpot spot = textSpotIn(room.boundary, room.columns);
-    for (const LevelNote& note : levelNotes(room))
-      if ((note.spot.place - spot.place).norm() > 0.5 * spot.radius)
-        writeFitting("level halo", note.spot, {note.text}, size_font);
+    for (const LevelNote& note : levelNotes(room, spot))
+      writeFitting("level halo", note.spot, {note.text}, size_font);
     writeFitting("name halo", spot, roomTexts(room, spot.place, "m²"), room_font);
     out_ << "</g>\n";
   }
@@ -194,17 +195,19 @@ private:
     }
   }
 
-  /** @brief The size of a wall beside its middle, within the room. */
-  void writeSize(const PlanElement& e)
+  /** @brief The size of a wall beside its middle, within the room; nothing where there
+   * is no space for it. */
+  void writeSize(const PlanElement& e, const PlanRoom& room)
   {
     const std::string text = sizeText(e);
     const double width = letter * size_font * static_cast<double>(text.size());
-    if (e.length() * 1000 / scale_ < width + 2)
-      return;
     const Eigen::Vector2d normal = e.normalAt(e.length() / 2);
-    const Eigen::Vector2d place = e.pointAt(e.length() / 2);
-    Eigen::Vector2d beside = onPage(place);
-    beside += 0.9 * size_font * Eigen::Vector2d(normal.x(), -normal.y());
+    const Eigen::Vector2d place =
+        e.pointAt(e.length() / 2) + 0.9 * size_font * scale_ / 1000 * normal;
+    const double space = spaceFor(place, e, room) * 1000 / scale_;
+    if (e.length() * 1000 / scale_ < width + 2 || space < 0.4 * width)
+      return;
+    const Eigen::Vector2d beside = onPage(place);
     // Along the wall, read from below or from the right.
     double degrees = std::atan2(normal.x(), normal.y()) * 180 / M_PI;
     if (degrees > 90 - 1e-6)
@@ -212,6 +215,17 @@ private:
     if (degrees <= -90 - 1e-6)
       degrees += 180;
     writeText("size halo", beside, size_font, text, degrees);
+  }
+
+  /** @brief Distance of a place from all walls but one. */
+  static double
+  spaceFor(const Eigen::Vector2d& place, const PlanElement& wall, const PlanRoom& room)
+  {
+    double space = std::numeric_limits<double>::infinity();
+    for (const PlanElement& other : room.boundary.elements)
+      if (&other != &wall)
+        space = std::min(space, other.distance(place));
+    return space;
   }
 
   void writeOverallSize()

@@ -3,6 +3,8 @@
 
 #include "decimal_text.h"
 
+#include <pcl/sedr_surface/plan_facets.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -11,12 +13,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief How far an edge may be off a wall and still lie on it, metres. */
-constexpr double on_wall = 0.005;
-
 bool
 liesOn(const PlanElement& element, const PlanRoom& room)
 {
+  const double on_wall = snapTolerance(element, 0);
   const auto isOn = [&](double share) {
     const Eigen::Vector2d p = element.pointAt(share * element.length());
     return room.boundary.distance(p) <= on_wall ||
@@ -124,12 +124,17 @@ sizeText(const PlanElement& element)
 }
 
 std::vector<LevelNote>
-levelNotes(const PlanRoom& room)
+levelNotes(const PlanRoom& room, const TextSpot& room_spot)
 {
   std::vector<LevelNote> notes;
   const auto add = [&](const PlanDetail& detail, DrawnLayer layer) {
     LevelNote note{textSpotIn(detail.boundary, detail.holes), {}, layer};
-    const Eigen::Vector2d& p = note.spot.place;
+    TextSpot& spot = note.spot;
+    if ((spot.place - room_spot.place).norm() < 0.5 * room_spot.radius) {
+      spot.place.y() -= 0.75 * spot.radius;
+      spot.radius *= 0.25;
+    }
+    const Eigen::Vector2d& p = spot.place;
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
     const bool is_floor = layer == DrawnLayer::FloorDetail;
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);

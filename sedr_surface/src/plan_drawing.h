@@ -22,7 +22,7 @@ struct DrawnElement {
 };
 
 /** @brief All lines and arcs of a plan; edges of details and niches that lie on a wall
- * or a column are drawn as such only. */
+ * or a column, as near as they are known, are drawn as such only. */
 std::vector<DrawnElement>
 drawnElements(const Floorplan& plan);
 
@@ -53,8 +53,9 @@ struct LevelNote {
   DrawnLayer layer = DrawnLayer::Detail;
 };
 
+/** @param room_spot where the text about the room stands: notes keep out of its way */
 std::vector<LevelNote>
-levelNotes(const PlanRoom& room);
+levelNotes(const PlanRoom& room, const TextSpot& room_spot);
 
 /** @brief The lines about a room: "Room 1", "23.65 m2", "h 2.40 m". */
 std::vector<std::string>

@@ -54,6 +54,7 @@ public:
   using PointCloud = pcl::PointCloud<PointT>;
 
   FloorplanExtrusion();
+  ~FloorplanExtrusion() override;
 
   /** @brief Makes the solids; an empty mesh and getErrorMessage() if there is none. The
    * vertices are single precision there: getMesh() has them as they are. */
@@ -93,9 +94,9 @@ public:
   /** @brief What became of each room of the plan, in its order. */
   const std::vector<sedr::RoomSolidReport>& getReports() const { return reports_; }
 
-  /** @brief What was done to contradictions of the plan, a sentence each that names the
-   * room. */
-  std::vector<std::string> getWarnings() const;
+  /** @brief What was done to contradictions of the plan, and which rooms run into each
+   * other, a sentence each. */
+  const std::vector<std::string>& getWarnings() const { return warnings_; }
 
   /** @brief True if the last run made a closed, manifold solid of every room. */
   bool isClosed() const { return closed_; }
@@ -116,11 +117,15 @@ private:
 
   std::string inputProblem() const;
 
+  /** @brief Fills warnings_. */
+  void collectWarnings();
+
   std::shared_ptr<const sedr::Floorplan> plan_;
   sedr::SolidParameters parameters_;
   sedr::TriangleMesh mesh_;
   std::vector<sedr::SolidElement> elements_;
   std::vector<sedr::RoomSolidReport> reports_;
+  std::vector<std::string> warnings_;
   bool closed_ = false;
 };
 

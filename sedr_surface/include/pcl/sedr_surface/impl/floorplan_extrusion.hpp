@@ -7,8 +7,11 @@
 #include <pcl/search/impl/organized.hpp>
 #include <pcl/search/impl/search.hpp>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/mesh_intersection.h>
 
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace pcl {
 
@@ -17,6 +20,9 @@ FloorplanExtrusion<PointT>::FloorplanExtrusion()
 {
   this->check_tree_ = false;
 }
+
+template <typename PointT>
+FloorplanExtrusion<PointT>::~FloorplanExtrusion() = default;
 
 template <typename PointT>
 void
@@ -43,14 +49,18 @@ FloorplanExtrusion<PointT>::reconstruct(PointCloud& points,
 }
 
 template <typename PointT>
-std::vector<std::string>
-FloorplanExtrusion<PointT>::getWarnings() const
+void
+FloorplanExtrusion<PointT>::collectWarnings()
 {
-  std::vector<std::string> warnings;
   for (const sedr::RoomSolidReport& report : reports_)
     for (const std::string& warning : report.warnings)
-      warnings.push_back("room " + std::to_string(report.room) + ": " + warning);
-  return warnings;
+      warnings_.push_back("room " + std::to_string(report.room) + ": " + warning);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;
+  for (const auto& [t, u] : sedr::findSelfIntersections(mesh_))
+    crossing.insert({mesh_.rooms[t], mesh_.rooms[u]});
+  for (const auto& [room, other] : crossing)
+    warnings_.push_back("rooms " + std::to_string(room) + " and " +
+                        std::to_string(other) + " run into each other");
 }
 
 template <typename PointT>
@@ -80,6 +90,7 @@ FloorplanExtrusion<PointT>::run()
   mesh_ = sedr::TriangleMesh();
   elements_.clear();
   reports_.clear();
+  warnings_.clear();
   closed_ = false;
   const std::string problem = inputProblem();
   if (!problem.empty())
@@ -93,6 +104,7 @@ FloorplanExtrusion<PointT>::run()
       failures += (failures.empty() ? "room " : "; room ") + std::to_string(room.id) +
                   ": " + reports_.back().problem;
   }
+  collectWarnings();
   closed_ = failures.empty();
   return closed_ || fail("FloorplanExtrusion", failures);
 }
