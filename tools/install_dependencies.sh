@@ -23,6 +23,9 @@ if [ "$with_tests" = yes ]; then
   needed+=(
     "libgtest-dev        GoogleTest, for the tests"
     "pkg-config          a test builds a program by the installed .pc files"
+    "python3             a test reads solids and drawings back"
+    "python3-ezdxf       reads the DXF there"
+    "librsvg2-bin        draws the SVG there"
   )
 fi
 

@@ -1,0 +1,336 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Solids and drawings of a plan, written by the tools, read back by others: ezdxf for DXF, librsvg for
+SVG, readers of this file for OBJ and PLY. All against numbers known in closed form.
+
+    test_floorplan_outputs.py pcl_floorplan_extrusion pcl_floorplan_drawing
+"""
+
+import json
+import math
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+import zlib
+from collections import Counter, defaultdict
+
+EXTRUSION, DRAWING = sys.argv[1:3]
+CHORD = 0.0005
+HALL_HEIGHT = 3.0
+CELL_HEIGHT = 2.5
+
+
+def segment(start, end):
+    return {"type": "segment", "start": start, "end": end, "inliers": 9, "residual": 0}
+
+
+def arc(centre, radius, start, end, counter_clockwise=True):
+    return dict(segment(start, end), type="arc", centre=centre, radius=radius,
+                counter_clockwise=counter_clockwise)
+
+
+def polygon(corners):
+    return [segment(a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
+
+
+def rectangle(x0, y0, x1, y1, clockwise=False):
+    corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+    return polygon(corners[::-1] if clockwise else corners)
+
+
+def slab(height):
+    return {"plane": [0, 0, 1, -height], "inliers": 9, "residual": 0}
+
+
+def sample_plan():
+    """A hall 6 m by 4 m with a half circle at its east, a soffit at its west, a round and a square
+    column; beside it, 10 cm of wall between, a room with a platform and a niche."""
+    hall = {"id": 1, "floor": slab(0), "ceiling": slab(HALL_HEIGHT),
+            "boundary": [segment([0, 0], [6, 0]), arc([6, 2], 2, [6, 0], [6, 4]),
+                         segment([6, 4], [0, 4]), segment([0, 4], [0, 0])],
+            "columns": [[arc([3, 2], 0.4, [3.4, 2], [3.4, 2], False)],
+                        rectangle(4.5, 1, 5, 1.5, clockwise=True)],
+            "details": [{"slab": slab(2.6), "boundary": rectangle(0, 0, 1, 4), "holes": []}],
+            "floor_details": [], "niches": []}
+    cell = {"id": 2, "floor": slab(0), "ceiling": slab(CELL_HEIGHT),
+            "boundary": rectangle(0, 4.1, 5, 7.1), "columns": [], "details": [],
+            "floor_details": [{"slab": slab(0.3), "boundary": rectangle(3, 4.1, 5, 7.1), "holes": []}],
+            "niches": [{"bottom": slab(1), "top": slab(2), "boundary": rectangle(1, 7.1, 2, 7.4)}]}
+    return {"format": "sedr-floorplan", "version": 1, "unit": "m", "rooms": [hall, cell]}
+
+
+def facets(radius, sweep):
+    """Number and summed area, between chords and centre, of an arc's facets."""
+    n = math.ceil(sweep / (2 * math.acos(1 - CHORD / radius)))
+    return n, n / 2 * radius ** 2 * math.sin(sweep / n)
+
+
+COLUMN_FACETS, COLUMN_AREA = facets(0.4, 2 * math.pi)
+APSE_FACETS, APSE_AREA = facets(2, math.pi)
+HALL_AREA = 24 + APSE_AREA - COLUMN_AREA - 0.25
+HALL_VOLUME = HALL_AREA * HALL_HEIGHT - 4 * 0.4
+CELL_VOLUME = 15 * CELL_HEIGHT - 6 * 0.3 + 0.3
+# Areas of elements, square metres.
+ELEMENTS = {
+    "room_1_floor": HALL_AREA,
+    "room_1_ceiling": HALL_AREA - 4,
+    "room_1_wall_1": 6 * 3 - 0.4,
+    "room_1_wall_2": APSE_FACETS * 4 * math.sin(math.pi / 2 / APSE_FACETS) * 3,
+    "room_1_wall_4": 4 * 2.6,
+    "room_1_column_1_face_1": COLUMN_FACETS * 0.8 * math.sin(math.pi / COLUMN_FACETS) * 3,
+    "room_1_column_2_face_3": 0.5 * 3,
+    "room_1_detail_1": 4,
+    "room_1_detail_1_edge_2": 4 * 0.4,
+    "room_2_floor": 9,
+    "room_2_floor_detail_1": 6,
+    "room_2_floor_detail_1_edge_4": 3 * 0.3,
+    "room_2_wall_3": 5 * 2.5 - 2 * 0.3 - 1,
+    "room_2_niche_1_bottom": 0.3,
+    "room_2_niche_1_top": 0.3,
+    "room_2_niche_1_side_3": 1,
+}
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def minus(a, b):
+    return tuple(p - q for p, q in zip(a, b))
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def read_obj(path):
+    """Vertices; triangles by group; materials by group; the file of materials."""
+    vertices, groups, materials, library = [], defaultdict(list), {}, None
+    group = None
+    with open(path) as file:
+        for line in file:
+            word, *rest = line.split() or [""]
+            if word == "v":
+                vertices.append(tuple(map(float, rest)))
+            elif word == "g":
+                group = rest[0]
+            elif word == "usemtl":
+                materials[group] = rest[0]
+            elif word == "mtllib":
+                library = rest[0]
+            elif word == "f":
+                groups[group].append(tuple(int(i) - 1 for i in rest))
+    return vertices, groups, materials, library
+
+
+def read_ply(path):
+    """The same of a binary PLY, groups by the property `element` and the header's comments."""
+    with open(path, "rb") as file:
+        content = file.read()
+    header, body = content.split(b"end_header\n", 1)
+    names, counts, element = {}, {}, None
+    properties = defaultdict(list)
+    for line in header.decode().splitlines():
+        words = line.split()
+        if words[:2] == ["comment", "element"]:
+            names[int(words[2])] = words[3]
+        elif words[0] == "element":
+            element = words[1]
+            counts[element] = int(words[2])
+        elif words[0] == "property":
+            properties[element].append(words[1:])
+    assert [p[-1] for p in properties["vertex"]] == ["x", "y", "z"]
+    number = {"float": "f", "double": "d"}[properties["vertex"][0][0]]
+    at = struct.calcsize("<3" + number) * counts["vertex"]
+    vertices = list(struct.iter_unpack("<3" + number, body[:at]))
+    assert [p[-1] for p in properties["face"]] == ["vertex_indices", "label", "room", "element"]
+    groups, labels = defaultdict(list), {}
+    for _ in range(counts["face"]):
+        size, a, b, c, label, room, e = struct.unpack_from("<B6i", body, at)
+        at += struct.calcsize("<B6i")
+        assert size == 3 and names[e].startswith("room_%d_" % room)
+        groups[names[e]].append((a, b, c))
+        labels[names[e]] = label
+    assert at == len(body)
+    return vertices, groups, labels
+
+
+def read_png(path):
+    """Rows of (red, green, blue) of an 8-bit PNG with or without opacity."""
+    with open(path, "rb") as file:
+        content = file.read()
+    at, data = 8, b""
+    while at < len(content):
+        size, kind = struct.unpack_from(">I4s", content, at)
+        chunk = content[at + 8:at + 8 + size]
+        at += 12 + size
+        if kind == b"IHDR":
+            width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
+            assert depth == 8 and interlace == 0
+            step = {2: 3, 6: 4}[colour]
+        elif kind == b"IDAT":
+            data += chunk
+    data = zlib.decompress(data)
+    rows, before = [], bytearray(width * step)
+    for y in range(height):
+        start = y * (width * step + 1)
+        kind, row = data[start], bytearray(data[start + 1:start + 1 + width * step])
+        for i in range(len(row)):
+            a = row[i - step] if i >= step else 0
+            b, c = before[i], before[i - step] if i >= step else 0
+            if kind == 1:
+                row[i] = (row[i] + a) & 255
+            elif kind == 2:
+                row[i] = (row[i] + b) & 255
+            elif kind == 3:
+                row[i] = (row[i] + (a + b) // 2) & 255
+            elif kind == 4:
+                p = a + b - c
+                pa, pb, pc = abs(p - a), abs(p - b), abs(p - c)
+                row[i] = (row[i] + (a if pa <= pb and pa <= pc else b if pb <= pc else c)) & 255
+        rows.append([tuple(row[i:i + 3]) for i in range(0, len(row), step)])
+        before = row
+    return rows
+
+
+class Outputs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.plan = self.path("plan.json")
+        with open(self.plan, "w") as file:
+            json.dump(sample_plan(), file)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_tool(self, *arguments):
+        result = subprocess.run(arguments, capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def expect_solid(self, vertices, groups, digits):
+        """Areas, volumes, and that every edge has two triangles, one each way."""
+        volume = defaultdict(float)
+        edges = Counter()
+        for name, triangles in groups.items():
+            area = 0
+            for t in triangles:
+                a, b, c = (vertices[i] for i in t)
+                normal = cross(minus(b, a), minus(c, a))
+                area += math.sqrt(dot(normal, normal)) / 2
+                volume[name.split("_")[1]] += dot(a, normal) / 6
+                edges.update([(t[0], t[1]), (t[1], t[2]), (t[2], t[0])])
+            if name in ELEMENTS:
+                self.assertAlmostEqual(area, ELEMENTS[name], digits, name)
+        self.assertLessEqual(set(ELEMENTS), set(groups))
+        self.assertAlmostEqual(volume["1"], HALL_VOLUME, digits)
+        self.assertAlmostEqual(volume["2"], CELL_VOLUME, digits)
+        for (a, b), count in edges.items():
+            self.assertEqual((count, edges[b, a]), (1, 1))
+
+    def test_obj(self):
+        self.run_tool(EXTRUSION, self.plan, self.path("solid.obj"))
+        vertices, groups, materials, library = read_obj(self.path("solid.obj"))
+        self.expect_solid(vertices, groups, 5)
+        self.assertEqual(library, "solid.mtl")
+        with open(self.path("solid.mtl")) as file:
+            defined = re.findall(r"^newmtl (\S+)", file.read(), re.M)
+        self.assertLessEqual(set(materials.values()), set(defined))
+        for name, material in (("room_1_wall_2", "wall"), ("room_1_column_1_face_1", "column"),
+                               ("room_1_detail_1", "detail"), ("room_2_floor", "floor"),
+                               ("room_2_ceiling", "ceiling"), ("room_2_niche_1_top", "detail")):
+            self.assertEqual(materials[name], material)
+        for corner in ((0, 0, 0), (6, 4, 3), (1, 4, 2.6), (3, 7.1, 0.3), (2, 7.4, 1)):
+            self.assertTrue(any(math.dist(v, corner) < 1e-6 for v in vertices), corner)
+
+    def test_ply(self):
+        self.run_tool(EXTRUSION, self.plan, self.path("solid.ply"))
+        vertices, groups, labels = read_ply(self.path("solid.ply"))
+        self.expect_solid(vertices, groups, 4)
+        self.assertEqual(labels["room_1_ceiling"], 1)
+        self.assertEqual(labels["room_2_floor_detail_1"], 2)
+        self.assertEqual(labels["room_1_wall_2"], 3)
+        self.assertEqual(labels["room_1_detail_1_edge_2"], 4)
+        self.assertEqual(labels["room_1_column_1_face_1"], 5)
+
+    def test_dxf(self):
+        try:
+            import ezdxf
+        except ImportError:
+            self.skipTest("python3-ezdxf is not installed")
+        self.run_tool(DRAWING, self.plan, self.path("plan.dxf"))
+        drawing = ezdxf.readfile(self.path("plan.dxf"))
+        self.assertEqual(drawing.dxfversion, "AC1009")
+        self.assertEqual(drawing.audit().errors, [])
+        kinds = Counter((e.dxftype(), e.dxf.layer) for e in drawing.modelspace()
+                        if e.dxftype() != "TEXT")
+        # Edges of soffit, platform and niche that lie on walls are not drawn twice.
+        self.assertEqual(kinds, {("LINE", "WALL"): 7, ("ARC", "WALL"): 1, ("CIRCLE", "COLUMN"): 1,
+                                 ("LINE", "COLUMN"): 4, ("LINE", "DETAIL"): 1,
+                                 ("LINE", "FLOOR_DETAIL"): 1, ("LINE", "NICHE"): 3})
+        for layer in ("WALL", "COLUMN", "DETAIL", "FLOOR_DETAIL", "NICHE", "TEXT", "DIMENSION"):
+            self.assertIn(layer, drawing.layers)
+        (apse,) = drawing.modelspace().query("ARC")
+        self.assertEqual((apse.dxf.center.x, apse.dxf.center.y, apse.dxf.radius), (6, 2, 2))
+        self.assertEqual((apse.dxf.start_angle, apse.dxf.end_angle), (270, 90))
+        (column,) = drawing.modelspace().query("CIRCLE")
+        self.assertEqual((column.dxf.center.x, column.dxf.center.y, column.dxf.radius), (3, 2, 0.4))
+        ends = Counter()
+        for e in drawing.modelspace().query("LINE ARC[layer=='WALL']"):
+            if e.dxf.layer != "WALL":
+                continue
+            two = (e.start_point, e.end_point) if e.dxftype() == "ARC" else (e.dxf.start, e.dxf.end)
+            ends.update((round(p.x, 5), round(p.y, 5)) for p in two)
+        self.assertEqual(set(ends.values()), {2}, "walls are closed loops")
+        texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
+        exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
+        for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "6.00", "R 2.00",
+                     "2.60", "+0.30"):
+            self.assertIn(text, texts)
+
+    def test_svg(self):
+        self.run_tool(DRAWING, self.plan, self.path("plan.svg"), "--scale", "50")
+        root = xml.etree.ElementTree.parse(self.path("plan.svg")).getroot()
+        width = float(root.get("width")[:-2])
+        self.assertTrue(root.get("width").endswith("mm"))
+        self.assertEqual(root.get("viewBox").split()[2:], [root.get("width")[:-2], root.get("height")[:-2]])
+        space = "{http://www.w3.org/2000/svg}"
+        groups = {g.get("id"): g for g in root.iter(space + "g")}
+        self.assertEqual(set(groups), {"room_1", "room_2"})
+        (wall,) = [p for p in groups["room_1"].iter(space + "path") if p.get("class") == "wall"]
+        path = wall.get("d")
+        # A radius of 2 m is 40 mm at 1:50; against the clock is with it where y runs down.
+        self.assertRegex(path, r"A 40 40 0 [01] 0 ")
+        places = [tuple(map(float, p)) for p in re.findall(r"[ML] (\S+) (\S+)", path)]
+        self.assertAlmostEqual(math.dist(places[0], places[1]), 6000 / 50, 3)
+        texts = {t.text for t in root.iter(space + "text")}
+        for text in ("Room 1", "Room 2", "15.00 m²", "h 3.00 m", "6.00", "R 2.00", "8.00", "1:50", "2.60"):
+            self.assertIn(text, texts)
+        if shutil.which("rsvg-convert") is None:
+            self.skipTest("librsvg2-bin is not installed")
+        self.run_tool("rsvg-convert", "-w", "900", self.path("plan.svg"), "-o", self.path("plan.png"))
+        rows = read_png(self.path("plan.png"))
+        self.assertEqual(len(rows[0]), 900)
+        square = (width / 900 * 0.05) ** 2  # of a pixel, in square metres of the world
+
+        def area(colour):
+            return square * sum(max(abs(p - q) for p, q in zip(pixel, colour)) < 3
+                                for row in rows for pixel in row)
+
+        # Lines and letters cover some of the floors and columns.
+        floors = 24 + 2 * math.pi - math.pi * 0.16 - 0.25 + 15 + 0.3
+        self.assertLess(area((0xf6, 0xf3, 0xec)), 1.01 * floors)
+        self.assertGreater(area((0xf6, 0xf3, 0xec)), 0.94 * floors)
+        columns = math.pi * 0.16 + 0.25
+        self.assertLess(area((0x7d, 0x7d, 0x7d)), 1.03 * columns)
+        self.assertGreater(area((0x7d, 0x7d, 0x7d)), 0.85 * columns)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+#include "tools/option_help.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+// What the tools write is read back by test_floorplan_outputs.py.
+
+namespace {
+
+using namespace programs;
+using namespace sedr_test;
+using Strings = std::vector<std::string>;
+
+/** Both tools: PLAN.json in, one file out. */
+class FloorplanTools : public ::testing::TestWithParam<std::pair<std::string, std::string>> {
+protected:
+  const std::string& program() const { return GetParam().first; }
+  const std::string& output() const { return GetParam().second; }
+
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  std::string plan(const pcl::sedr::Floorplan& floorplan) const
+  {
+    writeFile(in("plan.json"), pcl::sedr::floorplanToJson(floorplan));
+    return in("plan.json");
+  }
+
+  std::string goodPlan() const
+  {
+    return plan({{roomOf(rectangle(0, 0, 5, 4), 2.5)}});
+  }
+
+  void expectFailure(const ProgramRun& result, int exit_code) const
+  {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    EXPECT_FALSE(std::filesystem::exists(in(output())));
+  }
+
+  TemporaryFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Tools,
+    FloorplanTools,
+    ::testing::Values(std::make_pair(FLOORPLAN_EXTRUSION, "solid.ply"),
+                      std::make_pair(FLOORPLAN_EXTRUSION, "solid.obj"),
+                      std::make_pair(FLOORPLAN_DRAWING, "plan.svg"),
+                      std::make_pair(FLOORPLAN_DRAWING, "plan.dxf")));
+
+TEST_P(FloorplanTools, QuietWhenAllIsWell)
+{
+  const ProgramRun result = run(program(), {goodPlan(), in(output())});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_TRUE(std::filesystem::exists(in(output())));
+}
+
+TEST_P(FloorplanTools, TheSameBytesTwice)
+{
+  run(program(), {goodPlan(), in(output())});
+  const std::string first = bytesOf(in(output()));
+  run(program(), {goodPlan(), in(output())});
+  EXPECT_EQ(bytesOf(in(output())), first);
+}
+
+TEST_P(FloorplanTools, HelpTellsEveryDefault)
+{
+  const auto options = optionsIn(run(program(), {"-h"}).out);
+  EXPECT_FALSE(options.empty());
+  for (const auto& option : options)
+    EXPECT_TRUE(option.tellsDefault()) << option.name;
+}
+
+TEST_P(FloorplanTools, BadUseIsRefused)
+{
+  const std::string plan_file = goodPlan();
+  expectFailure(run(program(), {}), 1);
+  expectFailure(run(program(), {plan_file}), 1);
+  expectFailure(run(program(), {plan_file, in(output()), "c"}), 1);
+  expectFailure(run(program(), {plan_file, in(output()), "--no-such-option"}), 1);
+  expectFailure(run(program(), {plan_file, in("output.txt")}), 1);
+  expectFailure(run(program(), {plan_file, in("no_folder/" + output())}), 1);
+  for (const auto& option : optionsIn(run(program(), {"-h"}).out))
+    for (const char* value : {"many", "-1"})
+      expectFailure(
+          run(program(), {plan_file, in(output()), "--" + option.name, value}), 1);
+}
+
+TEST_P(FloorplanTools, FilesThatAreNoPlansAreRefused)
+{
+  expectFailure(run(program(), {in("missing.json"), in(output())}), 1);
+  for (const char* text : {"", "{}", "no plan", "{\"format\": \"sedr-floorplan\"}"}) {
+    writeFile(in("plan.json"), text);
+    expectFailure(run(program(), {in("plan.json"), in(output())}), 1);
+  }
+  expectFailure(run(program(), {plan({}), in(output())}), 2);
+}
+
+TEST_P(FloorplanTools, AFailedRunLeavesTheOldFile)
+{
+  writeFile(in(output()), "old");
+  EXPECT_EQ(run(program(), {plan({}), in(output())}).exit_code, 2);
+  EXPECT_EQ(bytesOf(in(output())), "old");
+}
+
+TEST(FloorplanExtrusionTool, ContradictionsAreTold)
+{
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "plan.json").string();
+  pcl::sedr::PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.5);
+  room.details.push_back(detailOf(rectangle(0, 0, 1, 1), -1));
+  writeFile(file, pcl::sedr::floorplanToJson({{room}}));
+  const ProgramRun result =
+      run(FLOORPLAN_EXTRUSION, {file, (folder.path() / "solid.ply").string()});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("warning: room 1: room_1_detail_1"), std::string::npos)
+      << result.err;
+}
+
+TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
+{
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "plan.json").string();
+  const std::string solid = (folder.path() / "solid.ply").string();
+  const auto good = roomOf(rectangle(0, 0, 5, 4), 2.5, 1);
+  const auto bad = roomOf(rectangle(6, 0, 9, 4), -1, 2);
+  writeFile(file, pcl::sedr::floorplanToJson({{good, bad}}));
+  ProgramRun result = run(FLOORPLAN_EXTRUSION, {file, solid});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("room 2"), std::string::npos) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(solid));
+  writeFile(file, pcl::sedr::floorplanToJson({{bad}}));
+  std::filesystem::remove(solid);
+  result = run(FLOORPLAN_EXTRUSION, {file, solid});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(solid));
+}
+
+} // namespace
