@@ -4,6 +4,7 @@
 #include "sedr/chain_pictures.h"
 #include "sedr/output_folder.h"
 #include "sedr/report.h"
+#include "sedr/solid_files.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -29,8 +30,9 @@ using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
 namespace {
 
-const std::vector<std::string> output_names{"structure.pcd", "mesh.ply",
-                                            "floorplan.json", "report.json"};
+const std::vector<std::string> output_names{
+    "structure.pcd",  "mesh.ply",      "solid.ply",     "solid.obj",  "solid.mtl",
+    "floorplan.json", "floorplan.svg", "floorplan.dxf", "report.json"};
 
 /** @brief Runs a step that is no stage of the chain, with progress; it is handed its
  * report, to fill in the points. */
@@ -102,6 +104,11 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain)
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
     stream << pcl::sedr::floorplanToJson(*chain.getFloorplan());
   });
+  for (const char* name : {"floorplan.svg", "floorplan.dxf"})
+    saveDrawing(folder.file(name), *chain.getFloorplan());
+  const auto& extrusion = chain.getChain().extrusion;
+  for (const char* name : {"solid.ply", "solid.obj"})
+    saveSolid(folder.file(name), extrusion.getMesh(), extrusion.getElements());
 }
 
 void
@@ -250,7 +257,8 @@ main(int argc, char** argv)
   Options options(
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
-      "room.\nWrites structure.pcd, mesh.ply, floorplan.json and report.json.");
+      "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
+      "floorplan.svg, floorplan.dxf and report.json.");
   addOptions(options, settings);
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);

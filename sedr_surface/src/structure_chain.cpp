@@ -151,7 +151,9 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
          runStage("StructureRefinement", cloud->size(),
                   [&](auto& r) { return refine(r); }) &&
          runStage("VerticalHoleRepair", refined_->size(),
-                  [&](auto& r) { return repair(r); });
+                  [&](auto& r) { return repair(r); }) &&
+         runStage("FloorplanExtrusion", structure->size(),
+                  [&](auto& r) { return extrude(r); });
 }
 
 bool
@@ -523,6 +525,21 @@ StructureChain::repair(StageReport& report)
   tellResult("VerticalHoleRepair");
   report.points_out = structure->size();
   return !structure->empty() || fail(hole_repair.getErrorMessage());
+}
+
+bool
+StructureChain::extrude(StageReport& report)
+{
+  extrusion.setFloorplan(plan);
+  pcl::PolygonMesh unused;
+  extrusion.reconstruct(unused);
+  report.points_out = extrusion.getMesh().vertices.size();
+  warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
+                  extrusion.getWarnings().end());
+  // The mesh may do without: a room that has no solid is told, and the others go on.
+  if (!extrusion.getErrorMessage().empty())
+    warnings.push_back(extrusion.getErrorMessage());
+  return true;
 }
 
 } // namespace sedr

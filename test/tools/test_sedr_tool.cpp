@@ -7,6 +7,8 @@
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/mesh_topology.h>
 
 #include <nlohmann/json.hpp>
 
@@ -81,9 +83,9 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   EXPECT_EQ(report.at("parameters").at("voxel_size"), 0.05) << "as it was given";
   for (const char* name : {"unit", "z_up", "threads", "widest_door", "slice_thickness"})
     EXPECT_TRUE(report.at("parameters").contains(name)) << name;
-  ASSERT_EQ(report.at("stages").size(), 14u); // eleven of the chain
+  ASSERT_EQ(report.at("stages").size(), 15u); // twelve of the chain
   EXPECT_EQ(report.at("stages")[0].at("stage"), "reading");
-  EXPECT_EQ(report.at("stages")[12].at("stage"), "MeshEvaluation");
+  EXPECT_EQ(report.at("stages")[13].at("stage"), "MeshEvaluation");
 
   const ProgramRun judged =
       run(MESH_EVALUATION, {in("model/mesh.ply"), "--json", in("figures.json")});
@@ -130,6 +132,26 @@ TEST_F(SedrTool, PicturesThatCannotBeWrittenAreRefusedBeforeTheWork)
   EXPECT_TRUE(result.failsInOneSentence()) << result.err;
   EXPECT_NE(result.err.find(in("model/pictures")), std::string::npos) << result.err;
   EXPECT_FALSE(std::filesystem::exists(in("model/mesh.ply")));
+}
+
+TEST_F(SedrTool, WritesTheSolidAndTheDrawings)
+{
+  ASSERT_EQ(onFile(scanOf().pcd(false), {"--tree-depth", "6"}).exit_code, 0);
+  for (const char* name : {"solid.ply", "solid.obj"}) {
+    pcl::sedr::TriangleMesh solid;
+    ASSERT_EQ(pcl::sedr::loadMesh(in("model") + "/" + name, solid), "");
+    EXPECT_TRUE(pcl::sedr::checkTopology(solid).isClosedManifold());
+    EXPECT_EQ(solid.triangles.size(), 12u) << "a box";
+    EXPECT_NEAR(solid.signedVolume(), 30, 0.2) << "outwards";
+  }
+  EXPECT_NE(bytesOf(in("model/solid.mtl")).find("newmtl wall"), std::string::npos);
+  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("Room 1"), std::string::npos);
+  EXPECT_NE(bytesOf(in("model/floorplan.dxf")).find("AC1009"), std::string::npos);
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  const auto& solid = report.at("rooms").at(0).at("solid");
+  EXPECT_EQ(solid.at("closed_manifold"), true);
+  EXPECT_NEAR(solid.at("volume").get<double>(), 30, 0.2);
+  EXPECT_NEAR(solid.at("wall_area").get<double>(), 14 * 2.5, 0.2);
 }
 
 TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)

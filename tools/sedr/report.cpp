@@ -78,6 +78,8 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"maximum_radius", c.floorplan_fitting.getMaximumRadius()},
           {"refinement_distance", c.refinement.getMaximumDistance()},
           {"repair_grid_size", c.hole_repair.getGridSize()},
+          {"chord_tolerance", c.extrusion.getChordTolerance()},
+          {"snap_tolerance", c.extrusion.getSnapTolerance()},
           {"tree_depth", chain.getTreeDepth()},
           {"minimum_tree_depth", c.poisson.getMinDepth()},
           {"cell_ratio", c.poisson.getCellRatio()},
@@ -130,6 +132,22 @@ meshOf(const StructureChain& chain, std::uint32_t room)
 }
 
 Json
+solidOf(const StructureChain& chain, std::uint32_t room)
+{
+  for (const auto& report : chain.extrusion.getReports())
+    if (report.room == room)
+      return {{"closed_manifold", report.closed},
+              {"triangles", report.triangles},
+              {"area", report.area},
+              {"floor_area", report.floor_area},
+              {"ceiling_area", report.ceiling_area},
+              {"wall_area", report.wall_area},
+              {"volume", report.volume},
+              {"problem", report.problem}};
+  return nullptr;
+}
+
+Json
 roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
@@ -145,6 +163,7 @@ roomsOf(const Reconstruction& chain)
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
                      {"repaired_share", repaired[room.id]},
+                     {"solid", solidOf(chain.getChain(), room.id)},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
   return rooms;

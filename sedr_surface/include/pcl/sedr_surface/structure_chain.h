@@ -11,6 +11,7 @@
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include <cstddef>
@@ -31,7 +32,7 @@ struct StageReport {
   double seconds = 0;
 };
 
-/** @brief The stages 2 to 10 on a thinned cloud, one after the other (paper,
+/** @brief The stages 2 to 11 on a thinned cloud, one after the other (paper,
  * section 2.1): each is PCL's kind of object, reached by its name and set as it is
  * alone. What flows through is one cloud with a label and a room a point; recovered
  * floor points are appended to it. */
@@ -53,6 +54,7 @@ public:
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
   pcl::StructureRefinement<pcl::PointStructure> refinement;
   pcl::VerticalHoleRepair<pcl::PointStructure> hole_repair;
+  pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
   pcl::StructuralPoisson<pcl::PointStructure> poisson;
 
   /** @brief Called with a stage's name before it runs. */
@@ -116,6 +118,7 @@ private:
   bool fitPlan(StageReport& report);
   bool refine(StageReport& report);
   bool repair(StageReport& report);
+  bool extrude(StageReport& report);
 
   /** @brief Points of a label, of one room or (0) of all. */
   pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
