@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "contract/adaptors/floorplan_extrusion.h"
 #include "contract/adaptors/indoor_structure_reconstruction.h"
 #include "contract/adaptors/structural_poisson.h"
 #include "contract/contract_suite.h"
@@ -6,7 +7,8 @@
 namespace contract {
 
 using SurfaceAdaptors =
-    ::testing::Types<StructuralPoissonAdaptor, IndoorStructureReconstructionAdaptor>;
+    ::testing::Types<StructuralPoissonAdaptor, FloorplanExtrusionAdaptor,
+                     IndoorStructureReconstructionAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Surface, Contract, SurfaceAdaptors);
 
 } // namespace contract
