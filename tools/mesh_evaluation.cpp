@@ -148,6 +148,8 @@ print(const char* name, const MeshFigures& figures)
               topology.triangles);
   std::printf("  Euler characteristic %lld\n",
               static_cast<long long>(topology.euler_characteristic));
+  if (figures.self_intersections)
+    std::printf("  self-intersections  %zu\n", *figures.self_intersections);
   std::printf("  area                %.3f m2\n", figures.area);
   std::printf("  volume              %.3f m3\n", figures.volume);
   std::printf("  components          %zu\n", topology.components.size());
@@ -228,6 +230,7 @@ main(int argc, char** argv)
   std::uint64_t seed = evaluation.getSeed();
   std::size_t bins = evaluation.getHistogramBins();
   double range = evaluation.getHistogramRange();
+  bool find_intersections = evaluation.getFindSelfIntersections();
   unsigned threads = evaluation.getNumberOfThreads();
   Options options(
       "pcl_mesh_evaluation",
@@ -248,11 +251,14 @@ main(int argc, char** argv)
   options.number("bins", bins, "", "of the histograms in the JSON",
                  Range::between(0, 1e6));
   options.number("range", range, "m", "where the histograms end", Range::above(0));
+  options.flag("self-intersections", find_intersections,
+               "look for triangles of the model that go through each other");
   options.number("threads", threads, "", "threads to use, 0 = all processors");
   return runTool(options, argc, argv, [&] {
     evaluation.setSampleSpacing(spacing);
     evaluation.setSeed(seed);
     evaluation.setHistogram(bins, range);
+    evaluation.setFindSelfIntersections(find_intersections);
     evaluation.setNumberOfThreads(threads);
     return run(settings, evaluation);
   });

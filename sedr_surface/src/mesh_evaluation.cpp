@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_intersection.h>
 #include <pcl/sedr_surface/mesh_repair.h>
 
 #include <algorithm>
@@ -29,6 +30,9 @@ measureMesh(const TriangleMesh& mesh)
 namespace {
 
 constexpr const char* class_name = "MeshEvaluation";
+
+/** @brief What is less deep may be the rounding of a file of floats, metres. */
+constexpr double least_intersection = 1e-5;
 
 } // namespace
 
@@ -141,6 +145,9 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
       (cloud_ && !selectPoints(points, skipped)))
     return false;
   result.mesh = sedr::measureMesh(*mesh);
+  if (find_self_intersections_)
+    result.mesh.self_intersections =
+        sedr::findSelfIntersections(*mesh, least_intersection).size();
   result.skipped_points = skipped;
   if (!truth && !cloud_)
     return true;

@@ -126,6 +126,8 @@ toJson(const MeshFigures& figures, int indent)
   object.add("degenerate_triangles", topology.degenerate_triangles);
   object.add("duplicate_triangles", topology.duplicate_triangles);
   object.add("zero_area_triangles", topology.zero_area_triangles);
+  if (figures.self_intersections)
+    object.add("self_intersections", *figures.self_intersections);
   object.add("component_count", topology.components.size());
   // A broken mesh can have thousands of crumbs; they are sorted, the first tell.
   std::vector<std::string> components;

@@ -173,6 +173,26 @@ TEST(MeshEvaluation, vertices_at_equal_places_count_when_welded)
   EXPECT_FALSE(result.mesh.closed_when_welded); // they share an edge
 }
 
+TEST(MeshEvaluation, self_intersections_are_found_when_asked_for)
+{
+  MeshEvaluationResult result;
+  pcl::MeshEvaluation evaluation;
+  const TriangleMesh crossing =
+      both(unitCube(), box({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
+  evaluation.setInputMesh(share(crossing));
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_FALSE(result.mesh.self_intersections.has_value());
+  evaluation.setFindSelfIntersections(true);
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_GT(result.mesh.self_intersections.value(), 0u);
+  std::ostringstream json;
+  writeJson(json, result);
+  EXPECT_NE(json.str().find("\"self_intersections\": "), std::string::npos);
+  evaluation.setInputMesh(share(unitCube()));
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.mesh.self_intersections.value(), 0u);
+}
+
 TEST(MeshEvaluation, bad_input_gives_a_reason_and_an_empty_result)
 {
   pcl::MeshEvaluation evaluation;

@@ -28,6 +28,8 @@ struct MeshFigures {
   double area = 0;   ///< square metres
   double volume = 0; ///< cubic metres, negative if the normals point inwards
   Eigen::AlignedBox3d bounds;
+  /// Pairs of triangles that meet, up to 1000; empty if they were not looked for.
+  std::optional<std::size_t> self_intersections;
 };
 
 /** @brief What MeshEvaluation found. What the inputs did not allow is empty. */
@@ -121,6 +123,12 @@ public:
 
   double getSampleSpacing() const { return sample_spacing_; }
 
+  /** @brief Whether to look for triangles of the model that go through each other by
+   * more than 0.01 mm (default false: it takes seconds for large meshes). */
+  void setFindSelfIntersections(bool find) { find_self_intersections_ = find; }
+
+  bool getFindSelfIntersections() const { return find_self_intersections_; }
+
   /** @brief Chooses the samples (default 1). */
   void setSeed(std::uint64_t seed) { seed_ = seed; }
 
@@ -173,6 +181,7 @@ private:
   sedr::PointView points_;
   pcl::IndicesConstPtr indices_;
   double sample_spacing_ = 0.02;
+  bool find_self_intersections_ = false;
   std::uint64_t seed_ = 1;
   std::size_t histogram_bins_ = 20;
   double histogram_range_ = 0.1;
