@@ -15,8 +15,9 @@ main(int argc, char** argv)
   std::string output;
   double scale = 0;
   Options options("pcl_floorplan_drawing", "Draws a floor plan to scale.");
-  options.file("PLAN.json", plan, "floor plan, as pcl_sedr and pcl_floorplan_fitting "
-                                  "write it");
+  options.file("PLAN.json", plan,
+               "floor plan, as pcl_sedr and pcl_floorplan_fitting "
+               "write it");
   options.file("OUTPUT", output,
                "drawing to write: .svg, or .dxf (AutoCAD R12, one unit a metre)");
   options.number("scale", scale, "", "50 for 1:50, of an SVG; 0: what fits an A4 page",

@@ -27,8 +27,7 @@ tell(const pcl::sedr::RoomSolidReport& report)
   std::snprintf(text, sizeof text,
                 "room %u: %zu triangles, floor %.2f m2, walls %.2f m2, %.2f m3, %s",
                 report.room, report.triangles, report.floor_area, report.wall_area,
-                report.volume,
-                report.closed ? "closed" : report.problem.c_str());
+                report.volume, report.closed ? "closed" : report.problem.c_str());
   say(text);
 }
 
@@ -62,13 +61,15 @@ main(int argc, char** argv)
   double snap = extrusion.getSnapTolerance();
   Options options("pcl_floorplan_extrusion",
                   "Makes the sharp solid of a floor plan: one closed surface a room.");
-  options.file("PLAN.json", settings.plan, "floor plan, as pcl_sedr and "
-                                           "pcl_floorplan_fitting write it");
-  options.file("OUTPUT", settings.output,
-               "solid to write: .ply, faces with room, label and element, or .obj with a "
-               "group an element and materials by label in a .mtl beside it");
-  options.number("chord-tolerance", chord, "m", "farthest that facets are off their arc",
-                 Range::between(1e-6, 1));
+  options.file("PLAN.json", settings.plan,
+               "floor plan, as pcl_sedr and "
+               "pcl_floorplan_fitting write it");
+  options.file(
+      "OUTPUT", settings.output,
+      "solid to write: .ply, faces with room, label and element, or .obj with a "
+      "group an element and materials by label in a .mtl beside it");
+  options.number("chord-tolerance", chord, "m",
+                 "farthest that facets are off their arc", Range::between(1e-6, 1));
   options.number("snap-tolerance", snap, "m",
                  "nearer edges and corners are one; 0: by the plan's residuals",
                  Range::between(0, 0.5));

@@ -12,9 +12,8 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/** @brief Cuts a polygon of points on a circle, counter-clockwise, into triangles: from
- * a corner, those on a line with two others left out of the fan by starting elsewhere.
- */
+/** @brief Cuts the polygon of points on one circle, counter-clockwise, into triangles
+ * with area. */
 bool
 cutPolygon(const std::vector<GridPoint>& points,
            std::vector<std::uint32_t> polygon,
@@ -92,9 +91,10 @@ fillsHull(const std::vector<GridPoint>& points, const Triangles& triangles)
 } // namespace
 
 bool
-triangulateConstrained(const std::vector<GridPoint>& points,
-                       const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                       PlanTriangulation& triangulation)
+triangulateConstrained(
+    const std::vector<GridPoint>& points,
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+    PlanTriangulation& triangulation)
 {
   triangulation = PlanTriangulation();
   Triangles triangles;

@@ -12,8 +12,8 @@ inline std::string
 decimalText(double value, int decimals)
 {
   char text[400]; // the largest double has 309 digits before its point
-  const auto end =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  const auto end = std::to_chars(text, text + sizeof text, value,
+                                 std::chars_format::fixed, decimals);
   std::string result(text, end.ptr);
   return result.find_first_not_of("-0.") == std::string::npos && result[0] == '-'
              ? result.substr(1)

@@ -160,7 +160,7 @@ SwappableTriangulation::isWorse(const Side& side) const
     size += square[i] * (std::abs(x[j] * y[k]) + std::abs(x[k] * y[j]));
   }
   // What is on the circle but for rounding stays, or it would be swapped for ever.
-  return sum > 1e-15L * size;
+  return sum > 1e-13L * size;
 }
 
 void

@@ -22,10 +22,11 @@ struct Layer {
 constexpr const char* text_layer = "TEXT";
 constexpr const char* size_layer = "DIMENSION";
 
-constexpr Layer layers[] = {{"WALL", 7, "CONTINUOUS"},   {"COLUMN", 1, "CONTINUOUS"},
-                            {"DETAIL", 5, "DASHED"},     {"FLOOR_DETAIL", 3, "CONTINUOUS"},
-                            {"NICHE", 6, "CONTINUOUS"},  {text_layer, 7, "CONTINUOUS"},
-                            {size_layer, 8, "CONTINUOUS"}};
+constexpr Layer layers[] = {
+    {"WALL", 7, "CONTINUOUS"},    {"COLUMN", 1, "CONTINUOUS"},
+    {"DETAIL", 5, "DASHED"},      {"FLOOR_DETAIL", 3, "CONTINUOUS"},
+    {"NICHE", 6, "CONTINUOUS"},   {text_layer, 7, "CONTINUOUS"},
+    {size_layer, 8, "CONTINUOUS"}};
 
 const char*
 nameOf(DrawnLayer layer)
@@ -78,10 +79,15 @@ writeTables(DxfText& dxf)
   dxf.group(0, "LTYPE").group(2, "DASHED").group(70, 0).group(3, "__ __ __");
   dxf.group(72, 65).group(73, 2).group(40, 0.15).group(49, 0.1).group(49, -0.05);
   dxf.group(0, "ENDTAB");
-  dxf.group(0, "TABLE").group(2, "LAYER").group(70, static_cast<int>(std::size(layers)));
+  dxf.group(0, "TABLE")
+      .group(2, "LAYER")
+      .group(70, static_cast<int>(std::size(layers)));
   for (const Layer& layer : layers)
-    dxf.group(0, "LAYER").group(2, layer.name).group(70, 0).group(62, layer.colour).group(
-        6, layer.line_type);
+    dxf.group(0, "LAYER")
+        .group(2, layer.name)
+        .group(70, 0)
+        .group(62, layer.colour)
+        .group(6, layer.line_type);
   dxf.group(0, "ENDTAB");
   dxf.group(0, "TABLE").group(2, "STYLE").group(70, 1);
   dxf.group(0, "STYLE").group(2, "STANDARD").group(70, 0).group(40, 0.0).group(41, 1.0);

@@ -58,8 +58,7 @@ public:
     if (bounds_.isEmpty())
       bounds_.extend(Eigen::Vector2d(0, 0));
     drawn_ = bounds_.sizes() * 1000 / scale_;
-    size_.x() =
-        std::max(least_width, margin_left + drawn_.x() + margin_right);
+    size_.x() = std::max(least_width, margin_left + drawn_.x() + margin_right);
     size_.y() = margin_top + drawn_.y() + margin_bottom;
   }
 
@@ -68,8 +67,9 @@ public:
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          << "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\""
          << mm(size_.x()) << "mm\" height=\"" << mm(size_.y()) << "mm\" viewBox=\"0 0 "
-         << mm(size_.x()) << ' ' << mm(size_.y()) << "\">\n<title>Floor plan 1:"
-         << mm(scale_) << "</title>\n<style>" << style << "</style>\n"
+         << mm(size_.x()) << ' ' << mm(size_.y())
+         << "\">\n<title>Floor plan 1:" << mm(scale_) << "</title>\n<style>" << style
+         << "</style>\n"
          << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (const PlanRoom& room : plan_.rooms)
       writeRoom(room);
@@ -103,8 +103,8 @@ private:
     const std::string radius = mm(e.radius * 1000 / scale_);
     const auto arcTo = [&](const Eigen::Vector2d& end, double turn) {
       // The page's y runs down, so that what turns left turns right.
-      return "A " + radius + " " + radius + " 0 " + (std::abs(turn) > M_PI ? "1" : "0") +
-             (turn > 0 ? " 0 " : " 1 ") + at(end);
+      return "A " + radius + " " + radius + " 0 " +
+             (std::abs(turn) > M_PI ? "1" : "0") + (turn > 0 ? " 0 " : " 1 ") + at(end);
     };
     if (std::abs(sweep) < 1.9 * M_PI)
       return arcTo(e.end, sweep);
@@ -170,8 +170,8 @@ private:
     out_ << "</g>\n";
   }
 
-  /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing where
-   * they could not be read. */
+  /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing
+   * where they could not be read. */
   void writeFitting(const char* kind,
                     const TextSpot& spot,
                     const std::vector<std::string>& lines,

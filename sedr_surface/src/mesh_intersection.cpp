@@ -23,7 +23,9 @@ cornersOf(const TriangleMesh& mesh, std::uint32_t t)
 /** @brief How deep a place in the plane of a triangle lies within it, metres: its
  * distance from the nearest side, negative outside. */
 double
-depthWithin(const Corners& triangle, const Eigen::Vector3d& normal, const Eigen::Vector3d& p)
+depthWithin(const Corners& triangle,
+            const Eigen::Vector3d& normal,
+            const Eigen::Vector3d& p)
 {
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -45,13 +47,17 @@ pierces(const Eigen::Vector3d& p,
   const double at_q = normal.dot(q - triangle[0]);
   if (std::min(at_p, at_q) > -tolerance || std::max(at_p, at_q) < tolerance)
     return false;
-  return depthWithin(triangle, normal, p + (q - p) * (at_p / (at_p - at_q))) > tolerance;
+  return depthWithin(triangle, normal, p + (q - p) * (at_p / (at_p - at_q))) >
+         tolerance;
 }
 
 /** @brief Whether two triangles of one plane have an area in common: no side of either
  * parts them. */
 bool
-overlap(const Corners& a, const Corners& b, const Eigen::Vector3d& normal, double tolerance)
+overlap(const Corners& a,
+        const Corners& b,
+        const Eigen::Vector3d& normal,
+        double tolerance)
 {
   const auto isParted = [&](const Corners& from, const Corners& other, double sense) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -107,8 +113,8 @@ findSelfIntersections(const TriangleMesh& mesh, double tolerance, std::size_t mo
            std::make_pair(boxes[u].min()[axis], u);
   });
   for (std::size_t i = 0; i < order.size() && pairs.size() < most; ++i)
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].min()[axis] <=
-                                                        boxes[order[i]].max()[axis];
+    for (std::size_t j = i + 1;
+         j < order.size() && boxes[order[j]].min()[axis] <= boxes[order[i]].max()[axis];
          ++j) {
       const auto pair = std::minmax(order[i], order[j]);
       if (!boxes[pair.first].intersects(boxes[pair.second]) ||

@@ -45,7 +45,8 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
     header << "comment " << comment << '\n';
   header << "element vertex " << mesh.vertices.size() << '\n';
   for (const char* axis : {"x", "y", "z"})
-    header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis << '\n';
+    header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis
+           << '\n';
   header << "element face " << mesh.triangles.size()
          << "\nproperty list uchar int vertex_indices\n";
   if (!mesh.labels.empty())

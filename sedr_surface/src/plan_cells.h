@@ -40,8 +40,8 @@ public:
    * between floor and ceiling, or that could not be told from what is beside them. */
   void dropUnbuildable(std::vector<std::string>& warnings);
 
-  /** @brief Takes out crumbs that columns or crossing walls cut off, and tells of larger
-   * pieces. */
+  /** @brief Takes out crumbs that columns or crossing walls cut off, and tells of
+   * larger pieces. */
   void checkPieces(std::vector<std::string>& warnings);
 
   /** @brief The edges between different regions. */
@@ -54,10 +54,10 @@ private:
   struct Part {
     PlanRegion region;
     std::vector<std::uint32_t> triangles;
-    double area = 0;      ///< square metres
-    double perimeter = 0; ///< metres
-    double tolerance = 0; ///< the largest of the elements around it, metres
-    bool is_outside = false;             ///< beside the hull, in no room
+    double area = 0;         ///< square metres
+    double perimeter = 0;    ///< metres
+    double tolerance = 0;    ///< the largest of the elements around it, metres
+    bool is_outside = false; ///< beside the hull, in no room
     std::map<PlanRegion, double> beside; ///< length of edge to other regions
   };
 
@@ -68,6 +68,9 @@ private:
   std::vector<Part> partsOf(Alike alike) const;
 
   std::vector<Part> regions() const;
+
+  /** @brief What of the room hangs together, whatever its regions. */
+  std::vector<Part> roomPieces() const;
 
   void measure(Part& part, std::uint32_t t, std::size_t side) const;
 
@@ -82,8 +85,8 @@ private:
   /** @brief Least height of a part's ceiling over its floor, metres. */
   double clearance(const Part& part) const;
 
-  /** @brief Whether a part's floor meets the ceiling of what is beside it along an edge,
-   * or the other way round. */
+  /** @brief Whether a part's floor meets the ceiling of what is beside it along an
+   * edge, or the other way round. */
   bool touchesBeside(const Part& part) const;
 
   /** @brief Whether a part is open to a part of the room beside it. */

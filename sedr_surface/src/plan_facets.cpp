@@ -19,10 +19,10 @@ constexpr double most_snap = 0.05;
 /** @brief A corner of a chain on its way to its place. */
 struct Corner {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::size_t element = 0;  ///< of the facet after it
-  double tolerance = 0;     ///< metres, of the elements that meet here
+  std::size_t element = 0;   ///< of the facet after it
+  double tolerance = 0;      ///< metres, of the elements that meet here
   double edge_tolerance = 0; ///< of the element after it
-  bool is_joint = false;    ///< between two elements, not within an arc
+  bool is_joint = false;     ///< between two elements, not within an arc
 };
 
 std::vector<Corner>
@@ -104,8 +104,7 @@ private:
     const bool is_put = (on_edge - corner.place).norm() < 1e-6;
     if (!corner.is_joint)
       return on_edge;
-    const Eigen::Vector2d joint =
-        nearestJoint(corner, is_put ? least_snap : most_snap);
+    const Eigen::Vector2d joint = nearestJoint(corner, is_put ? least_snap : most_snap);
     return joint != corner.place ? joint : on_edge;
   }
 

@@ -28,8 +28,8 @@ collectSegments(const std::vector<FacetChain>& chains,
   for (std::size_t l = 0; l < chains.size(); ++l) {
     const auto& corners = chains[l].corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      segments.push_back({grid.toGrid(corners[i]),
-                          grid.toGrid(corners[(i + 1) % corners.size()])});
+      segments.push_back(
+          {grid.toGrid(corners[i]), grid.toGrid(corners[(i + 1) % corners.size()])});
       sources.push_back({l, chains[l].elements[i]});
     }
   }
@@ -41,8 +41,7 @@ tolerancesOf(const RoomLayers& layers, double fixed)
   std::vector<double> tolerances(layers.elements.size(), 0);
   for (const auto& loop : layers.loops)
     for (std::size_t i = 0; i < loop.loop->elements.size(); ++i)
-      tolerances[loop.first_element + i] =
-          snapTolerance(loop.loop->elements[i], fixed);
+      tolerances[loop.first_element + i] = snapTolerance(loop.loop->elements[i], fixed);
   return tolerances;
 }
 
@@ -60,6 +59,16 @@ solidSeparation(const PlanGrid& grid)
 {
   constexpr double separation = 5e-5;
   return std::max(separation, 4 * grid.unit());
+}
+
+void
+PlanSubdivision::dropEdges(const std::vector<bool>& is_dropped)
+{
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (!is_dropped[e])
+      edges[kept++] = edges[e];
+  edges.resize(kept);
 }
 
 std::vector<std::vector<Spoke>>

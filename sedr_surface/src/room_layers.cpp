@@ -60,10 +60,9 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
     Part part;
     part.boundary = loops.size();
     part.holes = details[d].holes.size();
-    (is_floor ? part.region.floor : part.region.ceiling) =
-        addSlab(details[d].slab,
-                is_floor ? StructureLabel::Floor : StructureLabel::Detail,
-                numbered(name, d));
+    (is_floor ? part.region.floor : part.region.ceiling) = addSlab(
+        details[d].slab, is_floor ? StructureLabel::Floor : StructureLabel::Detail,
+        numbered(name, d));
     addLoop(details[d].boundary, role, numbered(name, d) + "_edge");
     for (std::size_t h = 0; h < details[d].holes.size(); ++h)
       addLoop(details[d].holes[h], role,
@@ -105,9 +104,8 @@ RoomLayers::regionOf(const std::vector<int>& winding) const
     if (loops[l].role == LoopRole::ColumnFace && winding[l] != 0)
       return {};
   if (winding[0] == 0) {
-    const auto niche = std::find_if(niches_.begin(), niches_.end(), [&](const Part& n) {
-      return n.contains(winding);
-    });
+    const auto niche = std::find_if(niches_.begin(), niches_.end(),
+                                    [&](const Part& n) { return n.contains(winding); });
     return niche == niches_.end() ? PlanRegion() : niche->region;
   }
   PlanRegion region = main_region;

@@ -133,10 +133,10 @@ std::vector<std::int64_t>
 SolidBuilder::levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const
 {
   const auto& levels = levels_[vertex].levels();
-  return {std::lower_bound(levels.begin(), levels.end(),
-                           levels_[vertex].levelOf(low_slab)),
-          std::upper_bound(levels.begin(), levels.end(),
-                           levels_[vertex].levelOf(high_slab))};
+  return {
+      std::lower_bound(levels.begin(), levels.end(), levels_[vertex].levelOf(low_slab)),
+      std::upper_bound(levels.begin(), levels.end(),
+                       levels_[vertex].levelOf(high_slab))};
 }
 
 void
@@ -186,8 +186,7 @@ SolidBuilder::addUpright(const SubdivisionEdge& edge)
     const PlanRegion& other = on_left ? edge.right : edge.left;
     const bool is_above = other.isRoom() && height >= heightOf(other.ceiling);
     addStrip(on_left ? edge.a : edge.b, on_left ? edge.b : edge.a, slabs[k].second,
-             slabs[k + 1].second,
-             elementOn(edge, rolesOn(solid, other, is_above)));
+             slabs[k + 1].second, elementOn(edge, rolesOn(solid, other, is_above)));
   }
 }
 

@@ -39,7 +39,8 @@ private:
   void addUpright(const SubdivisionEdge& edge);
 
   /** @brief Adds the strip over the way from a to b, with the solid on its left,
-   * between two slabs. Its ends take up all levels there, as the strips beside it do. */
+   * between two slabs. Its ends take up all levels there, as the strips beside it do.
+   */
   void addStrip(std::uint32_t a,
                 std::uint32_t b,
                 int low_slab,
@@ -54,8 +55,8 @@ private:
   std::vector<LoopRole>
   rolesOn(const PlanRegion& solid, const PlanRegion& other, bool above) const;
 
-  /** @brief The element of one of the roles that lies on an edge; where none does, since
-   * a sliver went to what is beside it, the nearest. */
+  /** @brief The element of one of the roles that lies on an edge; where none does,
+   * since a sliver went to what is beside it, the nearest. */
   std::size_t elementOn(const SubdivisionEdge& edge,
                         const std::vector<LoopRole>& roles) const;
 

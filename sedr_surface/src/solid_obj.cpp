@@ -37,8 +37,8 @@ solidToObj(const TriangleMesh& mesh,
   if (!material_file.empty())
     obj << "mtllib " << material_file << '\n';
   for (const Eigen::Vector3d& v : mesh.vertices)
-    obj << "v " << shortDecimalText(v.x(), 7) << ' ' << shortDecimalText(v.y(), 7) << ' '
-        << shortDecimalText(v.z(), 7) << '\n';
+    obj << "v " << shortDecimalText(v.x(), 7) << ' ' << shortDecimalText(v.y(), 7)
+        << ' ' << shortDecimalText(v.z(), 7) << '\n';
   std::uint32_t room = 0;
   std::uint32_t element = 0;
   for (const std::size_t t : byElement(mesh)) {

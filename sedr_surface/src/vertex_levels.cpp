@@ -14,8 +14,7 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
 {
   const Eigen::Vector2d place = subdivision.placeOf(vertex);
   const double unit = subdivision.grid.unit();
-  const auto same =
-      static_cast<std::int64_t>(solidSeparation(subdivision.grid) / unit);
+  const auto same = static_cast<std::int64_t>(solidSeparation(subdivision.grid) / unit);
   std::vector<std::pair<std::int64_t, int>> heights;
   for (const Spoke& spoke : spokes)
     for (const int slab : {spoke.left.floor, spoke.left.ceiling})
@@ -71,8 +70,8 @@ piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool ki
       waiting.pop_back();
       const std::size_t layer = cell < n ? 0 : n;
       const std::size_t sector = cell - layer;
-      for (const std::size_t next : {layer + (sector + 1) % n,
-                                     layer + (sector + n - 1) % n, n - layer + sector})
+      for (const std::size_t next :
+           {layer + (sector + 1) % n, layer + (sector + n - 1) % n, n - layer + sector})
         if (!is_seen[next] && isOfKind(next)) {
           is_seen[next] = true;
           waiting.push_back(next);

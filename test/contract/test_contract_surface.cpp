@@ -6,9 +6,9 @@
 
 namespace contract {
 
-using SurfaceAdaptors =
-    ::testing::Types<StructuralPoissonAdaptor, FloorplanExtrusionAdaptor,
-                     IndoorStructureReconstructionAdaptor>;
+using SurfaceAdaptors = ::testing::Types<StructuralPoissonAdaptor,
+                                         FloorplanExtrusionAdaptor,
+                                         IndoorStructureReconstructionAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Surface, Contract, SurfaceAdaptors);
 
 } // namespace contract

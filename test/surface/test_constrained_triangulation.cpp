@@ -96,8 +96,9 @@ TEST(ConstrainedTriangulation, PointsOnCirclesAndLattices)
 
   std::vector<GridPoint> circle{{0, 0}};
   for (int i = 0; i < 720; ++i)
-    circle.push_back({static_cast<std::int32_t>(std::lround(4e8 * std::cos(i * M_PI / 360))),
-                      static_cast<std::int32_t>(std::lround(4e8 * std::sin(i * M_PI / 360)))});
+    circle.push_back(
+        {static_cast<std::int32_t>(std::lround(4e8 * std::cos(i * M_PI / 360))),
+         static_cast<std::int32_t>(std::lround(4e8 * std::sin(i * M_PI / 360)))});
   ASSERT_TRUE(triangulateConstrained(circle, {{1, 361}}, mesh) == false); // the centre
   ASSERT_TRUE(triangulateConstrained(circle, {{1, 362}, {181, 500}}, mesh) == false);
   ASSERT_TRUE(triangulateConstrained(circle, {{1, 350}, {362, 700}}, mesh));
@@ -142,7 +143,8 @@ TEST(ConstrainedTriangulation, AnyArrangementCanBeTriangulated)
     for (const auto& e : plan.edges)
       edges.emplace_back(e.a, e.b);
     PlanTriangulation mesh;
-    ASSERT_TRUE(triangulateConstrained(plan.vertices, edges, mesh)) << "trial " << trial;
+    ASSERT_TRUE(triangulateConstrained(plan.vertices, edges, mesh))
+        << "trial " << trial;
     expectSound(plan.vertices, edges, mesh);
   }
 }

@@ -60,7 +60,8 @@ TEST(MeshIntersection, AFoldedSheetLiesUponItself)
 TEST(MeshIntersection, TrianglesWithACommonCornerMayStillCross)
 {
   TriangleMesh fan;
-  fan.vertices = {{0, 0, 0}, {2, -1, 0}, {2, 1, 0}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {-1, 0, -1}};
+  fan.vertices = {{0, 0, 0}, {2, -1, 0}, {2, 1, 0},  {1, 0, -1},
+                  {1, 0, 1}, {-1, 0, 1}, {-1, 0, -1}};
   fan.triangles = {{0, 1, 2}, {0, 3, 4}};
   EXPECT_EQ(pairsOf(fan), 1u);
   fan.triangles = {{0, 1, 2}, {0, 5, 6}};

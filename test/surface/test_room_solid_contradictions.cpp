@@ -76,7 +76,8 @@ TEST(RoomSolidContradictions, AColumnThatTouchesAWall)
   expectPiece(Solid(room), 29 * 2.5);
   // With a corner only: without a cut the room would touch itself there.
   const double h = std::sqrt(0.5);
-  room.columns[0] = reversed(polygon({{2, 5}, {2 - h, 5 - h}, {2, 5 - 2 * h}, {2 + h, 5 - h}}));
+  room.columns[0] =
+      reversed(polygon({{2, 5}, {2 - h, 5 - h}, {2, 5 - 2 * h}, {2 + h, 5 - h}}));
   const Solid corner(room);
   expectSound(corner);
   EXPECT_NEAR(corner.report.volume, 29 * 2.5, 1e-5);
@@ -98,8 +99,9 @@ TEST(RoomSolidContradictions, DetailsThatMeetInACorner)
     EXPECT_NEAR(solid.report.volume, 30 * 2.5 - 4 * 0.3 - 2 * (2.5 - second), 1e-5);
   }
   // Four about one corner, high and low by turns.
-  room.details = {detailOf(rectangle(1, 1, 3, 3), 2.2), detailOf(rectangle(3, 3, 5, 4), 2.1),
-                  detailOf(rectangle(1, 3, 3, 4), 2.9), detailOf(rectangle(3, 1, 5, 3), 2.8)};
+  room.details = {
+      detailOf(rectangle(1, 1, 3, 3), 2.2), detailOf(rectangle(3, 3, 5, 4), 2.1),
+      detailOf(rectangle(1, 3, 3, 4), 2.9), detailOf(rectangle(3, 1, 5, 3), 2.8)};
   expectSound(Solid(room));
 }
 
@@ -120,8 +122,9 @@ TEST(RoomSolidContradictions, NichesThatCannotBeBuiltAreLeftOut)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
   room.niches.push_back({rectangle(1, 6, 2, 7), slabAt(0.8), slabAt(1.8)}); // elsewhere
-  room.niches.push_back({rectangle(3, 5, 4, 6), slabAt(2.5), slabAt(3)}); // above
-  room.niches.push_back({rectangle(5, 5, 6, 6), slabAt(1.5), slabAt(1.2)}); // upside down
+  room.niches.push_back({rectangle(3, 5, 4, 6), slabAt(2.5), slabAt(3)});   // above
+  room.niches.push_back(
+      {rectangle(5, 5, 6, 6), slabAt(1.5), slabAt(1.2)}); // upside down
   const Solid solid(room);
   expectPiece(solid, 30 * 2.5);
   EXPECT_EQ(solid.report.warnings.size(), 3u);
@@ -140,7 +143,8 @@ TEST(RoomSolidContradictions, ABoundaryThatCrossesItself)
   const Solid tie(roomOf(polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), 2.5));
   expectSound(tie);
   EXPECT_NEAR(tie.report.volume, 8 * 2.5, 0.01);
-  const Solid twice(roomOf(polygon({{0, 0}, {5, 0}, {5, 5}, {2, 5}, {2, 2}, {3, 2}, {3, 6}, {0, 6}}), 2.5));
+  const Solid twice(roomOf(
+      polygon({{0, 0}, {5, 0}, {5, 5}, {2, 5}, {2, 2}, {3, 2}, {3, 6}, {0, 6}}), 2.5));
   expectSound(twice);
   EXPECT_NEAR(twice.report.volume, (25 + 3) * 2.5, 1e-5);
 }
@@ -224,7 +228,8 @@ randomRoom(std::mt19937& random)
   }
   for (unsigned i = random() % 3; i > 0; --i)
     room.niches.push_back({loop(2, {between(-1, 7), between(-1, 7)}),
-                           slabAt(std::round(between(0, 20)) / 10), slabAt(between(1, 2.6))});
+                           slabAt(std::round(between(0, 20)) / 10),
+                           slabAt(between(1, 2.6))});
   for (unsigned i = random() % 4; i > 0; --i)
     room.columns.push_back(reversed(loop(1.2, {between(-1, 5), between(-1, 5)})));
   return room;

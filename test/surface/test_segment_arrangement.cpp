@@ -20,7 +20,9 @@ isOn(const GridPoint& p, const GridPoint& a, const GridPoint& b)
 
 /** Whether two different edges have more in common than ends. */
 bool
-meetInside(const Arrangement& plan, const Arrangement::Edge& e, const Arrangement::Edge& f)
+meetInside(const Arrangement& plan,
+           const Arrangement::Edge& e,
+           const Arrangement::Edge& f)
 {
   const GridPoint &a = plan.vertices[e.a], &b = plan.vertices[e.b];
   const GridPoint &c = plan.vertices[f.a], &d = plan.vertices[f.b];
@@ -125,7 +127,8 @@ TEST(SegmentArrangement, RandomSegmentsAreCutExactlyAndStayWhole)
     std::uniform_int_distribution<int> place(-reach, reach);
     std::vector<GridSegment> segments;
     for (int i = 0; i < 25; ++i)
-      segments.push_back({{place(random), place(random)}, {place(random), place(random)}});
+      segments.push_back(
+          {{place(random), place(random)}, {place(random), place(random)}});
     Arrangement plan;
     arrangeSegments(segments, 0, plan);
     expectExact(plan);
@@ -141,7 +144,8 @@ TEST(SegmentArrangement, NothingIsNearerThanTheSeparation)
   for (int trial = 0; trial < 30; ++trial) {
     std::vector<GridSegment> segments;
     for (int i = 0; i < 25; ++i)
-      segments.push_back({{place(random), place(random)}, {place(random), place(random)}});
+      segments.push_back(
+          {{place(random), place(random)}, {place(random), place(random)}});
     Arrangement plan;
     ASSERT_TRUE(arrangeSegments(segments, separation, plan));
     expectExact(plan);

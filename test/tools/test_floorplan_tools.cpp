@@ -19,7 +19,8 @@ using namespace sedr_test;
 using Strings = std::vector<std::string>;
 
 /** Both tools: PLAN.json in, one file out. */
-class FloorplanTools : public ::testing::TestWithParam<std::pair<std::string, std::string>> {
+class FloorplanTools
+    : public ::testing::TestWithParam<std::pair<std::string, std::string>> {
 protected:
   const std::string& program() const { return GetParam().first; }
   const std::string& output() const { return GetParam().second; }
@@ -35,10 +36,7 @@ protected:
     return in("plan.json");
   }
 
-  std::string goodPlan() const
-  {
-    return plan({{roomOf(rectangle(0, 0, 5, 4), 2.5)}});
-  }
+  std::string goodPlan() const { return plan({{roomOf(rectangle(0, 0, 5, 4), 2.5)}}); }
 
   void expectFailure(const ProgramRun& result, int exit_code) const
   {

@@ -28,7 +28,8 @@ void saveSolid(const std::string& path,
 /** @brief Likewise for a drawing: .svg or .dxf. */
 void checkDrawingOutput(const std::string& path);
 
-/** @brief Writes a drawing of a plan; `scale`, of an SVG, as floorplanToSvg() has it. */
+/** @brief Writes a drawing of a plan; `scale`, of an SVG, as floorplanToSvg() has it.
+ */
 void saveDrawing(const std::string& path, const Floorplan& plan, double scale = 0);
 
 } // namespace tools

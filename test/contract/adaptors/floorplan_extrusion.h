@@ -8,10 +8,11 @@
 
 namespace contract {
 
-/** The plan is that of the sample room; of too few points there is none. Its size is the
- * number of triangles.
+/** The plan is that of the sample room; of too few points there is none. Its size is
+ * the number of triangles.
  *
- * What does not apply: it takes a plan, so it looks at no points, and has no threads. */
+ * What does not apply: it takes a plan, so it looks at no points, and has no threads.
+ */
 class FloorplanExtrusionAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool uses_indices = false;
@@ -22,9 +23,8 @@ public:
   {
     const pcl::IndicesPtr indices = between(*cloud, -10.f, 10.f);
     extrusion_.setInputCloud(cloud);
-    extrusion_.setFloorplan(indices->size() < 100
-                                ? nullptr
-                                : SampleStructure(*cloud, *indices).plan);
+    extrusion_.setFloorplan(
+        indices->size() < 100 ? nullptr : SampleStructure(*cloud, *indices).plan);
   }
 
   void setIndices(const pcl::IndicesPtr&) {}

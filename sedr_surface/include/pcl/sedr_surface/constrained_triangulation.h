@@ -36,10 +36,10 @@ struct PlanTriangulation {
  * point
  *
  * Deterministic. O(n log n) and what the swaps take. */
-bool
-triangulateConstrained(const std::vector<GridPoint>& points,
-                       const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                       PlanTriangulation& triangulation);
+bool triangulateConstrained(
+    const std::vector<GridPoint>& points,
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+    PlanTriangulation& triangulation);
 
 } // namespace sedr
 } // namespace pcl

@@ -10,28 +10,25 @@ namespace sedr {
 
 /** @brief A floor plan as a drawing to scale, an SVG in millimetres of paper.
  *
- * Arcs are arcs. Walls are thick, columns filled, edges of the ceiling's details dashed,
- * steps of the floor and niches thin. Rooms have their number, area and height, walls
- * their length and arcs their radius where there is space, details their height over the
- * floor, steps theirs with a sign; about all are the overall size and a scale bar.
- * A group a room, with the id room_1.
+ * Arcs are arcs. Walls are thick, columns filled, edges of the ceiling's details
+ * dashed, steps of the floor and niches thin. Rooms have their number, area and height,
+ * walls their length and arcs their radius where there is space, details their height
+ * over the floor, steps theirs with a sign; about all are the overall size and a scale
+ * bar. A group a room, with the id room_1.
  *
  * @param plan as fitted; without rooms the page is empty
  * @param scale metres in the world for one of paper: 50 for 1:50. 0: the largest usual
  * scale at which the plan fits an A4 page */
-std::string
-floorplanToSvg(const Floorplan& plan, double scale = 0);
+std::string floorplanToSvg(const Floorplan& plan, double scale = 0);
 
 /** @brief The scale that floorplanToSvg() takes by itself. */
-double
-drawingScale(const Floorplan& plan);
+double drawingScale(const Floorplan& plan);
 
 /** @brief A floor plan as DXF of AutoCAD's release 12, one unit a metre: LINE, ARC and
- * CIRCLE on the layers WALL, COLUMN, DETAIL (of the ceiling), FLOOR_DETAIL and NICHE, as
- * they are in the plan to a tenth of a micrometre; numbers, areas and heights of rooms
- * on TEXT, sizes of walls on DIMENSION. */
-std::string
-floorplanToDxf(const Floorplan& plan);
+ * CIRCLE on the layers WALL, COLUMN, DETAIL (of the ceiling), FLOOR_DETAIL and NICHE,
+ * as they are in the plan to a tenth of a micrometre; numbers, areas and heights of
+ * rooms on TEXT, sizes of walls on DIMENSION. */
+std::string floorplanToDxf(const Floorplan& plan);
 
 } // namespace sedr
 } // namespace pcl

@@ -21,11 +21,12 @@ namespace pcl {
  * metres.
  *
  * Floors, ceilings and the undersides of details are planes, leaning ones too, each at
- * its height over its part of the plan; walls, columns, risers and niches stand upright;
- * arcs are facets within the chord tolerance. Each room is closed, manifold at edges and
- * vertices and does not meet itself, whatever the plan: loops that miss each other by
- * what noise leaves are fitted together, and of contradictions the later detail wins
- * (sedr::subdivideRoom()). What was done about those is told by getWarnings().
+ * its height over its part of the plan; walls, columns, risers and niches stand
+ * upright; arcs are facets within the chord tolerance. Each room is closed, manifold at
+ * edges and vertices and does not meet itself, whatever the plan: loops that miss each
+ * other by what noise leaves are fitted together, and of contradictions the later
+ * detail wins (sedr::subdivideRoom()). What was done about those is told by
+ * getWarnings().
  *
  * Triangles face outwards: out of the room, as the truth of a simulated scene does, and
  * other than StructuralPoisson, whose normals are the points'. Every triangle knows its
@@ -60,8 +61,8 @@ public:
    * vertices are single precision there: getMesh() has them as they are. */
   void reconstruct(pcl::PolygonMesh& output) override;
 
-  /** @brief The same; where the points have such fields, each gets the room and the mean
-   * normal of its triangles. */
+  /** @brief The same; where the points have such fields, each gets the room and the
+   * mean normal of its triangles. */
   void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
   /** @brief The plan to build. Needed. */
@@ -78,7 +79,8 @@ public:
   double getChordTolerance() const { return parameters_.chord_tolerance; }
 
   /** @brief How near to each other edges and corners of different loops are the same,
-   * metres, 0 to 0.5 (default 0: twice the residual of the elements, from 2 mm to 5 cm).
+   * metres, 0 to 0.5 (default 0: twice the residual of the elements, from 2 mm to 5
+   * cm).
    */
   void setSnapTolerance(double tolerance) { parameters_.snap_tolerance = tolerance; }
 

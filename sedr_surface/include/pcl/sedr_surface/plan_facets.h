@@ -19,8 +19,7 @@ struct FacetChain {
 
 /** @brief How near is the same, metres, for setSnapTolerance() and its like: `fixed` if
  * that is above 0, else twice the residual of the plan's element, from 2 mm to 5 cm. */
-double
-snapTolerance(const PlanElement& element, double fixed);
+double snapTolerance(const PlanElement& element, double fixed);
 
 /** @brief The loops of a room in facets, one chain a loop, arcs within
  * `chord_tolerance` metres.

@@ -36,6 +36,16 @@ struct PlanSubdivision {
   {
     return grid.toPlan(vertices[vertex]);
   }
+
+  /** @brief The way from one vertex to another, grid units. */
+  Eigen::Vector2d wayFrom(std::uint32_t from, std::uint32_t to) const
+  {
+    return Eigen::Vector2d(vertices[to].x, vertices[to].y) -
+           Eigen::Vector2d(vertices[from].x, vertices[from].y);
+  }
+
+  /** @brief Takes out the edges with `is_dropped[e]` true; one entry an edge. */
+  void dropEdges(const std::vector<bool>& is_dropped);
 };
 
 /** @brief An edge of a subdivision as it leaves a vertex. */
@@ -53,14 +63,14 @@ std::vector<std::vector<Spoke>> spokesOf(const PlanSubdivision& subdivision);
 /** @brief How a room becomes a solid. */
 struct SolidParameters {
   double chord_tolerance = 0.0005; ///< metres that facets may be off their arc
-  double snap_tolerance = 0; ///< metres; 0: from the elements' residuals, snapTolerance()
+  double snap_tolerance =
+      0; ///< metres; 0: from the elements' residuals, snapTolerance()
 };
 
 /** @brief What lies nearer together than this in a solid is one, metres: 0.05 mm, small
  * beside what a scan can tell, large beside the rounding of files with single
  * precision; more only in rooms so large that the grid is coarser. */
-double
-solidSeparation(const PlanGrid& grid);
+double solidSeparation(const PlanGrid& grid);
 
 /** @brief Cuts the plan of a room at all its loops.
  *
@@ -78,11 +88,10 @@ solidSeparation(const PlanGrid& grid);
  * @param[out] subdivision the result
  * @param[out] warnings what was done to contradictions of the plan, a sentence each
  * @return an empty string, or why there is none, a sentence */
-std::string
-subdivideRoom(const RoomLayers& layers,
-              const SolidParameters& parameters,
-              PlanSubdivision& subdivision,
-              std::vector<std::string>& warnings);
+std::string subdivideRoom(const RoomLayers& layers,
+                          const SolidParameters& parameters,
+                          PlanSubdivision& subdivision,
+                          std::vector<std::string>& warnings);
 
 } // namespace sedr
 } // namespace pcl

@@ -77,8 +77,8 @@ struct RoomLayers {
     return region.isRoom() && region.floor >= first_niche_slab_;
   }
 
-  /** @brief What may be there instead of a region that cannot be built, the nearest to it
-   * first: without its detail of the floor, of the ceiling, of both, and nothing. */
+  /** @brief What may be there instead of a region that cannot be built, the nearest to
+   * it first: without its detail of the floor, of the ceiling, of both, and nothing. */
   std::vector<PlanRegion> plainRegions(const PlanRegion& region) const;
 
   /** @brief Of what role an element's loop is; of a slab's element Wall. */
@@ -104,7 +104,8 @@ private:
                   const std::string& name);
 
   std::uint32_t room_ = 0;
-  std::vector<Part> details_; ///< of ceiling and floor, in the order in which they count
+  std::vector<Part>
+      details_; ///< of ceiling and floor, in the order in which they count
   std::vector<Part> niches_;
   int first_niche_slab_ = 0;
 };

@@ -44,21 +44,20 @@ struct RoomSolidReport {
  *
  * @param room any; what is contradictory in it is mended (subdivideRoom()) and told
  * @param parameters tolerances, in range
- * @param[out] solid triangles with label, room and element; empty if there is a problem
+ * @param[out] solid triangles with label, room and element; empty if nothing could be
+ * built, which RoomSolidReport::problem tells
  * @param[in,out] elements those of the room are added; a triangle's element is an index
  * into it plus 1
  *
  * Milliseconds for a room of some hundred edges; O(n^2) in the facets. */
-RoomSolidReport
-extrudeRoom(const PlanRoom& room,
-            const SolidParameters& parameters,
-            TriangleMesh& solid,
-            std::vector<SolidElement>& elements);
+RoomSolidReport extrudeRoom(const PlanRoom& room,
+                            const SolidParameters& parameters,
+                            TriangleMesh& solid,
+                            std::vector<SolidElement>& elements);
 
 /** @brief What makes a room none that can be built, in a sentence, or empty: a boundary
  * without elements, numbers that are not finite or beyond 1e6 m, upright slabs. */
-std::string
-roomProblem(const PlanRoom& room);
+std::string roomProblem(const PlanRoom& room);
 
 } // namespace sedr
 } // namespace pcl

@@ -25,8 +25,8 @@ std::string solidToObj(const TriangleMesh& mesh,
  * column. */
 std::string solidMaterials();
 
-/** @brief Lines for the header of a PLY: "element 3 room_1_wall_1" for each element that
- * has triangles, the number being that of the triangles. */
+/** @brief Lines for the header of a PLY: "element 3 room_1_wall_1" for each element
+ * that has triangles, the number being that of the triangles. */
 std::vector<std::string> elementComments(const TriangleMesh& mesh,
                                          const std::vector<SolidElement>& elements);
 

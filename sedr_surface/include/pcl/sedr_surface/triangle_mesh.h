@@ -33,8 +33,9 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> labels; ///< a StructureLabel a triangle, or empty
   std::vector<std::uint32_t> rooms;  ///< a room a triangle (0 none), or empty
-  std::vector<std::uint32_t> elements; ///< a number a triangle (0 none), or empty: which
-                                       ///< part of a plan it is, of FloorplanExtrusion
+  std::vector<std::uint32_t>
+      elements; ///< a number a triangle (0 none), or empty: which
+                ///< part of a plan it is, of FloorplanExtrusion
 
   /** @brief True without triangles. */
   bool empty() const { return triangles.empty(); }

@@ -42,8 +42,7 @@ struct SolidSpan {
 
 /** @brief Whether the solid above sectors around a vertical line, counter-clockwise,
  * touches itself there: whether its surface is no manifold at the line. */
-bool
-touchesItself(const std::vector<SolidSpan>& sectors);
+bool touchesItself(const std::vector<SolidSpan>& sectors);
 
 } // namespace sedr
 } // namespace pcl

@@ -138,8 +138,7 @@ FloorplanExtrusion<PointT>::performReconstruction(PointCloud& points,
   for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
     points[v].getVector3fMap() = mesh_.vertices[v].template cast<float>();
     if constexpr (pcl::traits::has_field<PointT, pcl::fields::normal_x>::value)
-      points[v].getNormalVector3fMap() =
-          normals[v].normalized().template cast<float>();
+      points[v].getNormalVector3fMap() = normals[v].normalized().template cast<float>();
   }
 }
 
