@@ -142,7 +142,7 @@ writeSize(DxfText& dxf, const PlanElement& e)
     return;
   const Eigen::Vector2d normal = e.normalAt(e.length() / 2);
   double degrees = degreesOf({normal.y(), -normal.x()});
-  if (degrees > 90 + 1e-6 && degrees <= 270 + 1e-6)
+  if (degrees > 91 && degrees <= 271)
     degrees -= 180;
   writeText(dxf, size_layer, e.pointAt(e.length() / 2) + height * normal, height, text,
             degrees);

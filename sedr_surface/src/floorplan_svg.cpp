@@ -159,15 +159,37 @@ private:
                   "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));
+    const TextSpot spot = textSpotIn(room.boundary, room.columns);
+    const auto texts = roomTexts(room, spot.place, "m²");
     for (const PlanElement& e : room.boundary.elements)
-      writeSize(e, room);
+      writeSize(e, room, spot, reachOf(texts) * fontFor(spot, texts, room_font));
     // Last, so that no text breaks its line.
     writePath("wall", pathOf(room.boundary));
-    const TextSpot spot = textSpotIn(room.boundary, room.columns);
     for (const LevelNote& note : levelNotes(room, spot))
       writeFitting("level halo", note.spot, {note.text}, size_font);
-    writeFitting("name halo", spot, roomTexts(room, spot.place, "m²"), room_font);
+    writeFitting("name halo", spot, texts, room_font);
     out_ << "</g>\n";
+  }
+
+  /** @brief Distance of the corners of some lines from their middle, over the font. */
+  static double reachOf(const std::vector<std::string>& lines)
+  {
+    std::size_t letters = 0;
+    for (const std::string& line : lines)
+      letters = std::max(letters, line.size());
+    return std::hypot(letter * static_cast<double>(letters) / 2,
+                      0.65 * static_cast<double>(lines.size()));
+  }
+
+  /** @brief The font with which lines fit the radius of a spot, at most `font`; 0 where
+   * they could not be read. */
+  double fontFor(const TextSpot& spot,
+                 const std::vector<std::string>& lines,
+                 double font) const
+  {
+    constexpr double least = 1.1;
+    const double fitting = spot.radius * 1000 / scale_ / reachOf(lines);
+    return fitting < least ? 0 : std::min(font, fitting);
   }
 
   /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing
@@ -177,15 +199,8 @@ private:
                     const std::vector<std::string>& lines,
                     double font)
   {
-    constexpr double least = 1.1;
-    std::size_t letters = 0;
-    for (const std::string& line : lines)
-      letters = std::max(letters, line.size());
-    const double half_width = letter * static_cast<double>(letters) / 2;
-    const double half_height = 0.65 * static_cast<double>(lines.size());
-    const double radius = spot.radius * 1000 / scale_;
-    font = std::min(font, radius / std::hypot(half_width, half_height));
-    if (font < least)
+    font = fontFor(spot, lines, font);
+    if (font == 0)
       return;
     Eigen::Vector2d place = onPage(spot.place);
     place.y() -= 0.65 * font * static_cast<double>(lines.size() - 1);
@@ -196,8 +211,11 @@ private:
   }
 
   /** @brief The size of a wall beside its middle, within the room; nothing where there
-   * is no space for it. */
-  void writeSize(const PlanElement& e, const PlanRoom& room)
+   * is no space for it, for the text of the room too. */
+  void writeSize(const PlanElement& e,
+                 const PlanRoom& room,
+                 const TextSpot& room_spot,
+                 double room_reach)
   {
     const std::string text = sizeText(e);
     const double width = letter * size_font * static_cast<double>(text.size());
@@ -205,14 +223,17 @@ private:
     const Eigen::Vector2d place =
         e.pointAt(e.length() / 2) + 0.9 * size_font * scale_ / 1000 * normal;
     const double space = spaceFor(place, e, room) * 1000 / scale_;
-    if (e.length() * 1000 / scale_ < width + 2 || space < 0.4 * width)
-      return;
     const Eigen::Vector2d beside = onPage(place);
-    // Along the wall, read from below or from the right.
+    const double to_room_text = (beside - onPage(room_spot.place)).norm();
+    if (e.length() * 1000 / scale_ < width + 2 || space < 0.4 * width ||
+        to_room_text < room_reach + size_font / 2)
+      return;
+    // Along the wall, read from below or from the right; a degree for walls that are
+    // not quite upright.
     double degrees = std::atan2(normal.x(), normal.y()) * 180 / M_PI;
-    if (degrees > 90 - 1e-6)
+    if (degrees > 89)
       degrees -= 180;
-    if (degrees <= -90 - 1e-6)
+    if (degrees <= -91)
       degrees += 180;
     writeText("size halo", beside, size_font, text, degrees);
   }

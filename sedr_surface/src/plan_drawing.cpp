@@ -45,8 +45,17 @@ Eigen::AlignedBox2d
 boundsOf(const PlanLoop& loop)
 {
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& p : loop.polygon(0.001))
-    box.extend(p);
+  for (const PlanElement& e : loop.elements) {
+    box.extend(e.start);
+    // An arc reaches farthest at quarters of its circle.
+    for (const Eigen::Vector2d& way :
+         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
+          Eigen::Vector2d(0, -1)}) {
+      const Eigen::Vector2d quarter = e.centre + e.radius * way;
+      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
+        box.extend(quarter);
+    }
+  }
   return box;
 }
 
@@ -84,17 +93,22 @@ textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
 {
   // A lattice over the loop, then finer ones about the best place so far.
   constexpr int steps = 24;
+  constexpr double pull = 0.05; // towards the middle, where many places are as good
   Eigen::AlignedBox2d box = boundsOf(loop);
-  TextSpot best{box.center(), -std::numeric_limits<double>::infinity()};
+  const Eigen::Vector2d middle = box.center();
+  TextSpot best{middle, 0};
+  double best_score = -std::numeric_limits<double>::infinity();
   for (int round = 0; round < 3 && !box.isEmpty(); ++round) {
     const Eigen::Vector2d step = box.sizes() / steps;
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; j <= steps; ++j) {
         const Eigen::Vector2d p = box.min() + step.cwiseProduct(Eigen::Vector2d(i, j));
         const double clearance = clearanceAt(p, loop, obstacles);
-        // A little more is no reason to leave the middle.
-        if (clearance > best.radius + 1e-9)
-          best = {p, clearance};
+        const double score = clearance - pull * (p - middle).norm();
+        if (score <= best_score)
+          continue;
+        best_score = score;
+        best = {p, clearance};
       }
     box = Eigen::AlignedBox2d(best.place - step, best.place + step);
   }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// Read by other programs in test/tools/test_floorplan_outputs.py.
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+Floorplan
+planOf(const PlanLoop& boundary)
+{
+  return {{roomOf(boundary, 2.5)}};
+}
+
+bool
+holds(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST(FloorplanDrawing, TheScaleIsTheLargestThatFitsAPage)
+{
+  // An A4 page has 269 mm by 172 mm for the plan, or 182 mm by 259 mm.
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 2.6, 1.7))), 10);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 2.7, 1.7))), 20);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 1.7, 2.5))), 10) << "upright";
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 6, 5))), 50);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 20, 10))), 100);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 400, 200))), 2000);
+}
+
+TEST(FloorplanDrawing, LengthsOnPaperAreToScale)
+{
+  const Floorplan plan = planOf(rectangle(10, 20, 16, 24));
+  // The page has a margin of 20 mm on the left and 8 mm above.
+  EXPECT_TRUE(holds(floorplanToSvg(plan), "M 20 88 L 140 88 L 140 8 L 20 8 L 20 88 Z"));
+  EXPECT_TRUE(
+      holds(floorplanToSvg(plan, 100), "M 20 48 L 80 48 L 80 8 L 20 8 L 20 48 Z"));
+}
+
+TEST(FloorplanDrawing, ArcsKeepTheirSenseAndSize)
+{
+  // From 270 to 180 degrees against the clock: the larger part of the circle.
+  const PlanLoop keyhole{{arc({0, 0}, 1, 270, 540), segment({-1, 0}, {-1, -1}),
+                          segment({-1, -1}, {0, -1})}};
+  EXPECT_TRUE(holds(floorplanToSvg(planOf(keyhole), 10), "A 100 100 0 1 0 20 108"));
+  // With the clock.
+  EXPECT_TRUE(holds(floorplanToSvg(planOf(bittenRectangle(6, 4, 1)), 100),
+                    "A 10 10 0 0 1 60 48"));
+  // A whole circle in two halves, in DXF as such.
+  const std::string round = floorplanToSvg(planOf(circle({0, 0}, 1)), 10);
+  EXPECT_TRUE(holds(round, "A 100 100 0 0 0 20 108 A 100 100 0 0 0 220 108"));
+  EXPECT_TRUE(holds(floorplanToDxf(planOf(circle({0, 0}, 1))), "\nCIRCLE\n8\nWALL\n"));
+}
+
+TEST(FloorplanDrawing, DxfArcsRunAgainstTheClock)
+{
+  const std::string dxf = floorplanToDxf(planOf(bittenRectangle(6, 4, 1)));
+  EXPECT_TRUE(holds(dxf,
+                    "0\nARC\n8\nWALL\n10\n3.0000000\n20\n0.0000000\n30\n0.0000000\n"
+                    "40\n1.0000000\n50\n0.0000000\n51\n180.0000000\n"));
+}
+
+TEST(FloorplanDrawing, APlanWithoutRoomsIsAnEmptyPage)
+{
+  EXPECT_TRUE(holds(floorplanToSvg({}), "</svg>"));
+  EXPECT_FALSE(holds(floorplanToSvg({}), "<path"));
+  EXPECT_TRUE(holds(floorplanToDxf({}), "ENTITIES\n0\nENDSEC\n0\nEOF\n"));
+}
+
+TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
+{
+  // A closet 30 cm wide: no sizes, no name that could be read at 1:100.
+  const std::string closet = floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), 100);
+  EXPECT_FALSE(holds(closet, "Room"));
+  EXPECT_FALSE(holds(closet, "class=\"size halo\""));
+  const std::string room = floorplanToSvg(planOf(rectangle(0, 0, 6, 5)), 100);
+  EXPECT_TRUE(holds(room, ">Room 1<"));
+  EXPECT_TRUE(holds(room, ">30.00 m²<"));
+}
+
+} // namespace
