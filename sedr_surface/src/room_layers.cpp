@@ -60,9 +60,8 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
     Part part;
     part.boundary = loops.size();
     part.holes = details[d].holes.size();
-    (is_floor ? part.region.floor : part.region.ceiling) = addSlab(
-        details[d].slab, is_floor ? StructureLabel::Floor : StructureLabel::Detail,
-        numbered(name, d));
+    (is_floor ? part.region.floor : part.region.ceiling) =
+        addSlab(details[d].slab, StructureLabel::Detail, numbered(name, d));
     addLoop(details[d].boundary, role, numbered(name, d) + "_edge");
     for (std::size_t h = 0; h < details[d].holes.size(); ++h)
       addLoop(details[d].holes[h], role,

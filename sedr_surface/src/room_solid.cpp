@@ -46,24 +46,21 @@ slabProblem(const PlanSlab& slab, const std::string& name)
                            "beyond 1000000 m";
 }
 
-/** @brief Adds up the areas of triangles by what they are. */
+/** @brief Adds up the areas of triangles by what they are and where they face. */
 void
 measure(const TriangleMesh& solid, RoomSolidReport& report)
 {
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const double area = solid.scaledNormal(t).norm() / 2;
+    const Eigen::Vector3d normal = solid.scaledNormal(t);
+    const double area = normal.norm() / 2;
+    const auto label = static_cast<StructureLabel>(solid.labels[t]);
     report.area += area;
-    switch (static_cast<StructureLabel>(solid.labels[t])) {
-    case StructureLabel::Floor:
-      report.floor_area += area;
-      break;
-    case StructureLabel::Ceiling:
-    case StructureLabel::Detail:
-      report.ceiling_area += area;
-      break;
-    default:
+    if (label == StructureLabel::Wall || label == StructureLabel::Column)
       report.wall_area += area;
-    }
+    else if (std::abs(normal.z()) < area) // upright: slabs lean by 45 degrees at most
+      report.riser_area += area;
+    else
+      (normal.z() < 0 ? report.floor_area : report.ceiling_area) += area;
   }
   report.triangles = solid.triangles.size();
   report.volume = solid.signedVolume();

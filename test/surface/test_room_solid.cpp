@@ -180,6 +180,7 @@ TEST(RoomSolid, APlatformWithAStepBesideTheWall)
   EXPECT_NEAR(solid.areaOf("room_1_floor_detail_2_edge_2"), 5 * 0.2, 1e-5);
   EXPECT_NEAR(solid.areaOf("room_1_floor_detail_3_edge_1"), 0.3, 1e-5);
   EXPECT_NEAR(solid.report.floor_area, 30, 1e-5) << "whatever its height";
+  EXPECT_NEAR(solid.report.riser_area, 5 * 0.4 + 4 * 0.3, 1e-5);
 }
 
 TEST(RoomSolid, APlatformBelowASoffit)

@@ -142,6 +142,7 @@ solidOf(const StructureChain& chain, std::uint32_t room)
               {"floor_area", report.floor_area},
               {"ceiling_area", report.ceiling_area},
               {"wall_area", report.wall_area},
+              {"riser_area", report.riser_area},
               {"volume", report.volume},
               {"problem", report.problem}};
   return nullptr;

@@ -20,9 +20,10 @@ struct RoomSolidReport {
   MeshTopology topology;
   bool closed = false;     ///< closed, manifold at edges and vertices, oriented
   double area = 0;         ///< of the whole surface, square metres
-  double floor_area = 0;   ///< square metres, as the next two
-  double ceiling_area = 0; ///< with the undersides and risers of details
+  double floor_area = 0;   ///< at all its heights, square metres, as the next three
+  double ceiling_area = 0; ///< with the undersides of details
   double wall_area = 0;    ///< of walls and columns
+  double riser_area = 0;   ///< between two heights of floor or ceiling, and in niches
   double volume = 0;       ///< cubic metres
   std::string problem;     ///< why there is no closed solid, or empty
   std::vector<std::string> warnings; ///< what was done to contradictions of the plan
