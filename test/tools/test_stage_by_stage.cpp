@@ -53,6 +53,8 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   stage(STRUCTURE_REFINEMENT, {"walls.pcd", "floorplan.json", "refined.pcd"});
   stage(VERTICAL_HOLE_REPAIR, {"refined.pcd", "floorplan.json", "structure.pcd"});
   stage(STRUCTURAL_POISSON, {"structure.pcd", "mesh.ply"});
+  stage(FLOORPLAN_EXTRUSION, {"floorplan.json", "solid.ply"});
+  stage(FLOORPLAN_DRAWING, {"floorplan.json", "floorplan.svg"});
 
   std::string problem;
   const auto plan =
@@ -67,14 +69,19 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   const ToolCloud structure = loadCloud(in("structure.pcd"));
   EXPECT_EQ(floatField(structure.blob, "intensity").size(), structure.size());
 
-  const ProgramRun judged =
-      run(MESH_EVALUATION, {in("mesh.ply"), "--json", in("figures.json")});
-  ASSERT_EQ(judged.exit_code, 0) << judged.err;
-  const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
-  EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
-  EXPECT_EQ(mesh.at("components").size(), 2u);
-  EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 12 * 2.5 - 1.8 * 0.4 + 9 * 2.5,
-              0.6);
+  for (const auto& [name, tolerance] :
+       {std::make_pair("mesh.ply", 0.6), std::make_pair("solid.ply", 0.2)}) {
+    const ProgramRun judged =
+        run(MESH_EVALUATION,
+            {in(name), "--json", in("figures.json"), "--self-intersections"});
+    ASSERT_EQ(judged.exit_code, 0) << judged.err;
+    const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
+    EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
+    EXPECT_EQ(mesh.at("self_intersections"), 0) << name;
+    EXPECT_EQ(mesh.at("components").size(), 2u);
+    EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()),
+                12 * 2.5 - 1.8 * 0.4 + 9 * 2.5, tolerance);
+  }
 }
 
 TEST(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
@@ -89,6 +96,8 @@ TEST(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
       {FLOORPLAN_FITTING, "floorplan_fitting"},
       {STRUCTURE_REFINEMENT, "structure_refinement"},
       {VERTICAL_HOLE_REPAIR, "vertical_hole_repair"},
+      {FLOORPLAN_EXTRUSION, "floorplan_extrusion"},
+      {FLOORPLAN_DRAWING, "floorplan_drawing"},
       {SEDR, "indoor_structure_reconstruction"}};
   for (const auto& [tool, name] : pages) {
     const std::string page = bytesOf(DOC_FOLDER "/" + name + ".md");
