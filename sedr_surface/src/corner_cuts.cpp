@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -35,7 +34,7 @@ spansAt(const VertexLevels& levels,
 struct CornerCut {
   std::size_t sector = 0;
   PlanRegion region;
-  double angle = std::numeric_limits<double>::infinity();
+  double angle = 0;   ///< radians
   bool heals = false; ///< whether the solid then touches itself no more
 
   bool isBetterThan(const CornerCut& o) const
@@ -44,15 +43,16 @@ struct CornerCut {
   }
 };
 
-/** @brief The sharpest corner that heals a vertex, or else the sharpest. */
-CornerCut
-chooseCut(const RoomLayers& layers,
-          const PlanSubdivision& plan,
-          std::uint32_t v,
-          const std::vector<Spoke>& spokes)
+/** @brief The corners that might be cut off, the best first: those that heal a vertex,
+ * sharp ones before blunt ones. */
+std::vector<CornerCut>
+cutsAt(const RoomLayers& layers,
+       const PlanSubdivision& plan,
+       std::uint32_t v,
+       const std::vector<Spoke>& spokes)
 {
   const VertexLevels levels(layers, plan, v, spokes);
-  CornerCut best;
+  std::vector<CornerCut> cuts;
   for (std::size_t s = 0; s < spokes.size(); ++s) {
     const Spoke& next = spokes[(s + 1) % spokes.size()];
     const Eigen::Vector2d a = plan.wayFrom(v, spokes[s].end);
@@ -65,11 +65,13 @@ chooseCut(const RoomLayers& layers,
     for (const PlanRegion& region : {spokes[s].right, next.left}) {
       cut.region = region;
       cut.heals = !touchesItself(spansAt(levels, spokes, s, region));
-      if (cut.isBetterThan(best))
-        best = cut;
+      cuts.push_back(cut);
     }
   }
-  return best;
+  std::stable_sort(
+      cuts.begin(), cuts.end(),
+      [](const CornerCut& c, const CornerCut& d) { return c.isBetterThan(d); });
+  return cuts;
 }
 
 bool
@@ -110,6 +112,34 @@ placeOn(const PlanSubdivision& plan,
   return plan.grid.toGrid(from + distance * way);
 }
 
+/** @brief Finds where on two spokes a corner can be cut off: a millimetre from it, less
+ * where something else is as near, more where the corner is so sharp or so blunt that
+ * the grid shows no triangle. */
+bool
+placeCut(const PlanSubdivision& plan,
+         std::uint32_t v,
+         const Spoke& first,
+         const Spoke& second,
+         GridPoint& p,
+         GridPoint& q)
+{
+  const double unit = plan.grid.unit();
+  const double most =
+      0.3 * unit *
+      std::min(plan.wayFrom(v, first.end).norm(), plan.wayFrom(v, second.end).norm());
+  double size = std::min(20 * solidSeparation(plan.grid), most);
+  const auto place = [&] {
+    p = placeOn(plan, v, first, size);
+    q = placeOn(plan, v, second, size);
+    return turn(plan.vertices[v], p, q) > 0;
+  };
+  while (!place() && size < most)
+    size = std::min(2 * size, most);
+  while (place() && !isFree(plan, v, p, q) && size > 4 * unit)
+    size /= 2;
+  return place() && isFree(plan, v, p, q);
+}
+
 /** @brief Cuts a spoke in two at a place; the part at the vertex gets other regions, or
  * goes where both are the same.
  * @return the new vertex */
@@ -140,20 +170,11 @@ applyCut(PlanSubdivision& plan,
          const std::vector<Spoke>& spokes,
          const CornerCut& cut)
 {
-  constexpr double largest = 0.001; // metres
   const Spoke& first = spokes[cut.sector];
   const Spoke& second = spokes[(cut.sector + 1) % spokes.size()];
-  const double unit = plan.grid.unit();
-  double size = std::min({largest, 0.3 * unit * plan.wayFrom(v, first.end).norm(),
-                          0.3 * unit * plan.wayFrom(v, second.end).norm()});
   GridPoint p;
   GridPoint q;
-  do {
-    p = placeOn(plan, v, first, size);
-    q = placeOn(plan, v, second, size);
-    size /= 2;
-  } while (size > 4 * unit && !isFree(plan, v, p, q));
-  if (turn(plan.vertices[v], p, q) <= 0 || !isFree(plan, v, p, q))
+  if (!placeCut(plan, v, first, second, p, q))
     return false;
   std::vector<bool> is_dropped(plan.edges.size(), false);
   const bool joins_first = cut.region == first.right;
@@ -182,8 +203,10 @@ cutTouchingCorners(const RoomLayers& layers, PlanSubdivision& plan)
       const VertexLevels levels(layers, plan, v, spokes[v]);
       if (!touchesItself(spansAt(levels, spokes[v], spokes[v].size(), {})))
         break;
-      const CornerCut cut = chooseCut(layers, plan, v, spokes[v]);
-      if (std::isinf(cut.angle) || !applyCut(plan, v, spokes[v], cut))
+      const auto possible = cutsAt(layers, plan, v, spokes[v]);
+      if (std::none_of(possible.begin(), possible.end(), [&](const CornerCut& cut) {
+            return applyCut(plan, v, spokes[v], cut);
+          }))
         break;
       ++cuts;
       spokes = spokesOf(plan);

@@ -236,25 +236,32 @@ SwappableTriangulation::insertEdge(std::uint32_t a, std::uint32_t b)
 void
 SwappableTriangulation::improve()
 {
-  std::vector<Ends> waiting;
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+  struct Waiting {
+    Side side;
+    Ends ends; ///< of the side when it began to wait
+  };
+  std::vector<Waiting> waiting;
+  const auto add = [&](std::uint32_t t) {
     for (std::size_t i = 0; i < 3; ++i)
-      if (corner(t, i) < corner(t, i + 1))
-        waiting.emplace_back(corner(t, i), corner(t, i + 1));
+      if (neighbour({t, i}) != none)
+        waiting.push_back({{t, i}, std::minmax(corner(t, i), corner(t, i + 1))});
+  };
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    add(t);
   // Swaps that make the triangulation Delaunay's cannot go round in circles.
   while (!waiting.empty()) {
-    const Ends ends = waiting.back();
+    const Side side = waiting.back().side;
+    const Ends ends = waiting.back().ends;
     waiting.pop_back();
-    const Side side = find(ends);
-    if (side.triangle == none || neighbour(side) == none || fixed_.count(ends) > 0 ||
-        !isConvex(side) || !isWorse(side))
+    // A triangle that was swapped since has had its new sides added.
+    const Ends now = std::minmax(corner(side.triangle, side.number),
+                                 corner(side.triangle, side.number + 1));
+    if (now != ends || fixed_.count(ends) > 0 || !isConvex(side) || !isWorse(side))
       continue;
-    const std::uint32_t t = side.triangle;
-    const std::uint32_t u = neighbour(side);
+    const std::uint32_t other = neighbour(side);
     swap(side);
-    for (const std::uint32_t changed : {t, u})
-      for (std::size_t i = 0; i < 3; ++i)
-        waiting.push_back(std::minmax(corner(changed, i), corner(changed, i + 1)));
+    add(side.triangle);
+    add(other);
   }
 }
 

@@ -82,6 +82,10 @@ private:
 
   double heightOf(int slab, std::uint32_t vertex) const;
 
+  /** @brief A ceiling nearer to its floor than this leaves no room: a millimetre, more
+   * only where the grid is coarse. */
+  double leastClearance() const { return 20 * solidSeparation(grid_); }
+
   /** @brief Least height of a part's ceiling over its floor, metres. */
   double clearance(const Part& part) const;
 

@@ -11,9 +11,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief A ceiling nearer to its floor than this leaves no room, metres. */
-constexpr double least_clearance = 0.001;
-
 /** @brief A piece of a room smaller than this is a crumb, square metres. */
 constexpr double crumb = 0.01;
 
@@ -55,7 +52,7 @@ PlanCells::touchesBeside(const Part& part) const
       const auto meet = [&](int slab, int other_slab) {
         const auto isNear = [&](std::uint32_t v) {
           return std::abs(heightOf(slab, v) - heightOf(other_slab, v)) <
-                 least_clearance;
+                 leastClearance();
         };
         return isNear(corner(t, i)) && isNear(corner(t, i + 1));
       };
@@ -79,8 +76,8 @@ PlanCells::isOpen(const Part& part) const
         return std::min(heightOf(part.region.ceiling, v), heightOf(other.ceiling, v)) -
                std::max(heightOf(part.region.floor, v), heightOf(other.floor, v));
       };
-      if (overlapAt(corner(t, i)) > least_clearance &&
-          overlapAt(corner(t, i + 1)) > least_clearance)
+      if (overlapAt(corner(t, i)) > leastClearance() &&
+          overlapAt(corner(t, i + 1)) > leastClearance())
         return true;
     }
   return false;
@@ -92,7 +89,7 @@ PlanCells::problemOf(const Part& part) const
   if (!part.region.isRoom())
     return {};
   const double height = clearance(part);
-  if (height < least_clearance)
+  if (height < leastClearance())
     return textOf("comes down to %.3f m above what is below it", height);
   if (layers_.isNiche(part.region) && !isOpen(part))
     return "is not open to the room";

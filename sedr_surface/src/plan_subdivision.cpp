@@ -35,6 +35,17 @@ collectSegments(const std::vector<FacetChain>& chains,
   }
 }
 
+FacetCorners
+cornersOf(const std::vector<GridSegment>& segments,
+          const std::vector<SegmentSource>& sources)
+{
+  FacetCorners corners;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const GridPoint& end : {segments[i].from, segments[i].to})
+      corners.insert({sources[i].element, end});
+  return corners;
+}
+
 std::vector<double>
 tolerancesOf(const RoomLayers& layers, double fixed)
 {
@@ -135,9 +146,12 @@ subdivideRoom(const RoomLayers& layers,
   if (subdivision.edges.empty())
     return "its plan encloses no room";
 
-  dropNeedlessVertices(subdivision);
+  dropNeedlessVertices(cornersOf(segments, sources), subdivision);
   splitWhereHeightsCross(layers, subdivision);
   const std::size_t cuts = cutTouchingCorners(layers, subdivision);
+  // A corner less may be a height less, which was the same as others.
+  if (cuts > 0)
+    splitWhereHeightsCross(layers, subdivision);
   if (cuts > 0)
     warnings.push_back(std::to_string(cuts) +
                        (cuts == 1 ? " corner that touches another is cut off by 1 mm"

@@ -5,6 +5,7 @@
 #include <boost/polygon/segment_utils.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
@@ -19,15 +20,6 @@ struct Piece {
   GridPoint from;
   GridPoint to;
   std::size_t segment = 0;
-
-  bool operator<(const Piece& o) const
-  {
-    return std::tie(segment, from, to) < std::tie(o.segment, o.from, o.to);
-  }
-  bool operator==(const Piece& o) const
-  {
-    return segment == o.segment && from == o.from && to == o.to;
-  }
 };
 
 using Pieces = std::vector<Piece>;
@@ -35,14 +27,25 @@ using Pieces = std::vector<Piece>;
 constexpr std::int32_t highest = 1 << 30; ///< beyond all coordinates
 constexpr std::int32_t lowest = -highest;
 
+/** @brief Takes out what has no length, and what a segment runs there and back: led
+ * through one vertex after the other it may fold. */
 void
-dropDoubles(Pieces& pieces)
+unfold(Pieces& pieces)
 {
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [](const Piece& p) { return p.from == p.to; }),
-               pieces.end());
-  std::sort(pieces.begin(), pieces.end());
-  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  std::map<std::tuple<std::size_t, GridPoint, GridPoint>, int> runs;
+  for (const Piece& p : pieces) {
+    if (p.from == p.to)
+      continue;
+    const bool forward = p.from < p.to;
+    runs[{p.segment, forward ? p.from : p.to, forward ? p.to : p.from}] +=
+        forward ? 1 : -1;
+  }
+  pieces.clear();
+  for (const auto& [run, net] : runs)
+    for (int k = 0; k < std::abs(net); ++k) {
+      const auto& [segment, low, high] = run;
+      pieces.push_back(net > 0 ? Piece{low, high, segment} : Piece{high, low, segment});
+    }
 }
 
 Eigen::Vector2d
@@ -76,7 +79,7 @@ cutAtCrossings(Pieces& pieces)
     cut.push_back(forward ? Piece{low, high, whole.segment}
                           : Piece{high, low, whole.segment});
   }
-  dropDoubles(cut);
+  unfold(cut);
   pieces.swap(cut);
 }
 
@@ -234,13 +237,13 @@ arrangeSegments(const std::vector<GridSegment>& segments,
   Pieces pieces;
   for (std::size_t i = 0; i < segments.size(); ++i)
     pieces.push_back({segments[i].from, segments[i].to, i});
-  dropDoubles(pieces);
+  unfold(pieces);
   Ranks ranks(segments);
   bool is_near = true;
   cutAtCrossings(pieces);
   for (int round = 0; round < 50 && is_near; ++round) {
     is_near = weld(separation, ranks, pieces);
-    dropDoubles(pieces);
+    unfold(pieces);
     is_near = bend(separation, pieces) || is_near;
     if (is_near)
       cutAtCrossings(pieces);

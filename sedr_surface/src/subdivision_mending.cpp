@@ -26,7 +26,7 @@ commonElements(const SubdivisionEdge& e, const SubdivisionEdge& f)
 } // namespace
 
 void
-dropNeedlessVertices(PlanSubdivision& plan)
+dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
 {
   constexpr double straight = 4; // grid units: what rounding leaves
   auto spokes = spokesOf(plan);
@@ -36,12 +36,20 @@ dropNeedlessVertices(PlanSubdivision& plan)
       continue;
     const Spoke in = spokes[v][0];
     const Spoke out = spokes[v][1];
-    const auto common = commonElements(plan.edges[in.edge], plan.edges[out.edge]);
+    auto common = commonElements(plan.edges[in.edge], plan.edges[out.edge]);
+    common.erase(std::remove_if(common.begin(), common.end(),
+                                [&](std::size_t element) {
+                                  return corners.count({element, plan.vertices[v]}) > 0;
+                                }),
+                 common.end());
+    const bool is_double =
+        std::any_of(spokes[in.end].begin(), spokes[in.end].end(),
+                    [&out](const Spoke& spoke) { return spoke.end == out.end; });
     const double length = distance(plan.vertices[in.end], plan.vertices[out.end]);
     const auto off = static_cast<double>(
         turn(plan.vertices[in.end], plan.vertices[out.end], plan.vertices[v]));
     const bool is_between = plan.wayFrom(v, in.end).dot(plan.wayFrom(v, out.end)) < 0;
-    if (common.empty() || !is_between || std::abs(off) > straight * length)
+    if (common.empty() || is_double || !is_between || std::abs(off) > straight * length)
       continue;
     // The first edge goes on to where the second ends; what was on the left of the way
     // to v stays there.
@@ -61,64 +69,79 @@ dropNeedlessVertices(PlanSubdivision& plan)
 
 namespace {
 
-/** @brief Where along an edge, from 0 to 1, two slabs have one height; negative if they
- * have not or do at an end. */
-double
-crossingOf(const RoomLayers& layers,
-           const PlanSubdivision& plan,
-           const SubdivisionEdge& edge,
-           int slab,
-           int other)
-{
-  if (slab == other || slab == PlanRegion::nothing || other == PlanRegion::nothing)
-    return -1;
-  const auto heightOver = [&](std::uint32_t v) {
-    const Eigen::Vector2d p = plan.placeOf(v);
-    return layers.slabs[static_cast<std::size_t>(slab)].slab.heightAt(p) -
-           layers.slabs[static_cast<std::size_t>(other)].slab.heightAt(p);
-  };
-  const double at_a = heightOver(edge.a);
-  const double at_b = heightOver(edge.b);
-  const double same = solidSeparation(plan.grid);
-  const bool crosses = std::min(at_a, at_b) < -same && std::max(at_a, at_b) > same;
-  return crosses ? at_a / (at_a - at_b) : -1;
-}
+/** @brief Cuts edges at crossings of heights, which it tells by levels: by what will be
+ * built. */
+class CrossingCutter {
+public:
+  CrossingCutter(const RoomLayers& layers, PlanSubdivision& plan)
+      : layers_(layers)
+      , plan_(plan)
+  {
+    const auto spokes = spokesOf(plan);
+    for (std::uint32_t v = 0; v < spokes.size(); ++v)
+      levels_.emplace_back(layers, plan, v, spokes[v]);
+  }
 
-/** @brief Cuts an edge at a share of its length; the second part is added.
- * @return whether there is a grid point between its ends */
-bool
-cutEdge(PlanSubdivision& plan, std::size_t e, double share)
-{
-  SubdivisionEdge& first = plan.edges[e];
-  const GridPoint middle = plan.grid.toGrid(plan.placeOf(first.a) * (1 - share) +
-                                            plan.placeOf(first.b) * share);
-  if (middle == plan.vertices[first.a] || middle == plan.vertices[first.b])
+  void run()
+  {
+    // What is cut off an edge is added behind the others.
+    for (std::size_t e = 0; e < plan_.edges.size(); ++e)
+      while (cutOnce(e))
+        continue;
+  }
+
+private:
+  bool cutOnce(std::size_t e)
+  {
+    const SubdivisionEdge edge = plan_.edges[e];
+    for (const int slab : {edge.left.floor, edge.left.ceiling})
+      for (const int other : {edge.right.floor, edge.right.ceiling})
+        if (slab != PlanRegion::nothing && other != PlanRegion::nothing &&
+            cutAt(e, slab, other))
+          return true;
     return false;
-  SubdivisionEdge second = first;
-  first.b = second.a = static_cast<std::uint32_t>(plan.vertices.size());
-  plan.vertices.push_back(middle);
-  plan.edges.push_back(std::move(second));
-  return true;
-}
+  }
+
+  /** @brief Cuts an edge where two slabs cross, if they do. */
+  bool cutAt(std::size_t e, int slab, int other)
+  {
+    const SubdivisionEdge edge = plan_.edges[e];
+    const auto heightOver = [&](std::uint32_t v) {
+      return static_cast<double>(levels_[v].levelOf(slab) - levels_[v].levelOf(other));
+    };
+    const double at_a = heightOver(edge.a);
+    const double at_b = heightOver(edge.b);
+    if (!(at_a < 0 && at_b > 0) && !(at_a > 0 && at_b < 0))
+      return false;
+    const double share = at_a / (at_a - at_b);
+    const GridPoint place = plan_.grid.toGrid(plan_.placeOf(edge.a) * (1 - share) +
+                                              plan_.placeOf(edge.b) * share);
+    if (place == plan_.vertices[edge.a] || place == plan_.vertices[edge.b])
+      return false;
+    const auto middle = static_cast<std::uint32_t>(plan_.vertices.size());
+    plan_.vertices.push_back(place);
+    plan_.crossings[middle] = {slab, other};
+    plan_.edges.push_back(edge);
+    plan_.edges[e].b = plan_.edges.back().a = middle;
+    Spoke ahead;
+    ahead.left = edge.left;
+    Spoke back;
+    back.left = edge.right;
+    levels_.emplace_back(layers_, plan_, middle, std::vector<Spoke>{ahead, back});
+    return true;
+  }
+
+  const RoomLayers& layers_;
+  PlanSubdivision& plan_;
+  std::vector<VertexLevels> levels_;
+};
 
 } // namespace
 
 void
 splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& plan)
 {
-  for (std::size_t e = 0; e < plan.edges.size(); ++e) {
-    bool is_cut = true;
-    while (is_cut) {
-      is_cut = false;
-      const SubdivisionEdge edge = plan.edges[e];
-      for (const int slab : {edge.left.floor, edge.left.ceiling})
-        for (const int other : {edge.right.floor, edge.right.ceiling}) {
-          const double share = crossingOf(layers, plan, edge, slab, other);
-          if (!is_cut && share > 0)
-            is_cut = cutEdge(plan, e, share);
-        }
-    }
-  }
+  CrossingCutter(layers, plan).run();
 }
 
 } // namespace sedr

@@ -30,12 +30,27 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
     if (i == 0 || height - level >= same)
       level = height;
     of_slab_.emplace_back(slab, level);
+  }
+  const auto crossing = subdivision.crossings.find(vertex);
+  if (crossing != subdivision.crossings.end())
+    join(crossing->second.first, crossing->second.second);
+  for (const auto& [slab, at] : of_slab_) {
     const bool ends_here =
         std::any_of(spokes.begin(), spokes.end(),
-                    [&, s = slab](const Spoke& spoke) { return !spoke.left.has(s); });
-    if (ends_here && (levels_.empty() || levels_.back() != level))
-      levels_.push_back(level);
+                    [s = slab](const Spoke& spoke) { return !spoke.left.has(s); });
+    if (ends_here && (levels_.empty() || levels_.back() != at))
+      levels_.push_back(at);
   }
+}
+
+void
+VertexLevels::join(int slab, int other)
+{
+  const std::int64_t low = std::min(levelOf(slab), levelOf(other));
+  const std::int64_t high = std::max(levelOf(slab), levelOf(other));
+  for (auto& entry : of_slab_)
+    if (entry.second >= low && entry.second <= high)
+      entry.second = low;
 }
 
 std::int64_t

@@ -159,6 +159,37 @@ TEST(SegmentArrangement, NothingIsNearerThanTheSeparation)
   }
 }
 
+TEST(SegmentArrangement, ClosedLoopsStayClosedHoweverTheyFold)
+{
+  // Steps shorter than the separation: much of each loop becomes one vertex, and a part
+  // may run back over itself.
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 60; ++trial) {
+    const int step = trial % 2 == 0 ? 8 : 60;
+    std::uniform_int_distribution<int> move(-step, step);
+    std::vector<GridSegment> segments;
+    GridPoint at{0, 0};
+    for (int i = 0; i < 150; ++i) {
+      const GridPoint to = i == 149
+                               ? GridPoint{0, 0}
+                               : GridPoint{at.x + move(random), at.y + move(random)};
+      segments.push_back({at, to});
+      at = to;
+    }
+    Arrangement plan;
+    ASSERT_TRUE(arrangeSegments(segments, 10, plan));
+    expectExact(plan);
+    std::map<std::uint32_t, int> balance;
+    for (const auto& edge : plan.edges)
+      for (const auto& use : edge.uses) {
+        --balance[use.forward ? edge.a : edge.b];
+        ++balance[use.forward ? edge.b : edge.a];
+      }
+    for (const auto& [vertex, sum] : balance)
+      ASSERT_EQ(sum, 0) << "trial " << trial << ", vertex " << vertex;
+  }
+}
+
 TEST(SegmentArrangement, NothingGivesNothing)
 {
   Arrangement plan;

@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -31,6 +33,8 @@ struct PlanSubdivision {
   PlanGrid grid;
   std::vector<GridPoint> vertices; ///< no two the same
   std::vector<SubdivisionEdge> edges;
+  /// Slabs that cross at a vertex: there they have one height.
+  std::map<std::uint32_t, std::pair<int, int>> crossings;
 
   Eigen::Vector2d placeOf(std::uint32_t vertex) const
   {

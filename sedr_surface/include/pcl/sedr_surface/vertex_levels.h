@@ -12,7 +12,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Heights at which the floors and ceilings about a vertex of a subdivision meet
- * it, in grid units: those that are nearer than solidSeparation() are one. */
+ * it, in grid units: those that are nearer than solidSeparation(), or cross there, are
+ * one. */
 class VertexLevels {
 public:
   VertexLevels() = default;
@@ -30,6 +31,9 @@ public:
   const std::vector<std::int64_t>& levels() const { return levels_; }
 
 private:
+  /** @brief Gives two slabs, and what is between them, one level. */
+  void join(int slab, int other);
+
   std::vector<std::pair<int, std::int64_t>> of_slab_;
   std::vector<std::int64_t> levels_;
 };
