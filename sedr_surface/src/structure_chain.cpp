@@ -533,6 +533,7 @@ StructureChain::extrude(StageReport& report)
   extrusion.setFloorplan(plan);
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
+  tellResult("FloorplanExtrusion");
   report.points_out = extrusion.getMesh().vertices.size();
   warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
                   extrusion.getWarnings().end());
