@@ -8,6 +8,7 @@ DATA holds a folder a scene: scan.pcd, truth.ply and model/ (what pcl_sedr left)
 are drawn.
 """
 import sys
+from collections import Counter
 from pathlib import Path
 
 import matplotlib
@@ -348,6 +349,47 @@ def opened_structure(structure, view):
     return point_actor(structure.xyz[seen], structure.label[seen], 5, lighten=0.1)
 
 
+def read_solid(path, *without):
+    """The sides of a solid's faces that face the room, in the colours of their labels, and the outlines of
+    all elements; faces of the labels in `without` are left out."""
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    count = lambda name: int(header.split(b"element " + name + b" ")[-1].split()[0])
+    points = np.frombuffer(body, "<f4", 3 * count(b"vertex")).reshape(-1, 3)
+    row = np.dtype([("corners", "u1"), ("vertices", "<i4", 3), ("label", "<i4"), ("room", "<i4"), ("element", "<i4")])
+    faces = np.frombuffer(body, row, count(b"face"), points.nbytes)
+    faces = faces[~np.isin(faces["label"], without)]
+    sides = Counter()
+    for (a, b, c), element in zip(faces["vertices"].tolist(), faces["element"].tolist()):
+        sides.update((min(s), max(s), element) for s in ((a, b), (b, c), (c, a)))
+    mesh, outline = vtk.vtkPolyData(), vtk.vtkPolyData()
+    corners = np.ascontiguousarray(points[faces["vertices"][:, ::-1]].reshape(-1, 3))
+    for data, xyz, size in ((mesh, corners, 3), (outline, points, 2)):
+        vertices = vtk.vtkPoints()
+        vertices.SetData(numpy_to_vtk(xyz, deep=True))
+        data.SetPoints(vertices)
+        cells = np.arange(len(corners)).reshape(-1, 3) if size == 3 else \
+            np.array([s[:2] for s, n in sides.items() if n == 1])
+        array = vtk.vtkCellArray()
+        array.SetData(size, numpy_to_vtkIdTypeArray(np.ravel(cells).astype(np.int64), deep=True))
+        (data.SetPolys if size == 3 else data.SetLines)(array)
+    paint(mesh, label_colours(np.repeat(faces["label"], 3)))
+    lines = actor_of(outline)
+    lines.GetProperty().SetColor(*rgb(INK))
+    lines.GetProperty().SetLineWidth(1.5)
+    return [inner_actor(with_normals(mesh)), lines]
+
+
+def floorplan_extrusion(data):
+    study, hall = (data / scene / "model/solid.ply" for scene in ("bls_room", "hls_hall"))
+    fig, axes = new_figure(4.6, [1, 1.35])
+    below = render(read_solid(study, FLOOR), read_mesh(study).GetBounds(), *STUDY_BELOW)
+    above = render(read_solid(hall, CEILING), read_mesh(hall).GetBounds(), *HALL_VIEW)
+    show_render(axes[0], below, "bls_room from below, without its floor")
+    show_render(axes[1], above, "hls_hall without its ceiling")
+    add_legend(fig, [CEILING, FLOOR, WALL, DETAIL, COLUMN])
+    return fig
+
+
 def distances(mesh, truth):
     """Distance of every vertex to the truth, in metres."""
     function = vtk.vtkImplicitPolyDataDistance()
@@ -393,7 +435,7 @@ def indoor_structure_reconstruction(data):
     return fig
 
 
-PICTURES = [overview, mesh_evaluation, indoor_structure_reconstruction]
+PICTURES = [overview, floorplan_extrusion, mesh_evaluation, indoor_structure_reconstruction]
 
 
 def main(data, output, *wanted):

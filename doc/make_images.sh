@@ -77,4 +77,5 @@ echo "== rendering"
 for scene in bls_room hls_hall syn_flat; do
   "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
 done
+cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"
 xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"

@@ -12,6 +12,7 @@ SwappableTriangulation::SwappableTriangulation(
     std::vector<std::array<std::uint32_t, 3>> triangles)
     : points_(points)
     , anchor_(points.size(), none)
+    , degree_(points.size(), 0)
 {
   mesh_.triangles = std::move(triangles);
   connect();
@@ -25,6 +26,7 @@ SwappableTriangulation::connect()
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       anchor_[corner(t, i)] = t;
+      ++degree_[corner(t, i)];
       sides[{corner(t, i), corner(t, i + 1)}] = {t, i};
     }
   for (const auto& [way, side] : sides) {
@@ -73,11 +75,15 @@ SwappableTriangulation::visitAround(std::uint32_t point, Visit visit) const
 SwappableTriangulation::Side
 SwappableTriangulation::find(const Ends& ends) const
 {
+  // About the end with fewer triangles: the other may be the hub of thousands.
+  const bool first_is_less = degree_[ends.first] <= degree_[ends.second];
+  const std::uint32_t here = first_is_less ? ends.first : ends.second;
+  const std::uint32_t there = first_is_less ? ends.second : ends.first;
   Side found;
-  visitAround(ends.first, [&](std::uint32_t t, std::size_t i) {
-    if (corner(t, i + 1) == ends.second)
+  visitAround(here, [&](std::uint32_t t, std::size_t i) {
+    if (corner(t, i + 1) == there)
       found = {t, i};
-    else if (corner(t, i + 2) == ends.second)
+    else if (corner(t, i + 2) == there)
       found = {t, (i + 2) % 3};
     return found.triangle != none;
   });
@@ -199,6 +205,10 @@ SwappableTriangulation::swap(const Side& side)
   relink(beyond_bc, t, u);
   anchor_[a] = anchor_[c] = anchor_[d] = t;
   anchor_[b] = u;
+  --degree_[a];
+  --degree_[b];
+  ++degree_[c];
+  ++degree_[d];
   return std::minmax(c, d);
 }
 

@@ -88,6 +88,7 @@ private:
   const std::vector<GridPoint>& points_;
   PlanTriangulation mesh_;
   std::vector<std::uint32_t> anchor_; ///< a triangle at each point
+  std::vector<std::uint32_t> degree_; ///< triangles at each point
   std::set<Ends> fixed_;
 };
 

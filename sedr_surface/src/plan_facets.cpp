@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/plan_facets.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -63,7 +65,7 @@ public:
     corners = ledThroughCorners(corners);
     dropShort(corners);
     for (std::size_t i = 0; i < corners.size(); ++i)
-      standing_.push_back({corners[i], corners[(i + 1) % corners.size()].place});
+      stand({corners[i], corners[(i + 1) % corners.size()].place});
     return corners;
   }
 
@@ -72,6 +74,42 @@ private:
     Corner from;
     Eigen::Vector2d to;
   };
+
+  /** @brief Some facets one after the other, and a box around what is near to them. */
+  struct Group {
+    std::vector<Facet> facets;
+    Eigen::AlignedBox2d box;
+  };
+
+  void stand(const Facet& facet)
+  {
+    constexpr std::size_t most = 32;
+    if (groups_.empty() || groups_.back().facets.size() == most)
+      groups_.emplace_back();
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(
+        std::max(facet.from.tolerance, facet.from.edge_tolerance));
+    for (const Eigen::Vector2d& end : {facet.from.place, facet.to}) {
+      groups_.back().box.extend(end + margin);
+      groups_.back().box.extend(end - margin);
+    }
+    groups_.back().facets.push_back(facet);
+  }
+
+  /** @brief Calls `visit` for the facets that may be near to a box. */
+  template <typename Visit>
+  void visitNear(const Eigen::AlignedBox2d& box, Visit visit) const
+  {
+    for (const Group& group : groups_)
+      if (group.box.intersects(box))
+        for (const Facet& facet : group.facets)
+          visit(facet);
+  }
+
+  static Eigen::AlignedBox2d reachOf(const Corner& corner)
+  {
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(corner.tolerance);
+    return {corner.place - margin, corner.place + margin};
+  }
 
   /** @brief The nearest of several places within reach of a corner. */
   struct Nearest {
@@ -113,18 +151,20 @@ private:
   {
     Nearest nearest(corner);
     nearest.tolerance = std::min(most, corner.tolerance);
-    for (const Facet& facet : standing_)
+    visitNear(reachOf(corner), [&](const Facet& facet) {
       if (facet.from.is_joint)
         nearest.consider(facet.from.place, std::min(most, facet.from.tolerance));
+    });
     return nearest.place;
   }
 
   Eigen::Vector2d nearestOnEdges(const Corner& corner) const
   {
     Nearest nearest(corner);
-    for (const Facet& facet : standing_)
+    visitNear(reachOf(corner), [&](const Facet& facet) {
       nearest.consider(nearestOn(facet.from.place, facet.to, corner.place),
                        facet.from.edge_tolerance);
+    });
     return nearest.place;
   }
 
@@ -151,14 +191,17 @@ private:
     const double length = (end - from.place).norm();
     const Eigen::Vector2d way = (end - from.place) / length;
     std::vector<std::pair<double, Eigen::Vector2d>> beside;
-    for (const Facet& facet : standing_) {
+    Eigen::AlignedBox2d box = reachOf(from);
+    box.extend(end + Eigen::Vector2d::Constant(from.tolerance));
+    box.extend(end - Eigen::Vector2d::Constant(from.tolerance));
+    visitNear(box, [&](const Facet& facet) {
       const double tolerance = std::max(from.edge_tolerance, facet.from.tolerance);
       const Eigen::Vector2d offset = facet.from.place - from.place;
       const double along = offset.dot(way);
       if (along > tolerance && along < length - tolerance &&
           (offset - along * way).norm() <= tolerance)
         beside.emplace_back(along, facet.from.place);
-    }
+    });
     std::sort(beside.begin(), beside.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Eigen::Vector2d> places;
@@ -179,7 +222,7 @@ private:
       corners.clear();
   }
 
-  std::vector<Facet> standing_;
+  std::vector<Group> groups_;
 };
 
 } // namespace

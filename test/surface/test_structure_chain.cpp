@@ -51,7 +51,8 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
       {"CeilingBoundaryWallGrowing", 2},
       {"FloorplanFitting", 0},
       {"StructureRefinement", 0},
-      {"VerticalHoleRepair", 0}};
+      {"VerticalHoleRepair", 0},
+      {"FloorplanExtrusion", 0}};
   EXPECT_EQ(told, expected);
   EXPECT_GT(walls[1], 1000u);
   EXPECT_GT(walls[2], 1000u);

@@ -29,7 +29,8 @@ double snapTolerance(const PlanElement& element, double fixed);
  * where they are: a corner goes to a corner nearer than the tolerance, else to an edge
  * that is, and an edge is led through corners beside it. The tolerance is the larger of
  * those of the two elements. A chain that shrinks to fewer than three corners is left
- * empty. O(n^2) in the facets. */
+ * empty. O(n) in the facets but for those that are near to each other, O(n^2 / 32) at
+ * worst. */
 std::vector<FacetChain>
 facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance);
 

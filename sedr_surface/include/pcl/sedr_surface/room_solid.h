@@ -50,7 +50,7 @@ struct RoomSolidReport {
  * @param[in,out] elements those of the room are added; a triangle's element is an index
  * into it plus 1
  *
- * Milliseconds for a room of some hundred edges; O(n^2) in the facets. */
+ * Milliseconds for a room of some hundred edges. */
 RoomSolidReport extrudeRoom(const PlanRoom& room,
                             const SolidParameters& parameters,
                             TriangleMesh& solid,
