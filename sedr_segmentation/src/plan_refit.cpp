@@ -16,8 +16,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief Lines of which less is looked at are shifted only, metres. */
-constexpr double least_length_to_turn = 0.5;
+/** @brief Lines of which less is looked at, or whose direction that would tell no
+ * better, are shifted only; metres and radians. */
+constexpr double least_length_to_turn = 0.15;
+constexpr double largest_deviation_of_turn = 0.005;
 
 /** @brief Half width of the band of points that count, in standard deviations. */
 constexpr double band_sigmas = 3;
@@ -47,14 +49,20 @@ public:
     constexpr int rounds = 3;
     std::vector<double> centre;
     std::vector<double> band;
-    for (const Scatter& s : scatterOf(raw_, targets_, parameters_.reach)) {
+    scatters_ = scatterOf(raw_, targets_, parameters_.reach);
+    for (const Scatter& s : scatters_) {
       centre.push_back(s.centre);
       band.push_back(bandOf(s.deviation));
     }
     for (int round = 0; round < rounds; ++round) {
       const std::vector<PatchSums> sums = patchSums(raw_, targets_, centre, band);
       for (std::size_t t = 0; t < targets_.size(); ++t) {
-        const PatchFit fit = fitOf(sums, t);
+        PatchFit fit = fitOf(sums, t);
+        if (fit.count < static_cast<double>(parameters_.least_points)) {
+          if (round > 0)
+            continue;
+          fit = shiftTo(scatters_[t], t);
+        }
         if (fit.count < static_cast<double>(parameters_.least_points))
           continue;
         move(t, fit);
@@ -85,12 +93,17 @@ private:
     }
     if (curves_.curves[t].curve.isCircle())
       return 3;
-    return targets_.lengthOf(t) >= least_length_to_turn ? 2 : 1;
+    const double length = targets_.lengthOf(t);
+    const double deviation = scatters_[t].deviation *
+                             std::sqrt(12.0 / std::max(1.0, scatters_[t].count)) /
+                             length;
+    return length >= least_length_to_turn && deviation <= largest_deviation_of_turn ? 2
+                                                                                    : 1;
   }
 
   PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const
   {
-    constexpr double least_points_of_patch = 8;
+    constexpr double least_points_of_patch = 4;
     const std::size_t first = targets_.firstPatch(t);
     const std::size_t last = targets_.firstPatch(t + 1);
     std::vector<bool> is_top;
@@ -98,6 +111,19 @@ private:
       is_top.push_back(targets_.isTop(t, p));
     return fitPatches(sums, first, last, is_top, parametersOf(t),
                       least_points_of_patch);
+  }
+
+  /** @brief What is left of a line whose points are too few for patches: a shift to
+   * where most of them are. */
+  PatchFit shiftTo(const Scatter& scatter, std::size_t t) const
+  {
+    PatchFit fit;
+    if (t >= curves_.curves.size() || curves_.curves[t].curve.isCircle())
+      return fit;
+    fit.step[0] = scatter.centre;
+    fit.count = scatter.count;
+    fit.deviation = scatter.deviation;
+    return fit;
   }
 
   void move(std::size_t t, const PatchFit& fit)
@@ -173,7 +199,17 @@ private:
   RefitTargets targets_;
   std::vector<bool> is_fitted_;
   std::vector<double> noise_;
+  std::vector<Scatter> scatters_;
 };
+
+/** @brief The noise that a surface may have been misplaced by: that of what it was
+ * found on, or of the scan. */
+double
+noiseOf(std::size_t inliers, double residual, double noise)
+{
+  constexpr double unseen = 0.02;
+  return std::max(noise, inliers > 0 ? residual : unseen);
+}
 
 /** @brief The farthest that a curve has moved along what was measured of it. */
 double
@@ -282,7 +318,9 @@ refitToRaw(Floorplan& plan,
       ++k;
     }
   for (std::size_t c = 0; c < was.size(); ++c) {
-    const double limit = parameters.farthest + refit.noise(c);
+    const double limit =
+        parameters.farthest +
+        noiseOf(was[c].curve.inliers, was[c].curve.residual, refit.noise(c));
     if (!refit.isFitted(c) || moveOf(was[c], curves.curves[c], curves.reach(c)) > limit)
       curves.curves[c] = was[c];
   }

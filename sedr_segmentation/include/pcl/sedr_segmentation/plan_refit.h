@@ -14,7 +14,7 @@ namespace sedr {
 struct RefitParameters {
   double reach = 0.06;    ///< points farther from a surface are not its own, metres
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
-  std::size_t least_points = 50;
+  std::size_t least_points = 20;     ///< of a surface that is fitted
   std::size_t most_points = 8000000; ///< of a larger scan, every k-th point is taken
   unsigned threads = 0;              ///< 0: as many as there are processors
 };
