@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/plan_fit.h>
 
+#include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
@@ -153,6 +154,7 @@ fitPlan(const PointView& points,
         boundaries->push_back(std::move(boundary));
     }
   }
+  regularisePlan(plan);
   if (plan.rooms.empty())
     problem =
         warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();

@@ -57,6 +57,25 @@ public:
    * of the point type, or one room where it has none. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
+  /** @brief The scan that the input cloud was thinned from, of any point type: the plan
+   * is found on the input cloud and then fitted to the scan near each of its elements,
+   * which is more exact by an order of magnitude. Left out, or null: the plan stays as
+   * found.
+   * @param indices the points of it that count; null: all */
+  template <typename RawPointT>
+  void setRawCloud(const shared_ptr<const pcl::PointCloud<RawPointT>>& raw,
+                   const IndicesConstPtr& indices = nullptr)
+  {
+    raw_cloud_ = raw;
+    raw_ = raw ? sedr::PointView(*raw) : sedr::PointView();
+    raw_indices_ = indices;
+  }
+
+  /** @brief Number of threads of the fit to the raw cloud; 0 (default): all processors.
+   */
+  void setNumberOfThreads(unsigned threads) { threads_ = threads; }
+  unsigned getNumberOfThreads() const { return threads_; }
+
   /** @brief Distance of an inlier from its line or circle, metres, above 0 and at
    * most 1. Default 0.05 (paper, Table 1). */
   void setDistanceThreshold(double threshold)
@@ -116,11 +135,17 @@ private:
 
   bool run(sedr::Floorplan& plan);
 
+  bool fitToRaw(sedr::Floorplan& plan);
+
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
   IndicesConstPtr details_;
   IndicesConstPtr walls_;
   std::vector<std::uint32_t> rooms_;
+  std::shared_ptr<const void> raw_cloud_; ///< keeps what raw_ sees
+  sedr::PointView raw_;
+  IndicesConstPtr raw_indices_;
+  unsigned threads_ = 0;
   sedr::RoomFitParameters parameters_;
   std::vector<std::string> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;

@@ -3,6 +3,8 @@
 
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/plan_refit.h>
+#include <pcl/sedr_segmentation/plan_regularisation.h>
 
 #include <cmath>
 #include <string>
@@ -61,6 +63,24 @@ FloorplanFitting<PointT>::validate()
 
 template <typename PointT>
 bool
+FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
+{
+  if (raw_.size() == 0)
+    return true;
+  if (raw_indices_) {
+    const std::string problem = sedr::indicesProblem(*raw_indices_, raw_.size());
+    if (!problem.empty())
+      return fail("FloorplanFitting", "raw cloud: " + problem);
+  }
+  sedr::RefitParameters parameters;
+  parameters.threads = threads_;
+  sedr::refitToRaw(plan, raw_, raw_indices_ ? *raw_indices_ : Indices(), parameters);
+  sedr::regularisePlan(plan);
+  return true;
+}
+
+template <typename PointT>
+bool
 FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
 {
   if (!validate())
@@ -77,7 +97,7 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   std::string problem;
   plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem,
                        warnings_, &boundaries_);
-  return problem.empty() || fail("FloorplanFitting", problem);
+  return problem.empty() ? fitToRaw(plan) : fail("FloorplanFitting", problem);
 }
 
 template <typename PointT>

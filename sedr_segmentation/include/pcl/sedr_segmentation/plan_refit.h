@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief How a plan is fitted to the scan it came from. */
+struct RefitParameters {
+  double reach = 0.06;    ///< points farther from a surface are not its own, metres
+  double farthest = 0.01; ///< a surface moves no farther than this and its noise
+  std::size_t least_points = 20;     ///< of a surface that is fitted
+  std::size_t most_points = 8000000; ///< of a larger scan, every k-th point is taken
+  unsigned threads = 0;              ///< 0: as many as there are processors
+};
+
+/** @brief What became of a plan. */
+struct RefitReport {
+  std::size_t curves = 0; ///< lines and circles that were fitted to the scan
+  std::size_t slabs = 0;
+};
+
+/** @brief The last fit: every line, circle and slab of a plan to the points of the raw
+ * scan near it.
+ *
+ * A plan is found on the means of voxels, each of which counts the same whether a
+ * thousand points are behind it or one, and of which those on a small column are
+ * biased. Here, each surface takes the points of the scan within `reach` of it, of
+ * walls in the upper half and away from the ceiling, away from corners and other
+ * surfaces; finds where most of them are and how far they scatter there; and is fitted
+ * to those by robust least squares (Tukey's biweight), which leaves furniture before it
+ * out. Corners are where the moved curves meet, smooth joints stay so. What would move
+ * farther than its noise explains, or break a loop, stays.
+ *
+ * O(n) for n points; the same for any number of threads.
+ * @param raw the scan; points that are not finite are left out
+ * @param indices those of its points that count; empty: all */
+RefitReport refitToRaw(Floorplan& plan,
+                       const PointView& raw,
+                       const std::vector<int>& indices = {},
+                       const RefitParameters& parameters = {});
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refit_targets.h"
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What the points of a patch say of the surface: their mean distance, and the
+ * mean of how that falls with each of its parameters. */
+struct PatchSums {
+  double count = 0;
+  double sum = 0;     ///< of the distances
+  double squares = 0; ///< of the distances
+  Eigen::Vector3d rows = Eigen::Vector3d::Zero();
+
+  void add(double distance, const Eigen::Vector3d& row);
+  PatchSums& operator+=(const PatchSums& other);
+
+  double mean() const { return count > 0 ? sum / count : 0; }
+};
+
+/** @brief Where most of the points near a surface are, and how far they scatter. */
+struct Scatter {
+  double count = 0;
+  double centre = 0;    ///< distance from the surface, metres
+  double deviation = 0; ///< standard deviation about it, metres
+};
+
+/** @brief The points of a scan that are looked at. */
+struct RawPoints {
+  PointView points;
+  const std::vector<int>* indices = nullptr; ///< null: all
+  std::size_t step = 1;                      ///< every k-th of them
+  unsigned threads = 0;
+
+  std::size_t size() const
+  {
+    return ((indices ? indices->size() : points.size()) + step - 1) / step;
+  }
+
+  std::size_t at(std::size_t k) const
+  {
+    return indices ? static_cast<std::size_t>((*indices)[k * step]) : k * step;
+  }
+};
+
+/** @brief How the points within `reach` scatter about every surface: by the shortest
+ * interval that holds half of them (Rousseeuw 1984), which what is beside a wall hardly
+ * moves. O(n). */
+std::vector<Scatter>
+scatterOf(const RawPoints& raw, const RefitTargets& targets, double reach);
+
+/** @brief Sums of all patches over the points within the `band` of their surface's
+ * `centre`. O(n). Both are the same for any number of threads. */
+std::vector<PatchSums> patchSums(const RawPoints& raw,
+                                 const RefitTargets& targets,
+                                 const std::vector<double>& centre,
+                                 const std::vector<double>& band);
+
+/** @brief A surface fitted to its patches. */
+struct PatchFit {
+  Eigen::Vector3d step = Eigen::Vector3d::Zero(); ///< of its parameters
+  double count = 0;     ///< points of the patches that show it
+  double deviation = 0; ///< standard deviation of these within their patches, metres
+  double share = 0;     ///< of the points near it
+};
+
+/** @brief Fits the first `parameters` parameters of a surface to its patches.
+ *
+ * A patch holds many points, so that its mean is known to a fraction of their
+ * noise: one that something stands before, or that is not the wall's, lies clearly off
+ * and is left out by its biweight (Beaton and Tukey 1974), however much it overlaps the
+ * noise of the others. It starts where half of the patches are nearest to each other
+ * (Rousseeuw 1984), `is_top` patches counting more.
+ * @param least_points of a patch that counts */
+PatchFit fitPatches(const std::vector<PatchSums>& patches,
+                    std::size_t first,
+                    std::size_t last,
+                    const std::vector<bool>& is_top,
+                    Eigen::Index parameters,
+                    double least_points);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refit_targets.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief How far from the ends of an element its points are its own only, metres. */
+constexpr double corner_margin = 0.06;
+
+/** @brief How far from floor, ceiling and steps the points of an upright are its own
+ * only, metres. */
+constexpr double height_margin = 0.08;
+
+/** @brief Edge of a patch of an upright and of a slab, metres. */
+constexpr double upright_patch = 0.1;
+constexpr double slab_patch = 0.25;
+
+/** @brief A part of an element. */
+PlanElement
+part(const PlanElement& e, double from, double to)
+{
+  PlanElement result = e;
+  result.start = e.pointAt(from);
+  result.end = e.pointAt(to);
+  return result;
+}
+
+/** @brief The heights at which a surface shows its own points: of walls the upper half,
+ * as furniture hides the lower. */
+UprightSpan
+heightsOf(UprightKind kind, UprightSpan span)
+{
+  const double height = span.high - span.low;
+  const double margin = std::min(height_margin, height / 4);
+  const bool is_wall = kind == UprightKind::Wall || kind == UprightKind::ColumnFace;
+  return {span.low + (is_wall ? std::max(margin, height / 2) : margin),
+          span.high - margin, true};
+}
+
+bool
+areAlike(const UprightSpan& a, const UprightSpan& b)
+{
+  constexpr double slack = 0.02;
+  return std::abs(a.low - b.low) < slack && std::abs(a.high - b.high) < slack;
+}
+
+/** @brief Smallest box around a loop. */
+std::pair<Eigen::Vector2d, Eigen::Vector2d>
+boundsOf(const PlanLoop& loop)
+{
+  Eigen::Vector2d low = loop.elements[0].start;
+  Eigen::Vector2d high = low;
+  for (const auto& p : loop.polygon(0.01)) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {low, high};
+}
+
+/** @brief Sets to -1 what has a neighbour of another value. */
+std::vector<std::int32_t>
+withoutEdges(const std::vector<std::int32_t>& values,
+             std::int32_t width,
+             std::int32_t height)
+{
+  std::vector<std::int32_t> result(values.size(), -1);
+  for (std::int32_t y = 1; y + 1 < height; ++y)
+    for (std::int32_t x = 1; x + 1 < width; ++x) {
+      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x);
+      bool is_inner = true;
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dx = -1; dx <= 1; ++dx)
+          is_inner = is_inner && values[static_cast<std::size_t>(y + dy) *
+                                            static_cast<std::size_t>(width) +
+                                        static_cast<std::size_t>(x + dx)] == values[at];
+      if (is_inner)
+        result[at] = values[at];
+    }
+  return result;
+}
+
+bool
+isParallel(const PlanSlab& a, const PlanSlab& b)
+{
+  return (a.plane.head<3>() - b.plane.head<3>()).norm() < 1e-9;
+}
+
+} // namespace
+
+RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double reach)
+    : curves_(curves)
+    , reach_(reach)
+    , length_(curves.curves.size(), 0)
+    , depth_(curves.curves.size(), 0)
+{
+  addUprights(plan);
+  for (auto& room : plan.rooms)
+    addSlabs(room);
+  numberPatches();
+  tabulate();
+}
+
+bool
+RefitTargets::isBeside(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  if (!e.isArc()) {
+    const Eigen::Vector2d way = e.end - e.start;
+    const double s = (p - e.start).dot(way);
+    return s >= 0 && s <= way.squaredNorm();
+  }
+  const double s = e.project(p);
+  return (e.start - e.end).norm() < 1e-9 || (s > 0 && s < e.length());
+}
+
+bool
+RefitTargets::isIn(const PlanNiche& niche, const Eigen::Vector2d& p)
+{
+  constexpr double margin = 0.03;
+  const Eigen::Vector2d& start = niche.boundary.elements[0].start;
+  return (p - start).norm() < niche.boundary.length() && niche.boundary.contains(p) &&
+         niche.boundary.distance(p) > margin;
+}
+
+void
+RefitTargets::addUprights(Floorplan& plan)
+{
+  std::map<const PlanElement*, std::size_t> curve_of;
+  for (const auto& loop : curves_.loops)
+    for (std::size_t i = 0; i < loop.curves.size(); ++i)
+      curve_of[&loop.loop->elements[i]] = loop.curves[i];
+  for (const auto& room : plan.rooms)
+    for (const auto& surface : uprightSurfaces(room)) {
+      const auto it = curve_of.find(surface.element);
+      if (it != curve_of.end())
+        addStretches(surface, it->second);
+    }
+}
+
+/** @brief Adds the parts of a surface between which its heights change. */
+void
+RefitTargets::addStretches(const UprightSurface& surface, std::size_t curve)
+{
+  constexpr double step = 0.05;
+  const PlanElement& e = *surface.element;
+  const double length = e.length();
+  if (length <= 0)
+    return;
+  const bool is_round = e.isArc() && (e.start - e.end).norm() < 1e-9;
+  const double margin = is_round ? 0 : std::min(corner_margin, length / 4);
+  const double inner = length - 2 * margin;
+  const auto parts = static_cast<std::size_t>(std::ceil(inner / step));
+  const auto at = [&](std::size_t k) {
+    return margin + inner * static_cast<double>(k) / static_cast<double>(parts);
+  };
+  std::size_t first = 0;
+  UprightSpan span;
+  for (std::size_t k = 0; k <= parts; ++k) {
+    const UprightSpan here =
+        k < parts ? surface.spanAt((at(k) + at(k + 1)) / 2) : UprightSpan{};
+    if (k > 0 && k < parts && areAlike(here, span))
+      continue;
+    if (k > 0)
+      addStretch(surface, curve, at(first), at(k), span);
+    first = k;
+    span = here;
+  }
+}
+
+void
+RefitTargets::addStretch(const UprightSurface& surface,
+                         std::size_t curve,
+                         double from,
+                         double to,
+                         const UprightSpan& span)
+{
+  constexpr double least_height = 0.04;
+  const UprightSpan heights = heightsOf(surface.kind, span);
+  if (heights.high - heights.low < least_height || to <= from)
+    return;
+  const PlanElement& e = *surface.element;
+  const bool is_whole = from <= 0 && to >= e.length();
+  stretches_.push_back(
+      {curve, is_whole ? e : part(e, from, to), heights.low, heights.high});
+  length_[curve] += to - from;
+  depth_[curve] = std::max(depth_[curve], heights.high - heights.low);
+}
+
+/** @brief Numbers a slab; one that is parallel to `parallel_to` follows `parent`. */
+std::size_t
+RefitTargets::addSlab(PlanSlab& slab,
+                      const Eigen::Vector2d& middle,
+                      const Eigen::Vector2d& half,
+                      const PlanSlab* parallel_to,
+                      std::size_t parent)
+{
+  const bool follows = parallel_to && isParallel(slab, *parallel_to);
+  slabs_.push_back({&slab, middle, follows ? parent : slabs_.size(), half});
+  return slabs_.size() - 1;
+}
+
+void
+RefitTargets::addSlabs(PlanRoom& room)
+{
+  constexpr double most_cells = 100000;
+  if (room.boundary.elements.empty())
+    return;
+  const auto [low, high] = boundsOf(room.boundary);
+  const Eigen::Vector2d middle = (low + high) / 2;
+  const Eigen::Vector2d extent = high - low;
+  const Eigen::Vector2d half = extent / 2;
+  const std::size_t ceiling = addSlab(room.ceiling, middle, half, nullptr, 0);
+  for (auto& detail : room.details)
+    addSlab(detail.slab, middle, half, &room.ceiling, ceiling);
+  const std::size_t floor = addSlab(room.floor, middle, half, nullptr, 0);
+  for (auto& detail : room.floor_details)
+    addSlab(detail.slab, middle, half, &room.floor, floor);
+  for (auto& niche : room.niches) {
+    const std::size_t bottom =
+        addSlab(niche.bottom, middle, half, &niche.bottom, floor);
+    const std::size_t top = addSlab(niche.top, middle, half, &niche.top, ceiling);
+    niches_.push_back({&niche, bottom, top});
+  }
+
+  RoomMap map;
+  map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / most_cells));
+  map.low = low;
+  map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
+  map.height = static_cast<std::int32_t>(extent.y() / map.cell) + 1;
+  for (std::int32_t y = 0; y < map.height; ++y)
+    for (std::int32_t x = 0; x < map.width; ++x) {
+      const Eigen::Vector2d p = low + map.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
+      const bool is_inside = room.contains(p);
+      map.ceiling.push_back(
+          is_inside ? static_cast<std::int32_t>(ceiling) + 1 + room.detailAt(p) : -1);
+      map.floor.push_back(is_inside ? static_cast<std::int32_t>(floor) + 1 +
+                                          room.floorDetailAt(p)
+                                    : -1);
+    }
+  map.ceiling = withoutEdges(map.ceiling, map.width, map.height);
+  map.floor = withoutEdges(map.floor, map.width, map.height);
+  rooms_.push_back(std::move(map));
+}
+
+void
+RefitTargets::numberPatches()
+{
+  first_patch_.push_back(0);
+  for (std::size_t c = 0; c < curves_.curves.size(); ++c) {
+    const PlanCurve& curve = curves_.curves[c].curve;
+    const double length =
+        curve.isCircle() ? 2 * M_PI * curve.radius : 2 * curves_.reach(c);
+    along_.push_back(static_cast<std::size_t>(length / upright_patch) + 2);
+    const auto rows = static_cast<std::size_t>(depth_[c] / upright_patch) + 1;
+    first_patch_.push_back(first_patch_.back() + along_.back() * rows);
+  }
+  for (const auto& slab : slabs_) {
+    along_.push_back(static_cast<std::size_t>(2 * slab.half.x() / slab_patch) + 2);
+    const auto rows = static_cast<std::size_t>(2 * slab.half.y() / slab_patch) + 2;
+    first_patch_.push_back(first_patch_.back() + along_.back() * rows);
+  }
+}
+
+/** @brief The patch of a point before a stretch, from the top down. */
+std::size_t
+RefitTargets::patchOf(const Stretch& stretch,
+                      const MeasuredCurve& m,
+                      const Eigen::Vector3d& row,
+                      double z) const
+{
+  const std::size_t c = stretch.curve;
+  const double s = m.curve.isCircle()
+                       ? (std::atan2(row.y(), row.x()) + M_PI) * m.curve.radius
+                       : row[1] + curves_.reach(c);
+  const auto x = std::min(along_[c] - 1,
+                          static_cast<std::size_t>(std::max(0.0, s / upright_patch)));
+  const auto y = static_cast<std::size_t>((stretch.high - z) / upright_patch);
+  return first_patch_[c] + y * along_[c] + x;
+}
+
+std::size_t
+RefitTargets::patchOf(std::size_t slab, const Eigen::Vector2d& p) const
+{
+  const std::size_t number = curves_.curves.size() + slab;
+  const Eigen::Vector2d at =
+      ((p - slabs_[slab].middle + slabs_[slab].half) / slab_patch).cwiseMax(0.0);
+  const auto x = std::min(along_[number] - 1, static_cast<std::size_t>(at.x()));
+  const std::size_t rows =
+      (first_patch_[number + 1] - first_patch_[number]) / along_[number];
+  const auto y = std::min(rows - 1, static_cast<std::size_t>(at.y()));
+  return first_patch_[number] + y * along_[number] + x;
+}
+
+/** @brief Sorts the stretches by the cells that they may be seen in. */
+void
+RefitTargets::tabulate()
+{
+  constexpr double step = 0.05;
+  struct Entry {
+    Cell cell;
+    std::size_t stretch;
+  };
+  std::vector<Entry> entries;
+  CellBox box{{0, 0}, {-1, -1}};
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    const PlanElement& e = stretches_[k].part;
+    const auto parts = static_cast<std::size_t>(std::ceil(e.length() / step)) + 1;
+    for (std::size_t i = 0; i <= parts; ++i) {
+      const Eigen::Vector2d p =
+          e.pointAt(e.length() * static_cast<double>(i) / static_cast<double>(parts));
+      if (!grid_.holds(p.x() - 1, p.y() - 1) || !grid_.holds(p.x() + 1, p.y() + 1))
+        continue;
+      const double around = reach_ + step;
+      const Cell low = grid_.at(p.x() - around, p.y() - around);
+      const Cell high = grid_.at(p.x() + around, p.y() + around);
+      for (std::int32_t y = low.y; y <= high.y; ++y)
+        for (std::int32_t x = low.x; x <= high.x; ++x)
+          entries.push_back({{x, y}, k});
+      if (box.high.x < box.low.x)
+        box = {low, high};
+      box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y)};
+      box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y)};
+    }
+  }
+  if (entries.empty())
+    return;
+  problem_ = maskProblem(box);
+  if (!problem_.empty())
+    return;
+  frame_ = CellMask(box);
+  const auto before = [&](const Entry& a, const Entry& b) {
+    const std::size_t i = frame_.indexOf(a.cell);
+    const std::size_t j = frame_.indexOf(b.cell);
+    return i != j ? i < j : a.stretch < b.stretch;
+  };
+  std::sort(entries.begin(), entries.end(), before);
+  entries.erase(std::unique(entries.begin(), entries.end(),
+                            [](const Entry& a, const Entry& b) {
+                              return a.cell == b.cell && a.stretch == b.stretch;
+                            }),
+                entries.end());
+  first_.assign(frame_.values().size() + 1, 0);
+  for (const auto& entry : entries) {
+    ++first_[frame_.indexOf(entry.cell) + 1];
+    stretch_in_.push_back(entry.stretch);
+  }
+  for (std::size_t i = 1; i < first_.size(); ++i)
+    first_[i] += first_[i - 1];
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/plan_surfaces.h>
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/plan_curves.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The surfaces of a plan, by place: which of them a point of the scan may show.
+ *
+ * Numbered are first the curves of the plan, then its slabs. Each is divided into
+ * patches: a tenth of a metre of an upright, a quarter of a slab. Each has up to
+ * three parameters: a line its shift to the left and its turn about the pivot, a circle
+ * its centre and radius, a slab its rise and its slopes about the middle of its room;
+ * one that is parallel to another only its rise. */
+class RefitTargets {
+public:
+  /** @brief `plan` must stay where it is; moved curves and slabs are seen. */
+  RefitTargets(Floorplan& plan, const PlanCurves& curves, double reach);
+
+  /** @brief Why there is nothing to look up, a sentence; empty otherwise. */
+  const std::string& problem() const { return problem_; }
+
+  std::size_t size() const { return curves_.curves.size() + slabs_.size(); }
+
+  std::size_t slabCount() const { return slabs_.size(); }
+  PlanSlab& slab(std::size_t k) const { return *slabs_[k].slab; }
+  const Eigen::Vector2d& middle(std::size_t k) const { return slabs_[k].middle; }
+
+  /** @brief The slab whose direction slab `k` has; `k` itself where it has its own. */
+  std::size_t parent(std::size_t k) const { return slabs_[k].parent; }
+
+  /** @brief Length of the shown part of a curve that is looked at, metres. */
+  double lengthOf(std::size_t curve) const { return length_[curve]; }
+
+  /** @brief Number of all patches, and the first one of a surface. */
+  std::size_t patchCount() const { return first_patch_.back(); }
+  std::size_t firstPatch(std::size_t number) const { return first_patch_[number]; }
+
+  /** @brief Whether a patch is at the top of a wall, where least stands before it. */
+  bool isTop(std::size_t number, std::size_t patch) const
+  {
+    constexpr std::size_t rows = 3;
+    return number < curves_.curves.size() &&
+           patch - first_patch_[number] < rows * along_[number];
+  }
+
+  /** @brief Calls `see(number, patch, distance, row)` for every surface that a point
+   * may show: its signed distance, and how that falls with each parameter. */
+  template <typename See>
+  void visit(const Eigen::Vector3d& p, See see) const
+  {
+    visitUprights(p, see);
+    visitSlabs(p, see);
+  }
+
+private:
+  /** @brief A part of an upright surface with one height. */
+  struct Stretch {
+    std::size_t curve = 0;
+    PlanElement part; ///< away from corners
+    double low = 0;
+    double high = 0;
+  };
+
+  struct Slab {
+    PlanSlab* slab = nullptr;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    std::size_t parent = 0;                         ///< whose direction it has
+    Eigen::Vector2d half = Eigen::Vector2d::Zero(); ///< extent about the middle
+  };
+
+  /** @brief Which slabs are above and below the cells of a room, -1 none, away from
+   * edges. */
+  struct RoomMap {
+    double cell = 0.05;
+    Eigen::Vector2d low = Eigen::Vector2d::Zero();
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::vector<std::int32_t> ceiling;
+    std::vector<std::int32_t> floor;
+  };
+
+  /** @brief The bottom and top of a niche. */
+  struct NicheSlabs {
+    const PlanNiche* niche = nullptr;
+    std::size_t bottom = 0;
+    std::size_t top = 0;
+  };
+
+  template <typename See>
+  void visitUprights(const Eigen::Vector3d& p, See see) const
+  {
+    const Eigen::Vector2d place = p.head<2>();
+    if (first_.empty() || !grid_.holds(place.x(), place.y()))
+      return;
+    const Cell cell = grid_.at(place.x(), place.y());
+    if (!frame_.isInside(cell))
+      return;
+    const std::size_t at = frame_.indexOf(cell);
+    for (std::size_t k = first_[at]; k < first_[at + 1]; ++k) {
+      const Stretch& stretch = stretches_[stretch_in_[k]];
+      if (p.z() < stretch.low || p.z() > stretch.high || !isBeside(stretch.part, place))
+        continue;
+      const MeasuredCurve& m = curves_.curves[stretch.curve];
+      const double d = m.curve.signedDistance(place);
+      if (std::abs(d) > reach_)
+        continue;
+      Eigen::Vector3d row(1, (place - m.pivot).dot(m.curve.direction), 0);
+      if (m.curve.isCircle())
+        row << (place - m.curve.point).normalized(), 1;
+      see(stretch.curve, patchOf(stretch, m, row, p.z()), d, row);
+    }
+  }
+
+  template <typename See>
+  void visitSlabs(const Eigen::Vector3d& p, See see) const
+  {
+    const auto look = [&](std::size_t k) {
+      const Slab& s = slabs_[k];
+      const double d = distanceAbove(*s.slab, p.cast<float>());
+      if (std::abs(d) <= reach_)
+        see(curves_.curves.size() + k, patchOf(k, p.head<2>()), d,
+            Eigen::Vector3d(1, p.x() - s.middle.x(), p.y() - s.middle.y()));
+    };
+    for (const auto& map : rooms_) {
+      const auto x =
+          static_cast<std::int64_t>(std::floor((p.x() - map.low.x()) / map.cell));
+      const auto y =
+          static_cast<std::int64_t>(std::floor((p.y() - map.low.y()) / map.cell));
+      if (x < 0 || y < 0 || x >= map.width || y >= map.height)
+        continue;
+      const auto at = static_cast<std::size_t>(y * map.width + x);
+      if (map.ceiling[at] >= 0)
+        look(static_cast<std::size_t>(map.ceiling[at]));
+      if (map.floor[at] >= 0)
+        look(static_cast<std::size_t>(map.floor[at]));
+    }
+    for (const auto& n : niches_)
+      if (isIn(*n.niche, p.head<2>())) {
+        look(n.bottom);
+        look(n.top);
+      }
+  }
+
+  std::size_t patchOf(const Stretch& stretch,
+                      const MeasuredCurve& m,
+                      const Eigen::Vector3d& row,
+                      double z) const;
+  std::size_t patchOf(std::size_t slab, const Eigen::Vector2d& p) const;
+  void numberPatches();
+
+  static bool isBeside(const PlanElement& part, const Eigen::Vector2d& p);
+  static bool isIn(const PlanNiche& niche, const Eigen::Vector2d& p);
+
+  void addUprights(Floorplan& plan);
+  void addStretches(const UprightSurface& surface, std::size_t curve);
+  void addStretch(const UprightSurface& surface,
+                  std::size_t curve,
+                  double from,
+                  double to,
+                  const UprightSpan& span);
+  void addSlabs(PlanRoom& room);
+  std::size_t addSlab(PlanSlab& slab,
+                      const Eigen::Vector2d& middle,
+                      const Eigen::Vector2d& half,
+                      const PlanSlab* parallel_to,
+                      std::size_t parent);
+  void tabulate();
+
+  const PlanCurves& curves_;
+  double reach_;
+  std::string problem_;
+  std::vector<Stretch> stretches_;
+  std::vector<double> length_;
+  std::vector<double> depth_;      ///< of each curve's stretches, below their tops
+  std::vector<std::size_t> along_; ///< patches along each curve, and along x of a slab
+  std::vector<std::size_t> first_patch_;
+  std::vector<Slab> slabs_;
+  std::vector<RoomMap> rooms_;
+  std::vector<NicheSlabs> niches_;
+  CellGrid grid_{0.2};
+  CellMask frame_; ///< numbers the cells
+  std::vector<std::size_t> first_;
+  std::vector<std::size_t> stretch_in_;
+};
+
+} // namespace sedr
+} // namespace pcl
