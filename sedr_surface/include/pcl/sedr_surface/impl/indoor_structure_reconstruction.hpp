@@ -64,6 +64,7 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   threads_ = threads;
   voxel_grid_.setNumberOfThreads(threads);
   chain_.wall_growing.setNumberOfThreads(threads);
+  chain_.floorplan_fitting.setNumberOfThreads(threads);
   chain_.refinement.setNumberOfThreads(threads);
   chain_.poisson.setNumberOfThreads(threads);
 }
@@ -128,7 +129,9 @@ IndoorStructureReconstruction<PointT>::findStructure()
   }
   bool is_done = thin(*thinned);
   if (is_done) {
+    chain_.floorplan_fitting.template setRawCloud<PointT>(input_, indices_);
     is_done = chain_.findStructure(thinned);
+    chain_.floorplan_fitting.template setRawCloud<PointT>(nullptr);
     reports_.insert(reports_.end(), chain_.reports.begin(), chain_.reports.end());
     if (!is_done)
       fail(name, chain_.failed_stage + ": " + chain_.problem);
