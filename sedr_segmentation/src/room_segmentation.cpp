@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/hidden_ceiling.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
@@ -15,6 +16,10 @@ namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief How much more than the ceilings is looked at on each side, metres: walls that
+ * something parts from them. */
+constexpr double margin = 0.75;
 
 /** @brief A connected piece of one ceiling. */
 struct Piece {
@@ -432,7 +437,7 @@ boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& paramete
       if (static_cast<double>(k.size()) * cell_area >= 0.1 * parameters.minimum_area)
         boxes.push_back(boxOf(CellSet(std::move(k))));
   }
-  return clusterBoxes(boxes, cellsFor(0.6, parameters.cell_size));
+  return clusterBoxes(boxes, cellsFor(margin, parameters.cell_size));
 }
 
 /** @brief The cells of a ceiling between the pieces of a room, too narrow to be pieces
@@ -481,10 +486,36 @@ makeRoom(const Storey& storey,
   return true;
 }
 
+/** @brief Adds to the rooms from `first` on what something hides of their ceilings. */
+void
+addHiddenCeilings(const Storey& storey,
+                  std::size_t first,
+                  std::vector<RoomRegion>& rooms)
+{
+  CellMask taken(storey.box);
+  for (std::size_t r = first; r < rooms.size(); ++r)
+    taken = unite(taken, CellMask(rooms[r].scope, storey.box));
+  for (std::size_t r = first; r < rooms.size(); ++r) {
+    RoomRegion& room = rooms[r];
+    const int reach = cellsFor(margin, storey.grid.size());
+    const CellMask seen(room.scope, grown(boxOf(room.scope), reach));
+    const CellMask others =
+        subtract(intersect(inverted(CellMask(seen.box())), taken), seen);
+    const CellMask hidden = hiddenCeiling(seen, others, storey.grid, storey.columns,
+                                          storey.levels[room.ceiling_level].slab,
+                                          storey.levels[room.floor_level].slab);
+    room.hidden = hidden.toSet();
+    room.scope = unite(room.scope, room.hidden);
+    room.ceiling = unite(room.ceiling, room.hidden);
+    taken = unite(taken, hidden);
+  }
+}
+
 /** @brief Appends the rooms of one storey. */
 void
 roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
 {
+  const std::size_t first = rooms.size();
   std::vector<Piece> pieces;
   for (std::size_t l = 0; l < storey.levels.size(); ++l)
     if (storey.levels[l].kind == LevelKind::Ceiling)
@@ -501,6 +532,7 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
     if (!members.empty() && makeRoom(storey, members, room))
       rooms.push_back(std::move(room));
   }
+  addHiddenCeilings(storey, first, rooms);
 }
 
 } // namespace

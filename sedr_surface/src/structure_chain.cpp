@@ -277,9 +277,27 @@ StructureChain::partRooms(StageReport& report)
       rooms[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(r + 1);
       ++report.points_out;
     }
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    report.points_out += addHiddenCeiling(r);
   territory_ = territories();
   tellResult("RoomSegmentation");
   return true;
+}
+
+std::size_t
+StructureChain::addHiddenCeiling(std::size_t region)
+{
+  const CellGrid grid(room_segmentation.cell_size);
+  const CellSet& hidden = regions_[region].hidden;
+  const PlanSlab& slab = levels_[regions_[region].ceiling_level].slab;
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    const Eigen::Vector2d place = grid.centre(hidden[i]);
+    cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
+                      static_cast<float>(slab.heightAt(place))});
+    labels.push_back(valueOf(StructureLabel::Ceiling));
+    rooms.push_back(static_cast<std::uint32_t>(region + 1));
+  }
+  return hidden.size();
 }
 
 std::vector<pcl::IndicesPtr>

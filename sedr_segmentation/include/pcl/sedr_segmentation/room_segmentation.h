@@ -28,7 +28,8 @@ struct RoomRegion {
   std::size_t floor_level = 0;
   CellSet
       ceiling; ///< cells of the main ceiling on both sides of beams, small gaps closed
-  CellSet scope; ///< cells of all its ceilings
+  CellSet scope;  ///< cells of all its ceilings
+  CellSet hidden; ///< those of them along walls that something below hides
 };
 
 /** @brief Parts the ceilings of a storey into rooms, largest first.

@@ -81,7 +81,7 @@ public:
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
-  Cloud::Ptr cloud;                  ///< thinned points, then recovered floor points
+  Cloud::Ptr cloud;                  ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
   std::vector<pcl::HorizontalPlane> planes;
@@ -122,6 +122,10 @@ private:
 
   /** @brief Points of a label, of one room or (0) of all. */
   pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
+
+  /** @brief Puts points where something hides a room's ceiling from all stations.
+   * @return how many */
+  std::size_t addHiddenCeiling(std::size_t region);
 
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
