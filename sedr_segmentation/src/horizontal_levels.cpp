@@ -219,25 +219,36 @@ nearestLevels(const std::vector<Level>& levels,
   return nearest;
 }
 
-/** @brief Marks the columns of walls: those with points just below a ceiling, or just
- * above a floor, where a room has none. */
+/** @brief Marks the columns of walls: those with points below a ceiling, or above a
+ * floor, where a room has none, and right below it or above it in a block of three by
+ * three: a tall cupboard ends before. */
 std::vector<std::uint8_t>
 columnsThatGoOn(const std::vector<Candidate>& columns,
-                std::size_t cell_count,
+                const CellSet& cells,
                 const PointView& points,
                 const Level& level,
                 double tolerance)
 {
-  std::vector<std::uint8_t> goes_on(cell_count, 0);
+  std::vector<std::uint8_t> goes_on(cells.size(), 0);
   if (level.kind == LevelKind::Other)
     return goes_on;
+  constexpr std::uint8_t away = 1;
+  constexpr std::uint8_t close = 2;
+  std::vector<std::uint8_t> holds(cells.size(), 0);
   const double into_room = level.kind == LevelKind::Ceiling ? -1 : 1;
   for (const auto& c : columns) {
     const double d =
         into_room *
         distanceAbove(level.slab, points[static_cast<std::size_t>(c.index)]);
     if (d > 1.5 * tolerance && d < 4 * tolerance)
-      goes_on[c.cell] = 1;
+      holds[c.cell] |= d < 2.75 * tolerance ? away | close : away;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!holds[i])
+      continue;
+    const std::vector<std::size_t> block = blockAround(cells, i);
+    goes_on[i] = std::any_of(block.begin(), block.end(),
+                             [&](std::size_t b) { return holds[b] & close; });
   }
   return goes_on;
 }
@@ -332,7 +343,7 @@ collectInliers(std::vector<Level>& levels,
     Level& level = levels[l];
     level.inliers.clear();
     const std::vector<std::uint8_t> goes_on =
-        columnsThatGoOn(columns, cells.size(), points, level, parameters.tolerance);
+        columnsThatGoOn(columns, cells, points, level, parameters.tolerance);
     // Cells with points on the plane itself, and cells with points near it only.
     const double on_plane =
         std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);

@@ -97,6 +97,24 @@ TEST(Levels, WallPointsNearASlabAreNotItsInliers)
   }
 }
 
+TEST(Levels, ACupboardAlmostAsHighAsTheCeilingCutsNothingOffIt)
+{
+  RoomPoints points;
+  const PlanLoop room = rectangle(0, 0, 4, 3);
+  points.slab(room, 0);
+  const std::vector<int> ceiling = points.slab(room, 2.6);
+  points.wall(segment({0, 2.4}, {4, 2.4}), 0, 2.36);
+  const std::vector<Level> cupboard = levelsOf(points);
+  EXPECT_EQ(cupboard.back().inliers, ceiling);
+
+  // A wall does.
+  RoomPoints parted;
+  parted.slab(room, 0);
+  parted.slab(room, 2.6);
+  parted.wall(segment({0, 2.4}, {4, 2.4}), 0, 2.6);
+  EXPECT_LE(levelsOf(parted).back().inliers.size(), ceiling.size() - 80);
+}
+
 TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
 {
   RoomPoints points(0.01, 0.02);
