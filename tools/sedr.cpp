@@ -151,6 +151,7 @@ struct Settings {
   std::uint64_t seed;
   double unit = 1; ///< metres
   bool z_up;
+  bool fixed_grid = false;
   bool pictures = false;
 };
 
@@ -166,6 +167,8 @@ addOptions(Options& options, Settings& s)
                  Range::between(0.001, 1));
   options.number("grid-size", s.grid, "m", "cell of outlier removal and grid-slices",
                  Range::between(0.01, 1));
+  options.flag("fixed-grid", s.fixed_grid,
+               "keep the cells even where the scan is too sparse to fill them");
   options.number("boundary-angle", s.angle, "degrees", "angle of boundary estimation",
                  Range::between(1, 359));
   options.number("boundary-neighbors", s.neighbours, "points",
@@ -193,6 +196,7 @@ apply(const Settings& s, Reconstruction& chain)
   chain.setVoxelSize(static_cast<float>(s.voxel));
   chain.setPlaneTolerance(s.plane_tolerance);
   chain.setGridSize(s.grid);
+  chain.setAdaptiveGrid(!s.fixed_grid);
   chain.setBoundaryEstimation(pcl::deg2rad(s.angle), s.neighbours);
   chain.setMinimumDetailCells(s.minimum_cells);
   chain.setBoundaryTolerance(s.boundary_tolerance);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_segmentation/cell_fill.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 
@@ -72,8 +73,36 @@ StructureChain::StructureChain()
 }
 
 void
+StructureChain::setGridSize(double size)
+{
+  plane_detection.setGridSize(size);
+  outlier_removal.setGridSize(size);
+  room_segmentation.cell_size = size;
+  slice_detail.setGridSize(size);
+  floor_recovery.setGridSize(size);
+  floorplan_fitting.setGridSize(size);
+  hole_repair.setGridSize(size);
+  enlarged_from_ = 0;
+}
+
+/** @brief Larger cells for what looks at the scan; repaired points stay as dense. */
+void
+StructureChain::enlargeCells(double size)
+{
+  const double least = plane_detection.getGridSize();
+  setGridSize(size);
+  hole_repair.setGridSize(least);
+  wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
+                                    2 * (size - least));
+  enlarged_from_ = least;
+}
+
+void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
+  if (enlarged_from_ > 0)
+    enlargeCells(enlarged_from_);
+  enlarged_from_ = 0;
   cloud.reset(new Cloud(*thinned));
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
@@ -184,11 +213,37 @@ StructureChain::checkScan()
 }
 
 bool
-StructureChain::findPlanes(StageReport& report)
+StructureChain::detectPlanes()
 {
   plane_detection.setInputCloud(cloud);
-  if (!plane_detection.segment(planes))
-    return fail(plane_detection.getErrorMessage());
+  return plane_detection.segment(planes) || fail(plane_detection.getErrorMessage());
+}
+
+bool
+StructureChain::findPlanes(StageReport& report)
+{
+  if (!detectPlanes())
+    return false;
+  if (adapts_grid) {
+    const double size = plane_detection.getGridSize();
+    std::vector<CellSet> ceilings;
+    for (const auto& plane : planes)
+      if (plane.kind == LevelKind::Ceiling)
+        ceilings.emplace_back(CellGrid(size), PointView(*cloud), plane.inliers.indices);
+    const double wanted = cellSizeFor(ceilings, size);
+    if (wanted > size) {
+      char text[160];
+      std::snprintf(
+          text, sizeof text,
+          "the scan is too sparse for cells of %.2f m, its ceilings leave some "
+          "empty: cells of %.2f m are used",
+          size, wanted);
+      warnings.push_back(text);
+      enlargeCells(wanted);
+      if (!detectPlanes())
+        return false;
+    }
+  }
   tellResult("HorizontalPlaneDetection");
   std::size_t ceilings = 0;
   std::size_t floors = 0;

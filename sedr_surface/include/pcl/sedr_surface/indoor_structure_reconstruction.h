@@ -51,9 +51,15 @@ public:
     return chain_.plane_detection.getDistanceThreshold();
   }
 
-  /** @brief Grid size of all stages, metres. Default 0.05. */
+  /** @brief Grid size of all stages, metres. Default 0.05. After a run with an adaptive
+   * grid, the size it took. */
   void setGridSize(double size);
   double getGridSize() const { return chain_.outlier_removal.getGridSize(); }
+
+  /** @brief Whether a scan too sparse to fill the cells of its ceilings gets larger ones,
+   * of at most 2.5 times the grid size; a warning tells. Default true. */
+  void setAdaptiveGrid(bool is_adaptive) { chain_.adapts_grid = is_adaptive; }
+  bool getAdaptiveGrid() const { return chain_.adapts_grid; }
 
   /** @brief Angle and neighbours of boundary estimation: radians, number of points.
    * Default 60 degrees and 200. */

@@ -66,8 +66,15 @@ public:
    */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
+  /** @brief Whether a scan too sparse for its cells gets larger ones, see cellSizeFor().
+   */
+  bool adapts_grid = true;
+
   /** @brief Whether a scan in which z seems not to be up is taken as it is. */
   bool trust_up = false;
+
+  /** @brief The cells of all stages, metres. */
+  void setGridSize(double size);
 
   /** @brief Finds the structure: all stages but the mesh.
    * @return false where a stage found nothing; failed_stage and problem say which and
@@ -77,7 +84,8 @@ public:
   /** @brief Makes the mesh of what findStructure() found. */
   bool makeMesh();
 
-  /** @brief Forgets the last run, and takes `thinned` as the cloud. */
+  /** @brief Forgets the last run, the cells it enlarged too, and takes `thinned` as the
+   * cloud. */
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
@@ -109,6 +117,8 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
+  bool detectPlanes();
+  void enlargeCells(double size);
   bool findPlanes(StageReport& report);
   bool removeOutliers(StageReport& report);
   bool partRooms(StageReport& report);
@@ -141,6 +151,7 @@ private:
   /** @brief The points of a room's floor and of its platforms, increasing. */
   pcl::IndicesPtr floorPoints(std::size_t region) const;
 
+  double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points

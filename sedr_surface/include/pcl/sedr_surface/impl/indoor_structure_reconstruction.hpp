@@ -38,14 +38,8 @@ template <typename PointT>
 void
 IndoorStructureReconstruction<PointT>::setGridSize(double size)
 {
-  chain_.plane_detection.setGridSize(size);
-  chain_.outlier_removal.setGridSize(size);
-  chain_.room_segmentation.cell_size = size;
+  chain_.setGridSize(size);
   chain_.wall_growing.setDistanceThreshold(2 * size + getVoxelSize());
-  chain_.slice_detail.setGridSize(size);
-  chain_.floor_recovery.setGridSize(size);
-  chain_.floorplan_fitting.setGridSize(size);
-  chain_.hole_repair.setGridSize(size);
 }
 
 template <typename PointT>

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/cell_fill.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::int32_t square_size = 20;
+constexpr std::size_t least_of_square = 40;
+constexpr double fill_wanted = 0.97;
+constexpr double most_enlargement = 2.5;
+
+/** @brief Cells between two occupied ones. */
+struct Between {
+  std::size_t all = 0;
+  std::size_t occupied = 0;
+};
+
+CellKey
+squareOf(Cell cell)
+{
+  const auto down = [](std::int32_t v) {
+    return (v >= 0 ? v : v - square_size + 1) / square_size;
+  };
+  return keyOf({down(cell.x), down(cell.y)});
+}
+
+/** @brief Counts the cells that follow an occupied one in `way` and precede another. */
+void
+countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares)
+{
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell middle{cells[i].x + way.x, cells[i].y + way.y};
+    if (!cells.contains({middle.x + way.x, middle.y + way.y}))
+      continue;
+    Between& square = squares[squareOf(middle)];
+    ++square.all;
+    square.occupied += cells.contains(middle) ? 1 : 0;
+  }
+}
+
+/** @brief The shares of all squares, increasing. */
+std::vector<double>
+sharesOf(const std::vector<CellSet>& ceilings)
+{
+  std::vector<double> shares;
+  for (const CellSet& cells : ceilings) {
+    std::map<CellKey, Between> squares;
+    countBetween(cells, {1, 0}, squares);
+    countBetween(cells, {0, 1}, squares);
+    for (const auto& [key, square] : squares)
+      if (square.all >= least_of_square)
+        shares.push_back(static_cast<double>(square.occupied) /
+                         static_cast<double>(square.all));
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
+} // namespace
+
+double
+cellSizeFor(const std::vector<CellSet>& ceilings, double size)
+{
+  const std::vector<double> shares = sharesOf(ceilings);
+  if (shares.empty() || shares[shares.size() / 2] >= fill_wanted)
+    return size;
+  const double fill = std::max(shares[shares.size() / 10], 0.01);
+  const double enlargement = std::sqrt(std::log(1 - fill_wanted) / std::log(1 - fill));
+  const double wanted = size * std::clamp(enlargement, 1.0, most_enlargement);
+  return std::max(size, std::round(wanted * 100) / 100);
+}
+
+} // namespace sedr
+} // namespace pcl
