@@ -11,7 +11,7 @@ namespace sedr {
 namespace {
 
 constexpr std::int32_t square_size = 20;
-constexpr std::size_t least_of_square = 40;
+constexpr std::size_t least_of_square = 10;
 constexpr double fill_wanted = 0.97;
 constexpr double most_enlargement = 2.5;
 

@@ -58,4 +58,53 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
   EXPECT_GT(walls[2], 1000u);
 }
 
+/** A room of 4 m x 3 m with a point every `spacing` metres. */
+StructureChain::Cloud::Ptr
+roomOf(double spacing)
+{
+  RoomPoints points(spacing);
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  return points.cloud();
+}
+
+TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
+{
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
+  EXPECT_GT(chain.slice_detail.getGridSize(), 0.09);
+  ASSERT_EQ(chain.warnings.size(), 1u);
+  EXPECT_NE(chain.warnings[0].find("too sparse for cells of 0.05 m"),
+            std::string::npos);
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
+
+  ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
+  EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
+  EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
+  EXPECT_TRUE(chain.warnings.empty());
+}
+
+TEST(StructureChain, KeepsItsCellsWhereItIsAskedTo)
+{
+  StructureChain chain;
+  chain.adapts_grid = false;
+  chain.findStructure(roomOf(0.1));
+  EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
+}
+
+TEST(StructureChain, FindsTheWallBehindADuct)
+{
+  RoomPoints points;
+  const PlanLoop room = rectangle(0.01, 0.01, 5.01, 3.01);
+  points.slab(room, 0);
+  points.slab(room, 2.6, [](double, double y) { return y < 2.65; });
+  for (std::size_t e = 0; e < 4; ++e)
+    points.wall(room.elements[e], 0, e == 2 ? 2.4 : 2.6);
+  points.slab(rectangle(0.05, 2.62, 4.95, 2.8), 2.3);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.plan->rooms[0].area(), 15, 0.01);
+}
+
 } // namespace
