@@ -105,10 +105,10 @@ regionsOf(const PointView& points,
           std::size_t minimum_cells,
           const LevelDraft& draft)
 {
-  const std::vector<std::uint8_t> below = columnsThatGoOn(
-      columns, cells.size(), points, draft.slab, -1, parameters.tolerance);
-  const std::vector<std::uint8_t> above = columnsThatGoOn(
-      columns, cells.size(), points, draft.slab, 1, parameters.tolerance);
+  const std::vector<std::uint8_t> below =
+      columnsThatGoOn(columns, cells, points, draft.slab, -1, parameters.tolerance);
+  const std::vector<std::uint8_t> above =
+      columnsThatGoOn(columns, cells, points, draft.slab, 1, parameters.tolerance);
   std::vector<std::size_t> positions;
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < cells.size(); ++i) {

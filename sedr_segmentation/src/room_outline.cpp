@@ -90,7 +90,7 @@ private:
     const double floor = floor_.heightAt(grid_.centre(cell));
     return columns_.share(cell, top - 0.25, top - 0.08, 1, 1) >= 1 &&
            columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
-           columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.5;
+           columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
   /** @brief Whether the hole is closed by a wall from the floor up to the ceiling,
