@@ -79,8 +79,8 @@ widePart(const CellMask& region, double width, double cell_size)
   return intersect(region, dilated(eroded(region, radius), radius));
 }
 
-/** @brief The floor that goes on most beside a region, or null if that is no step below
- * it. */
+/** @brief The floor that goes on most beside a region, or null if that is at none of
+ * the heights of platforms. */
 const Level*
 floorBeside(const CellMask& region,
             const Level& level,
@@ -108,10 +108,39 @@ floorBeside(const CellMask& region,
                                                                            : nullptr;
 }
 
+/** @brief Whether one can step onto a region, from the floor or from a tread between
+ * that and the region: one at least half as wide as a door along its rim. */
+bool
+isWithinAStep(const CellMask& region,
+              const Level& level,
+              const Level& floor,
+              const std::vector<Level>& levels,
+              const CellGrid& grid,
+              const PlatformParameters& platform)
+{
+  const CellBox& box = region.box();
+  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
+  const double top = level.slab.heightAt(middle);
+  const double bottom = floor.slab.heightAt(middle);
+  if (top - bottom <= platform.greatest_step)
+    return true;
+  const CellMask rim = subtract(dilated(region, 2), region);
+  const auto least = static_cast<std::size_t>(cellsFor(0.4, grid.size()));
+  return std::any_of(levels.begin(), levels.end(), [&](const Level& tread) {
+    const double height = tread.slab.heightAt(middle);
+    return top - height <= platform.greatest_step &&
+           top - height >= platform.least_height &&
+           height - bottom >= platform.least_height &&
+           height - bottom <= platform.greatest_step &&
+           intersect(CellMask(tread.cells, box), rim).count() >= least;
+  });
+}
+
 /** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
  * those found already. */
 CellSet
 platformCells(const Level& level,
+              const std::vector<Level>& levels,
               const std::vector<const Level*>& floors,
               const CellSet& higher,
               const PointView& points,
@@ -143,7 +172,8 @@ platformCells(const Level& level,
     const Level* floor = region.count() < least
                              ? nullptr
                              : floorBeside(region, level, floors, grid, platform);
-    if (floor == nullptr || hasFloorBelow(*floor, region))
+    if (floor == nullptr || hasFloorBelow(*floor, region) ||
+        !isWithinAStep(region, level, *floor, levels, grid, platform))
       continue;
     const Step step{level, *floor, grid, ColumnTable(grid, box, points, indices),
                     CellMask(higher, box)};
@@ -172,7 +202,7 @@ markPlatforms(std::vector<Level>& levels,
     Level& level = levels[l];
     if (level.kind != LevelKind::Other)
       continue;
-    const CellSet cells = platformCells(level, floors, found, points, indices,
+    const CellSet cells = platformCells(level, levels, floors, found, points, indices,
                                         parameters.cell_size, platform);
     if (cells.empty())
       continue;

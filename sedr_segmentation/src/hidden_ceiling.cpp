@@ -95,9 +95,9 @@ private:
       deepest = std::max(deepest, around.from_room);
     }
 
-    bool isHidden(float least_depth) const
+    bool isHidden(float in_cells) const
     {
-      return deepest >= least_depth * least_depth &&
+      return deepest >= in_cells * in_cells &&
              10 * outer_walls >= 8 * outer_edges &&
              10 * inner_walls <= 2 * inner_edges && 10 * covered <= 4 * before_wall;
     }

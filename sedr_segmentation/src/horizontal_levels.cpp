@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_candidates.h"
+#include "level_parting.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -13,6 +14,9 @@ namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief A plane is fitted to its regions and these found anew at most so often. */
+constexpr int most_rounds = 10;
 
 /** @brief A stretch [first, last) of candidates sorted by height, and its number of
  * cells. */
@@ -88,17 +92,18 @@ markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
   return CellSet::fromSorted(std::move(keys));
 }
 
-/** @brief Positions of the candidates within `band` of the slab. */
+/** @brief Positions of the candidates within `band` of the plane of a level. */
 std::vector<std::size_t>
-nearSlab(const PointView& points,
-         const std::vector<Candidate>& candidates,
-         const PlanSlab& slab,
-         double band)
+nearPlane(const PointView& points,
+          const std::vector<Candidate>& candidates,
+          const LevelDraft& draft,
+          double band)
 {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const auto p = points[static_cast<std::size_t>(candidates[k].index)];
-    if (std::abs(distanceAbove(slab, p)) <= band)
+    if (!draft.apart[candidates[k].cell] &&
+        std::abs(distanceAbove(draft.slab, p)) <= band)
       near.push_back(k);
   }
   return near;
@@ -196,11 +201,12 @@ slabOfWindow(const PointView& points,
   return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
 }
 
-/** @brief The level nearest to each point, if within the tolerance; else the number of
- * levels. */
+/** @brief The level nearest to each point, of those that may have points in its cell,
+ * if within the tolerance; else the number of levels. */
 std::vector<std::size_t>
 nearestLevels(const std::vector<Level>& levels,
               const std::vector<Candidate>& columns,
+              const CellSet& cells,
               const PointView& points,
               double tolerance)
 {
@@ -210,47 +216,14 @@ nearestLevels(const std::vector<Level>& levels,
     for (std::size_t l = 0; l < levels.size(); ++l) {
       const double d = std::abs(distanceAbove(
           levels[l].slab, points[static_cast<std::size_t>(columns[k].index)]));
-      if (d > least || (d == least && nearest[k] != levels.size()))
+      if (d > least || (d == least && nearest[k] != levels.size()) ||
+          levels[l].without.contains(cells[columns[k].cell]))
         continue;
       least = d;
       nearest[k] = l;
     }
   }
   return nearest;
-}
-
-/** @brief Marks the columns of walls: those with points below a ceiling, or above a
- * floor, where a room has none, and right below it or above it in a block of three by
- * three: a tall cupboard ends before. */
-std::vector<std::uint8_t>
-columnsThatGoOn(const std::vector<Candidate>& columns,
-                const CellSet& cells,
-                const PointView& points,
-                const Level& level,
-                double tolerance)
-{
-  std::vector<std::uint8_t> goes_on(cells.size(), 0);
-  if (level.kind == LevelKind::Other)
-    return goes_on;
-  constexpr std::uint8_t away = 1;
-  constexpr std::uint8_t close = 2;
-  std::vector<std::uint8_t> holds(cells.size(), 0);
-  const double into_room = level.kind == LevelKind::Ceiling ? -1 : 1;
-  for (const auto& c : columns) {
-    const double d =
-        into_room *
-        distanceAbove(level.slab, points[static_cast<std::size_t>(c.index)]);
-    if (d > 1.5 * tolerance && d < 4 * tolerance)
-      holds[c.cell] |= d < 2.75 * tolerance ? away | close : away;
-  }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!holds[i])
-      continue;
-    const std::vector<std::size_t> block = blockAround(cells, i);
-    goes_on[i] = std::any_of(block.begin(), block.end(),
-                             [&](std::size_t b) { return holds[b] & close; });
-  }
-  return goes_on;
 }
 
 /** @brief The cells of a set that lie in a block of five by five with more cells of the
@@ -272,6 +245,16 @@ withoutFringes(const CellSet& cells)
       kept.insert(kept.end(), block.begin(), block.end());
   }
   return CellSet(std::move(kept));
+}
+
+/** @brief A level that was parted from earlier ones has no points in the cells of
+ * these. */
+void
+keepApart(const std::vector<Level>& earlier, Level& level)
+{
+  for (const Level& other : earlier)
+    if (2 * intersect(level.cells, other.without).size() > level.cells.size())
+      level.without = unite(level.without, subtract(other.cells, level.cells));
 }
 
 } // namespace
@@ -299,19 +282,29 @@ findLevels(const PointView& points,
         densestWindow(candidates, 2 * parameters.tolerance, cells.size());
     if (window.cells < minimum_cells)
       break;
-    Level level;
-    level.slab = slabOfWindow(points, candidates, window, parameters,
+    LevelDraft draft;
+    draft.slab = slabOfWindow(points, candidates, window, parameters,
                               parameters.seed + levels.size());
-    std::vector<std::size_t> own =
-        nearSlab(points, candidates, level.slab, parameters.tolerance);
-    const std::vector<std::uint8_t> marked = cellsOf(candidates, own, cells.size());
-    level.cells = markedCells(cells, marked);
+    draft.apart.assign(cells.size(), 0);
+    std::vector<std::size_t> own;
+    bool has_changed = true;
+    for (int round = 0; round < most_rounds && has_changed; ++round) {
+      own = nearPlane(points, candidates, draft, parameters.tolerance);
+      draft.cells = cellsOf(candidates, own, cells.size());
+      has_changed = partLevel(points, columns, candidates, cells, parameters,
+                              minimum_cells, draft);
+    }
+    Level level;
+    level.slab = draft.slab;
+    level.cells = markedCells(cells, draft.cells);
     if (level.cells.size() >= minimum_cells &&
-        standsOut(points, columns, withNeighbours(cells, marked), level.slab,
+        standsOut(points, columns, withNeighbours(cells, draft.cells), level.slab,
                   parameters.tolerance)) {
       // Its tails would look like further levels, just above and below.
-      own = nearSlab(points, candidates, level.slab,
-                     reachOfNoise(level.slab, parameters.tolerance));
+      own = nearPlane(points, candidates, draft,
+                      reachOfNoise(level.slab, parameters.tolerance));
+      level.without = markedCells(cells, draft.apart);
+      keepApart(levels, level);
       levels.push_back(std::move(level));
     }
     else { // no plane there after all: the window's points are clutter
@@ -338,12 +331,17 @@ collectInliers(std::vector<Level>& levels,
   const CellSet cells(grid, points, indices);
   const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
   const std::vector<std::size_t> nearest =
-      nearestLevels(levels, columns, points, parameters.tolerance);
+      nearestLevels(levels, columns, cells, points, parameters.tolerance);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     Level& level = levels[l];
     level.inliers.clear();
+    // Just below a ceiling, or just above a floor, a room has nothing: a wall has.
     const std::vector<std::uint8_t> goes_on =
-        columnsThatGoOn(columns, cells, points, level, parameters.tolerance);
+        level.kind == LevelKind::Other
+            ? std::vector<std::uint8_t>(cells.size(), 0)
+            : columnsThatGoOn(columns, cells, points, level.slab,
+                              level.kind == LevelKind::Ceiling ? -1 : 1,
+                              parameters.tolerance);
     // Cells with points on the plane itself, and cells with points near it only.
     const double on_plane =
         std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);

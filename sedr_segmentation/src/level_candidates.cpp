@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_candidates.h"
 
+#include <pcl/sedr_filters/plane_fit.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -101,6 +103,34 @@ withoutWalls(const std::vector<Candidate>& sorted,
               return a.z != b.z ? a.z < b.z : a.index < b.index;
             });
   return horizontal;
+}
+
+std::vector<std::uint8_t>
+columnsThatGoOn(const std::vector<Candidate>& columns,
+                const CellSet& cells,
+                const PointView& points,
+                const PlanSlab& slab,
+                double direction,
+                double tolerance)
+{
+  constexpr std::uint8_t away = 1;
+  constexpr std::uint8_t close = 2;
+  std::vector<std::uint8_t> holds(cells.size(), 0);
+  for (const Candidate& c : columns) {
+    const double d =
+        direction * distanceAbove(slab, points[static_cast<std::size_t>(c.index)]);
+    if (d > 1.5 * tolerance && d < 4 * tolerance)
+      holds[c.cell] |= d < 2.75 * tolerance ? away | close : away;
+  }
+  std::vector<std::uint8_t> goes_on(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!holds[i])
+      continue;
+    const std::vector<std::size_t> block = blockAround(cells, i);
+    goes_on[i] = std::any_of(block.begin(), block.end(),
+                             [&](std::size_t b) { return holds[b] & close; });
+  }
+  return goes_on;
 }
 
 } // namespace sedr

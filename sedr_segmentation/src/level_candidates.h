@@ -2,9 +2,11 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -37,6 +39,17 @@ std::vector<std::size_t> blockAround(const CellSet& cells, std::size_t at);
 std::vector<Candidate> withoutWalls(const std::vector<Candidate>& columns,
                                     const CellSet& cells,
                                     double tolerance);
+
+/** @brief Marks the columns of walls: those that go on beyond a plane, with points one
+ * and a half to four tolerances above it where `direction` is 1, below it where it is
+ * -1, and right beside it, up to 2.75 tolerances, in a block of three by three: a tall
+ * cupboard ends before. O(n log n). */
+std::vector<std::uint8_t> columnsThatGoOn(const std::vector<Candidate>& columns,
+                                          const CellSet& cells,
+                                          const PointView& points,
+                                          const PlanSlab& slab,
+                                          double direction,
+                                          double tolerance);
 
 } // namespace sedr
 } // namespace pcl

@@ -51,6 +51,8 @@ public:
     room = withoutFalseNotches(room);
     room = withoutFalseProtrusions(room);
     result.room = largestRegion(room);
+    result.lost_area = static_cast<double>(room.count() - result.room.count()) *
+                       grid_.size() * grid_.size();
     return result;
   }
 
@@ -80,13 +82,15 @@ private:
   }
 
   /** @brief Whether something stands in the column or beside it, up to just below the
-   * ceiling and over half of the room's height. */
+   * ceiling, over half of the room's height and of its upper half too: a lamp above a
+   * cupboard leaves that open. */
   bool isFloorToCeiling(Cell cell) const
   {
     const double top = ceiling_.heightAt(grid_.centre(cell));
     const double floor = floor_.heightAt(grid_.centre(cell));
     return columns_.share(cell, top - 0.25, top - 0.08, 1, 1) >= 1 &&
-           columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5;
+           columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
+           columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
   /** @brief Whether the hole is closed by a wall from the floor up to the ceiling,

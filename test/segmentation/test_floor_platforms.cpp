@@ -114,11 +114,23 @@ TEST(Platforms, ATableAlongAWallIsNoneForTheFloorIsSeenBelow)
 
 TEST(Platforms, ABedIsTooHigh)
 {
+  for (const double height : {0.4, 0.45, 0.55}) {
+    PlanRoom room = hall();
+    room.floor_details = {detailOf(rectangle(3, 2.4, 5, 4), height)};
+    RoomPoints points;
+    points.room(room);
+    expectFloors(points, {0});
+  }
+}
+
+TEST(Platforms, OneThatAStepLeadsToIsAFloorHoweverHigh)
+{
   PlanRoom room = hall();
-  room.floor_details = {detailOf(rectangle(3, 2.4, 5, 4), 0.55)};
+  room.floor_details = {detailOf(rectangle(3.1, 0, 5, 4), 0.25),
+                        detailOf(rectangle(3.5, 0, 5, 4), 0.5)};
   RoomPoints points;
   points.room(room);
-  expectFloors(points, {0});
+  expectFloors(points, {0, 0.25, 0.5});
 }
 
 } // namespace

@@ -229,6 +229,50 @@ TEST(Levels, ASlabThatLeansIsOneLevel)
   EXPECT_EQ(levels[1].inliers, besideWalls(points, parts.ceiling, parts.walls));
 }
 
+/** Four rooms about a cross of walls, their ceilings at these heights. */
+RoomPoints
+fourRooms(const std::vector<double>& ceilings, double noise)
+{
+  RoomPoints points(0.05, noise);
+  for (std::size_t r = 0; r < 4; ++r) {
+    const double x = r % 2 == 0 ? 0 : 4.7;
+    const double y = r < 2 ? 0 : 4.2;
+    points.room(rectangle(x, y, x + 4.5, y + 4), 0, ceilings[r]);
+  }
+  return points;
+}
+
+TEST(Levels, CeilingsOfRoomsAFewCentimetresApartAreLevelsOfTheirOwn)
+{
+  for (const double noise : {0.0, 0.01, 0.02}) {
+    const RoomPoints points = fourRooms({2.5, 2.58, 2.5, 2.66}, noise);
+    const auto levels = levelsOf(points);
+    expectHeights(levels, {0, 2.5, 2.58, 2.66}, 0.002 + 0.4 * noise);
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+      EXPECT_NEAR(levels[l].slab.plane[2], 1, 5e-6);
+      std::size_t elsewhere = 0;
+      for (const int i : levels[l].inliers) {
+        const auto p = points[i];
+        const double ceiling = p.x() < 4.6 ? 2.5 : p.y() < 4.1 ? 2.58 : 2.66;
+        elsewhere += std::abs(levels[l].height - ceiling) < 0.01 ? 0 : 1;
+      }
+      EXPECT_LE(elsewhere, levels[l].inliers.size() / 200);
+    }
+  }
+}
+
+TEST(Levels, RoomsUnderOneLeaningSlabShareALevel)
+{
+  RoomPoints points(0.05, 0.01);
+  const PlanSlab slab = slabAt(2.5, std::tan(1 * M_PI / 180));
+  for (const double x : {0.0, 4.1, 8.2}) {
+    PlanRoom room = roomOf(rectangle(x, 0, x + 4, 3), 2.5);
+    room.ceiling = slab;
+    points.room(room);
+  }
+  expectHeights(levelsOf(points), {0, 2.5}, 0.003);
+}
+
 TEST(Levels, NoiseOfTwoCentimetresDoesNotMoveThem)
 {
   RoomPoints points(0.05, 0.02);

@@ -95,6 +95,25 @@ TEST(OutlineRoom, TheHoleOfALampIsFilled)
   EXPECT_TRUE(outline.columns.empty());
 }
 
+TEST(OutlineRoom, ALampAboveACupboardIsNoColumn)
+{
+  Scene scene([](double x, double y) { return !within(x, y, 1.5, 1, 2.1, 1.6); });
+  scene.box(1.5, 1, 2.1, 1.6, 0, 1.5);
+  scene.box(1.5, 1, 2.1, 1.6, 2.25, height);
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
+TEST(OutlineRoom, WhatIsFarFromTheLargestPartIsTold)
+{
+  EXPECT_EQ(Scene().outline().lost_area, 0);
+  const RoomOutline outline =
+      Scene([](double x, double) { return x < 2.51 || x > 3.51; }).outline();
+  EXPECT_NEAR(areaOf(outline.room), 7.5, 0.01);
+  EXPECT_NEAR(outline.lost_area, 1.5, 0.01);
+}
+
 TEST(OutlineRoom, AColumnIsKeptAsAHoleOfTheRoomThatItStandsIn)
 {
   Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.91, 1.41); });

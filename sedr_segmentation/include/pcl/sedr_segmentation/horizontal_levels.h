@@ -22,6 +22,7 @@ struct LevelParameters {
   double maximum_tilt = 0.0524;     ///< a plane leans at most so much, 3 degrees
   double minimum_area = 1.0;        ///< square metres of occupied cells
   double minimum_room_height = 1.8; ///< from a floor to its ceiling
+  double least_step = 0.06; ///< rooms whose slabs differ by less may share a level
   std::uint64_t seed = 1;
 };
 
@@ -33,7 +34,8 @@ struct Level {
   std::vector<int>
       inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
-  CellSet within; ///< if not empty, only points of these cells are inliers
+  CellSet within;  ///< if not empty, only points of these cells are inliers
+  CellSet without; ///< points of these cells are not: they belong to another level
 };
 
 /** @brief What is seen how often at each height: where levels are looked for. */
@@ -53,9 +55,10 @@ struct HeightHistogram {
  *
  * Points of walls are set aside first: those with neighbours both above and below in
  * their own grid column. The density of the others' heights, counted in distinct cells,
- * says where a level is; RANSAC finds the plane there, and the search goes on without
- * its points until the best level left is smaller than the minimum area. O(n log n)
- * plus O(n) for each level.
+ * says where a level is; RANSAC finds the plane there, regions that walls part from
+ * each other are parted where their own planes are a step apart, and the search goes on
+ * without its points until the best level left is smaller than the minimum area. O(n
+ * log n) plus O(n) for each level.
  * @param[out] histogram of all heights before the search, if wanted */
 std::vector<Level> findLevels(const PointView& points,
                               const std::vector<int>& indices,

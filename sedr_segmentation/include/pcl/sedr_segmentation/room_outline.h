@@ -14,7 +14,8 @@ namespace sedr {
 struct RoomOutline {
   CellMask room; ///< what lies below its ceilings, gaps of the scan closed
   std::vector<CellMask>
-      columns; ///< holes of the room with a wall around, floor to ceiling
+      columns;          ///< holes of the room with a wall around, floor to ceiling
+  double lost_area = 0; ///< of the parts that are far from the largest, square metres
 };
 
 /** @brief Makes a room's cells whole.
@@ -22,8 +23,9 @@ struct RoomOutline {
  * `seen` are the cells in which a ceiling or a detail was seen. Notches of its outline
  * are closed and thin protrusions cut off where no wall stands along them: there,
  * something hid the ceiling, or it was seen through an opening. Holes are closed unless
- * a wall goes up to the ceiling around them: such a hole is a column; a lamp and a
- * cupboard are not.
+ * a wall goes up to the ceiling around them: such a hole is a column; a lamp, a
+ * cupboard, and the one above the other are not. Of several parts too far from each
+ * other to be joined the largest is the room.
  *
  * @param seen in a box with a margin of at least 12 cells
  * @param columns all points around the room
