@@ -20,6 +20,7 @@ namespace {
 struct HeightMap {
   CellMask room;
   std::vector<std::int32_t> label;
+  std::vector<std::int32_t> seen; ///< the labels of what was seen, -1 where filled
   PlanSlab main;
   std::vector<PlanSlab> details; ///< of labels 1, 2, ...
 
@@ -114,6 +115,7 @@ seenHeights(const PointView& points,
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map{room,
                 std::vector<std::int32_t>(room.values().size(), -1),
+                {},
                 main_slab,
                 {}};
   const CellMask main =
@@ -139,6 +141,7 @@ seenHeights(const PointView& points,
           map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }
+  map.seen = map.label;
   return map;
 }
 
@@ -149,19 +152,14 @@ fillHeights(HeightMap& map)
   growLabels(map.room, std::numeric_limits<int>::max(), map.label);
 }
 
-/** @brief The curves of a loop, as known curves for what meets it. */
+/** @brief Adds what of a loop others may follow. */
 void
-appendCurves(const PlanLoop& loop, std::vector<PlanCurve>& curves)
+appendElements(const PlanLoop& loop, std::vector<PlanElement>& elements)
 {
-  for (const auto& e : loop.elements) {
-    PlanCurve curve = lineThrough(e.start, e.end);
-    if (e.isArc()) {
-      curve.point = e.centre;
-      curve.radius = e.radius;
-    }
-    if (e.length() > 0.1)
-      curves.push_back(curve);
-  }
+  constexpr double shortest = 0.1;
+  for (const auto& e : loop.elements)
+    if (e.length() > shortest)
+      elements.push_back(e);
 }
 
 /** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie
@@ -199,17 +197,48 @@ stepBeside(const HeightMap& map,
   return high - low >= least_step;
 }
 
+/** @brief Whether what shows at a point goes on beyond the riser between two heights: a
+ * shelf that stands before it, or hangs from it. */
+bool
+goesOn(const ColumnTable& columns,
+       Cell cell,
+       double z,
+       double low,
+       double high,
+       bool is_floor)
+{
+  constexpr double gap = 0.12;
+  constexpr double beyond = 0.15;
+  const std::vector<ColumnRun> runs = columns.runs(cell, gap);
+  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
+    return run.low <= z && z <= run.high &&
+           (is_floor ? run.high > high + beyond : run.low < low - beyond);
+  });
+}
+
+/** @brief Whether a point is at the height of any slab, such as the tread of a step
+ * between floor and platform. */
+bool
+isOnSlab(const HeightMap& map, const Eigen::Vector3f& p, double margin)
+{
+  return std::abs(distanceAbove(map.main, p)) <= margin ||
+         std::any_of(map.details.begin(), map.details.end(), [&](const PlanSlab& slab) {
+           return std::abs(distanceAbove(slab, p)) <= margin;
+         });
+}
+
 /** @brief Points in plan that show edges of details: those between two heights beside
  * each other. */
 std::vector<Eigen::Vector2d>
 riserPoints(const PointView& points,
-            const std::vector<int>& around,
+            const SlabEvidence& evidence,
             const HeightMap& map,
+            const ColumnTable& columns,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
   std::vector<Eigen::Vector2d> risers;
-  for (const int i : around) {
+  for (const int i : evidence.around) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Cell cell = grid.at(p.x(), p.y());
     double low = 0;
@@ -217,7 +246,8 @@ riserPoints(const PointView& points,
     if (!map.room.isInside(cell) || !stepBeside(map, grid, cell, low, high))
       continue;
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
-    if (p.z() > low + margin && p.z() < high - margin)
+    if (p.z() > low + margin && p.z() < high - margin && !isOnSlab(map, p, margin) &&
+        !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
       risers.push_back(p.head<2>().cast<double>());
   }
   return risers;
@@ -303,17 +333,52 @@ dropUnsupported(HeightMap& map, const ColumnTable& columns, const CellGrid& grid
   }
 }
 
+/** @brief The cells of a detail, less those unseen that are within larger ones: behind
+ * what hides an edge, it goes on straight. */
+CellMask
+cellsOf(const HeightMap& map,
+        std::int32_t label,
+        const std::vector<PlanDetail>& larger,
+        const CellGrid& grid)
+{
+  CellMask cells(map.room.box());
+  for (std::size_t i = 0; i < map.label.size(); ++i) {
+    const auto encloses = [&](const PlanDetail& d) {
+      return d.boundary.contains(grid.centre(cells.cellAt(i)));
+    };
+    if (map.label[i] == label &&
+        (map.seen[i] == label || std::none_of(larger.begin(), larger.end(), encloses)))
+      cells.values()[i] = 1;
+  }
+  return cells;
+}
+
+/** @brief The labels of the details, the widest first. */
+std::vector<std::int32_t>
+widestFirst(const HeightMap& map)
+{
+  std::vector<std::size_t> sizes(map.details.size() + 1, 0);
+  for (const std::int32_t l : map.label)
+    if (l > 0)
+      ++sizes[static_cast<std::size_t>(l)];
+  std::vector<std::int32_t> labels;
+  for (std::size_t k = 1; k < sizes.size(); ++k)
+    labels.push_back(static_cast<std::int32_t>(k));
+  std::stable_sort(labels.begin(), labels.end(), [&](std::int32_t a, std::int32_t b) {
+    return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
+  });
+  return labels;
+}
+
 PlanDetail
 fitDetail(const HeightMap& map,
+          const CellMask& cells,
           bool is_floor,
           std::int32_t label,
           const PlanPoints& risers,
-          const std::vector<PlanCurve>& walls,
+          const std::vector<PlanElement>& others,
           const RoomFitParameters& parameters)
 {
-  CellMask cells(map.room.box());
-  for (std::size_t i = 0; i < map.label.size(); ++i)
-    cells.values()[i] = map.label[i] == label ? 1 : 0;
   PlanDetail detail;
   detail.slab = map.slabOf(label);
   // The cells of a riser belong to the lower of its two ceilings, the higher of its
@@ -332,10 +397,10 @@ fitDetail(const HeightMap& map,
       [](const Contour& a, const Contour& b) { return signedArea(a) < signedArea(b); });
   if (largest == contours.end() || !(signedArea(*largest) > 0))
     return detail;
-  detail.boundary = fitLoop(*largest, risers, walls, loop);
+  detail.boundary = fitLoop(*largest, risers, others, loop);
   for (const auto& contour : contours)
     if (signedArea(contour) < -parameters.minimum_detail_area)
-      detail.holes.push_back(fitLoop(contour, risers, walls, loop));
+      detail.holes.push_back(fitLoop(contour, risers, others, loop));
   return detail;
 }
 
@@ -358,20 +423,22 @@ fitDetails(const PointView& points,
     fillHiddenParts(map, columns, grid);
   dropUnsupported(map, columns, grid);
   std::vector<Eigen::Vector2d> edges =
-      riserPoints(points, evidence.around, map, parameters);
+      riserPoints(points, evidence, map, columns, parameters);
   appendPoints(room.boundary, edges);
   const PlanPoints risers(std::move(edges), 0.1);
-  std::vector<PlanCurve> walls;
-  appendCurves(room.boundary, walls);
+  std::vector<PlanElement> others;
+  appendElements(room.boundary, others);
   for (const auto& column : room.columns)
-    appendCurves(column, walls);
+    appendElements(column, others);
 
   std::vector<PlanDetail> details;
-  for (std::size_t k = 1; k <= map.details.size(); ++k) {
-    PlanDetail detail = fitDetail(map, evidence.is_floor, static_cast<std::int32_t>(k),
-                                  risers, walls, parameters);
-    if (!detail.boundary.elements.empty())
-      details.push_back(std::move(detail));
+  for (const std::int32_t label : widestFirst(map)) {
+    PlanDetail detail = fitDetail(map, cellsOf(map, label, details, grid),
+                                  evidence.is_floor, label, risers, others, parameters);
+    if (detail.boundary.elements.empty())
+      continue;
+    appendElements(detail.boundary, others);
+    details.push_back(std::move(detail));
   }
   std::stable_sort(details.begin(), details.end(), [](const auto& a, const auto& b) {
     return a.boundary.area() > b.boundary.area();

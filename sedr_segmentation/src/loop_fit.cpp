@@ -119,11 +119,36 @@ dropPoints(PlanLoop& loop)
   }
 }
 
+/** @brief The curves of some elements, each once. */
+std::vector<PlanCurve>
+curvesOf(const std::vector<PlanElement>& elements)
+{
+  constexpr double exactness = 1e-6;
+  std::vector<PlanCurve> curves;
+  for (const auto& e : elements) {
+    const auto runsAlong = [&](const PlanCurve& curve) {
+      return curve.isCircle() == e.isArc() && curve.distance(e.start) < exactness &&
+             curve.distance(e.pointAt(e.length() / 2)) < exactness &&
+             curve.distance(e.end) < exactness;
+    };
+    if (std::any_of(curves.begin(), curves.end(), runsAlong))
+      continue;
+    PlanCurve curve = lineThrough(e.start, e.end);
+    if (e.isArc()) {
+      curve.point = e.centre;
+      curve.radius = e.radius;
+    }
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
 /** @brief Fits the links to the evidence and improves them by it, in turn. */
 void
 revise(LoopChain& chain,
        const std::vector<ContourSample>& samples,
        const PlanPoints& evidence,
+       const std::vector<PlanElement>& others,
        const std::vector<PlanCurve>& known,
        const LoopParameters& parameters)
 {
@@ -131,7 +156,8 @@ revise(LoopChain& chain,
     return;
   refitLinks(chain, evidence, parameters);
   const Guides guides{mainDirections(linesOf(chain, known)), known};
-  const PathCost cost(samples, evidence, guides.directions, noiseOf(chain), parameters);
+  const PathCost cost(samples, evidence, guides.directions, others, noiseOf(chain),
+                      parameters);
   reviseChain(chain, cost, evidence, guides, parameters);
   for (int round = 0; round < 2; ++round) {
     refitLinks(chain, evidence, parameters);
@@ -145,7 +171,7 @@ revise(LoopChain& chain,
 PlanLoop
 fitLoop(const Contour& contour,
         const PlanPoints& evidence,
-        const std::vector<PlanCurve>& known,
+        const std::vector<PlanElement>& known,
         const LoopParameters& parameters,
         std::vector<ContourSample>* places)
 {
@@ -155,11 +181,12 @@ fitLoop(const Contour& contour,
       sampleContour(contour, evidence, parameters);
   if (places)
     *places = samples;
-  const std::vector<Run> runs = findRuns(samples, evidence, known, parameters);
+  const std::vector<PlanCurve> curves = curvesOf(known);
+  const std::vector<Run> runs = findRuns(samples, evidence, curves, parameters);
   if (!runs.empty()) {
     const LoopChain found = join(runs, samples, parameters);
     LoopChain revised = found;
-    revise(revised, samples, evidence, known, parameters);
+    revise(revised, samples, evidence, known, curves, parameters);
     for (LoopChain chain : {revised, found}) {
       closeTangents(chain, parameters);
       PlanLoop loop = chain.loop();

@@ -80,10 +80,12 @@ densityAlong(const std::vector<ContourSample>& samples,
 PathCost::PathCost(const std::vector<ContourSample>& samples,
                    const PlanPoints& evidence,
                    const std::vector<Eigen::Vector2d>& directions,
+                   const std::vector<PlanElement>& others,
                    double noise,
                    const LoopParameters& parameters)
     : evidence_(evidence)
     , directions_(directions)
+    , others_(others)
     , tolerance_(std::clamp(3 * noise, parameters.tolerance / 2, parameters.tolerance))
     , reach_(std::abs(parameters.expected_offset) + parameters.reach + 0.02)
     , density_(densityAlong(samples, evidence, parameters))
@@ -96,9 +98,13 @@ PathCost::zoneOf(const std::vector<Eigen::Vector2d>& all, std::size_t most_point
 {
   const std::size_t step = all.size() / most_points + 1;
   Zone zone;
-  for (std::size_t i = 0; i < all.size(); i += step)
+  for (std::size_t i = 0; i < all.size(); i += step) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& e : others_)
+      nearest = std::min(nearest, e.distance(all[i]));
     zone.points.push_back(all[i]);
-  zone.from_rest.assign(zone.points.size(), std::numeric_limits<double>::infinity());
+    zone.from_rest.push_back(nearest);
+  }
   zone.density = density_ / static_cast<double>(step);
   return zone;
 }

@@ -14,10 +14,13 @@ namespace sedr {
 class PathCost {
 public:
   /** @param directions of most walls, unit
+   * @param known curves that are there whatever the loop: no path has to explain what
+   * is on them
    * @param noise standard deviation of the evidence from the walls, metres */
   PathCost(const std::vector<ContourSample>& samples,
            const PlanPoints& evidence,
            const std::vector<Eigen::Vector2d>& directions,
+           const std::vector<PlanElement>& others,
            double noise,
            const LoopParameters& parameters);
 
@@ -94,6 +97,7 @@ private:
 
   const PlanPoints& evidence_;
   std::vector<Eigen::Vector2d> directions_;
+  std::vector<PlanElement> others_;
   double tolerance_;
   double reach_;
   double density_ = 0;

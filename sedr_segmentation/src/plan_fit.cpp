@@ -57,19 +57,10 @@ leaveToOthers(const PointView& points,
               std::size_t r,
               RoomWork& work)
 {
-  const std::vector<PlanElement> faces = facesOfOthers(plan, r);
-  if (faces.empty())
-    return;
-  const auto isOfOthers = [&](int i) {
-    const Eigen::Vector2d p =
-        points[static_cast<std::size_t>(i)].head<2>().cast<double>();
-    return std::any_of(faces.begin(), faces.end(), [&](const PlanElement& e) {
-      return e.distance(p) < parameters.loop.tolerance;
-    });
-  };
   RoomWork again{work.evidence, {}};
-  auto& walls = again.evidence.walls;
-  walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
+  again.evidence.faces_of_others = facesOfOthers(plan, r);
+  if (again.evidence.faces_of_others.empty())
+    return;
   std::string problem;
   PlanRoom room =
       fitRoom(points, again.evidence, parameters, problem, &again.boundaries);
@@ -129,7 +120,7 @@ fitPlan(const PointView& points,
 
   std::vector<RoomWork> work;
   for (std::size_t r = 0; r < numbers.size(); ++r) {
-    RoomWork own{{around[r], ceilings[r], details[r], floors[r], walls[r]}, {}};
+    RoomWork own{{around[r], ceilings[r], details[r], floors[r], walls[r], {}}, {}};
     std::string reason;
     if (ceilings[r].size() < 3 || floors[r].size() < 3)
       reason = std::to_string(ceilings[r].size()) + " ceiling points and " +

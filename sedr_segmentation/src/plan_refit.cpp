@@ -16,9 +16,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Lines of which less is looked at, or whose direction that would tell no
- * better, are shifted only; metres and radians. */
-constexpr double least_length_to_turn = 0.15;
+/** @brief Lines whose points tell their direction no better are shifted only, radians.
+ */
 constexpr double largest_deviation_of_turn = 0.005;
 
 /** @brief Half width of the band of points that count, in standard deviations. */
@@ -50,25 +49,23 @@ public:
     std::vector<double> centre;
     std::vector<double> band;
     scatters_ = scatterOf(raw_, targets_, parameters_.reach);
-    for (const Scatter& s : scatters_) {
-      centre.push_back(s.centre);
-      band.push_back(bandOf(s.deviation));
+    settleScatters();
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      centre.push_back(scatters_[t].centre);
+      band.push_back(bandOf(t, scatters_[t].deviation));
     }
     for (int round = 0; round < rounds; ++round) {
       const std::vector<PatchSums> sums = patchSums(raw_, targets_, centre, band);
       for (std::size_t t = 0; t < targets_.size(); ++t) {
         PatchFit fit = fitOf(sums, t);
-        if (fit.count < static_cast<double>(parameters_.least_points)) {
-          if (round > 0)
-            continue;
-          fit = shiftTo(scatters_[t], t);
-        }
         if (fit.count < static_cast<double>(parameters_.least_points))
           continue;
+        if (isBesideAnother(t, scatters_[t].deviation))
+          undoCut(centre[t], band[t], scatters_[t].deviation, fit);
         move(t, fit);
         noise_[t] = fit.deviation;
         centre[t] = 0;
-        band[t] = bandOf(fit.deviation);
+        band[t] = bandOf(t, fit.deviation);
       }
       followParents();
     }
@@ -79,9 +76,55 @@ public:
   const RefitTargets& targets() const { return targets_; }
 
 private:
-  double bandOf(double deviation) const
+  /** @brief The scatter of few points is known by that of others better. */
+  void settleScatters()
   {
-    return std::clamp(band_sigmas * deviation, least_band, parameters_.reach);
+    constexpr double points_of_usual = 100;
+    std::vector<double> deviations;
+    for (const Scatter& s : scatters_)
+      if (s.count >= points_of_usual)
+        deviations.push_back(s.deviation);
+    if (deviations.empty())
+      return;
+    const auto middle =
+        deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+    std::nth_element(deviations.begin(), middle, deviations.end());
+    const double usual = *middle;
+    for (Scatter& s : scatters_) {
+      const double share = s.count / (s.count + points_of_usual);
+      s.deviation = share * s.deviation + (1 - share) * usual;
+      s.centre *= share;
+    }
+  }
+
+  /** @brief Whether the points of another surface reach into the band of this one. */
+  bool isBesideAnother(std::size_t t, double deviation) const
+  {
+    return targets_.gap(t) < 2 * band_sigmas * deviation;
+  }
+
+  /** @brief Half width of the band of points that count: narrower where those of
+   * another surface are beside it. */
+  double bandOf(std::size_t t, double deviation) const
+  {
+    const double band =
+        std::clamp(band_sigmas * deviation, least_band, parameters_.reach);
+    return std::min(band, std::max({least_band, deviation,
+                                    targets_.gap(t) - band_sigmas * deviation}));
+  }
+
+  /** @brief Points cut off at a band draw its centre after them by a part of the way
+   * only: the whole way, as it is for the normal distribution. */
+  static void undoCut(double centre, double band, double deviation, PatchFit& fit)
+  {
+    constexpr double least_part = 0.2;
+    const double z = band / deviation;
+    const double kept = std::erf(z / std::sqrt(2.0));
+    const double part = 1 - 2 * z * std::exp(-z * z / 2) / std::sqrt(2 * M_PI) / kept;
+    fit.step[0] -= centre;
+    fit.step /= std::max(least_part, part);
+    fit.step[0] += centre;
+    fit.deviation = deviation;
   }
 
   /** @brief How many parameters of a surface are fitted. */
@@ -93,37 +136,21 @@ private:
     }
     if (curves_.curves[t].curve.isCircle())
       return 3;
-    const double length = targets_.lengthOf(t);
     const double deviation = scatters_[t].deviation *
                              std::sqrt(12.0 / std::max(1.0, scatters_[t].count)) /
-                             length;
-    return length >= least_length_to_turn && deviation <= largest_deviation_of_turn ? 2
-                                                                                    : 1;
+                             targets_.lengthOf(t);
+    return deviation <= largest_deviation_of_turn ? 2 : 1;
   }
 
   PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const
   {
-    constexpr double least_points_of_patch = 4;
     const std::size_t first = targets_.firstPatch(t);
     const std::size_t last = targets_.firstPatch(t + 1);
     std::vector<bool> is_top;
     for (std::size_t p = first; p < last; ++p)
       is_top.push_back(targets_.isTop(t, p));
     return fitPatches(sums, first, last, is_top, parametersOf(t),
-                      least_points_of_patch);
-  }
-
-  /** @brief What is left of a line whose points are too few for patches: a shift to
-   * where most of them are. */
-  PatchFit shiftTo(const Scatter& scatter, std::size_t t) const
-  {
-    PatchFit fit;
-    if (t >= curves_.curves.size() || curves_.curves[t].curve.isCircle())
-      return fit;
-    fit.step[0] = scatter.centre;
-    fit.count = scatter.count;
-    fit.deviation = scatter.deviation;
-    return fit;
+                      scatters_[t].deviation);
   }
 
   void move(std::size_t t, const PatchFit& fit)
@@ -211,18 +238,30 @@ noiseOf(std::size_t inliers, double residual, double noise)
   return std::max(noise, inliers > 0 ? residual : unseen);
 }
 
-/** @brief The farthest that a curve has moved along what was measured of it. */
-double
-moveOf(const MeasuredCurve& from, const MeasuredCurve& to, double reach)
+/** @brief Places along what a plan shows of each of its curves. */
+std::vector<std::vector<Eigen::Vector2d>>
+placesAlong(const PlanCurves& curves)
 {
-  if (from.curve.isCircle())
-    return (to.curve.point - from.curve.point).norm() +
-           std::abs(to.curve.radius - from.curve.radius);
+  constexpr std::size_t parts = 8;
+  std::vector<std::vector<Eigen::Vector2d>> places(curves.curves.size());
+  for (const auto& loop : curves.loops)
+    for (std::size_t i = 0; i < loop.curves.size(); ++i) {
+      const PlanElement& e = loop.loop->elements[i];
+      for (std::size_t k = 0; k <= parts; ++k)
+        places[loop.curves[i]].push_back(
+            e.pointAt(e.length() * static_cast<double>(k) / parts));
+    }
+  return places;
+}
+
+/** @brief The farthest that a curve is from where it was. An arc moves less than its
+ * centre does. */
+double
+moveOf(const std::vector<Eigen::Vector2d>& were, const PlanCurve& curve)
+{
   double farthest = 0;
-  for (const double s : {-reach, reach}) {
-    const Eigen::Vector2d p = from.curve.project(from.pivot) + s * from.curve.direction;
-    farthest = std::max(farthest, to.curve.distance(p));
-  }
+  for (const auto& p : were)
+    farthest = std::max(farthest, curve.distance(p));
   return farthest;
 }
 
@@ -293,6 +332,7 @@ refitToRaw(Floorplan& plan,
   std::vector<CurveTie> ties;
   noteTangents(curves, ties);
   const std::vector<MeasuredCurve> was = curves.curves;
+  const std::vector<std::vector<Eigen::Vector2d>> places = placesAlong(curves);
   std::vector<PlanSlab> slabs_were;
   for (auto& room : plan.rooms)
     for (const auto& [slab, loop] : slabsOf(room))
@@ -317,21 +357,28 @@ refitToRaw(Floorplan& plan,
       report.slabs += is_kept[k] ? 1 : 0;
       ++k;
     }
+  std::vector<bool> is_fitted(was.size(), false);
   for (std::size_t c = 0; c < was.size(); ++c) {
     const double limit =
         parameters.farthest +
         noiseOf(was[c].curve.inliers, was[c].curve.residual, refit.noise(c));
-    if (!refit.isFitted(c) || moveOf(was[c], curves.curves[c], curves.reach(c)) > limit)
+    is_fitted[c] =
+        refit.isFitted(c) && moveOf(places[c], curves.curves[c].curve) <= limit;
+    if (!is_fitted[c])
       curves.curves[c] = was[c];
   }
   const auto restore = [&](const PlanCurves::Loop& loop) {
-    for (const std::size_t c : loop.curves)
+    for (const std::size_t c : loop.curves) {
       curves.curves[c] = was[c];
+      is_fitted[c] = false;
+    }
   };
   for (int tries = 0; tries < 10; ++tries) {
     const std::vector<MeasuredCurve> fitted = curves.curves;
-    if (!adjustCurves(curves.curves, ties))
+    if (!adjustCurves(curves.curves, ties)) {
       curves.curves = was;
+      is_fitted.assign(was.size(), false);
+    }
     const std::vector<std::size_t> broken =
         curves.rebuild(2 * (parameters.farthest + parameters.reach));
     if (broken.empty())
@@ -346,7 +393,7 @@ refitToRaw(Floorplan& plan,
       loop.loop->elements[i].residual = curves.curves[loop.curves[i]].curve.residual;
     }
   for (std::size_t c = 0; c < was.size(); ++c)
-    report.curves += curves.curves[c].curve.inliers != was[c].curve.inliers ? 1 : 0;
+    report.curves += is_fitted[c] ? 1 : 0;
   return report;
 }
 

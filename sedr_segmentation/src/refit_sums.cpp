@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 namespace pcl {
 namespace sedr {
@@ -119,18 +120,23 @@ biweight(double share)
 /** @brief The patches of one surface that hold enough points. */
 class PatchSolver {
 public:
-  PatchSolver(std::vector<const PatchSums*> patches, std::vector<bool> is_top)
+  PatchSolver(std::vector<const PatchSums*> patches,
+              std::vector<bool> is_top,
+              double noise)
       : patches_(std::move(patches))
       , is_top_(std::move(is_top))
       , weight_(patches_.size(), 1)
+      , noise_(noise)
+      , usual_variance_(usualVariance())
   {}
 
   PatchFit run(Eigen::Index parameters)
   {
     constexpr int rounds = 12;
     PatchFit fit;
+    fit.step = start(parameters);
     for (int round = 0; round < rounds; ++round) {
-      weigh(fit.step, round == 0 ? start() : 0);
+      weigh(fit.step);
       if (!solve(parameters, fit.step))
         return {};
     }
@@ -139,13 +145,45 @@ public:
   }
 
 private:
-  /** @brief The distance at which most patches are. */
-  double start() const
+  /** @brief Where most patches are: the best of some steps through as many of them as
+   * are needed, as what is turned or bent against the wall crosses it in few (Fischler
+   * and Bolles 1981). */
+  Eigen::Vector3d start(Eigen::Index parameters)
   {
+    constexpr std::size_t tries = 60;
     std::vector<Weighted> means;
     for (std::size_t i = 0; i < patches_.size(); ++i)
       means.push_back({patches_[i]->mean(), voteOf(i)});
-    return shortestHalf(std::move(means)).middle;
+    Eigen::Vector3d best(shortestHalf(std::move(means)).middle, 0, 0);
+    double most = agreement(best);
+    std::mt19937_64 random(1);
+    for (std::size_t k = 0; parameters > 1 && k < tries; ++k) {
+      std::fill(weight_.begin(), weight_.end(), k == 0 ? 1.0 : 0.0);
+      for (Eigen::Index n = 0; k > 0 && n < parameters; ++n)
+        weight_[random() % weight_.size()] = 1;
+      Eigen::Vector3d step;
+      if (!solve(parameters, step))
+        continue;
+      const double agreed = agreement(step);
+      if (agreed <= most)
+        continue;
+      most = agreed;
+      best = step;
+    }
+    std::fill(weight_.begin(), weight_.end(), 1);
+    return best;
+  }
+
+  /** @brief How many patches a step explains. */
+  double agreement(const Eigen::Vector3d& step) const
+  {
+    constexpr double sigmas = 4;
+    constexpr double unevenness = 0.001; // of walls, metres
+    double sum = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      sum += voteOf(i) * biweight(residual(i, step) /
+                                  (sigmas * std::hypot(deviationOf(i), unevenness)));
+    return sum;
   }
 
   double voteOf(std::size_t i) const
@@ -161,16 +199,39 @@ private:
     return p.mean() - p.rows.dot(step) / p.count;
   }
 
-  /** @brief Variance of the points within a patch. */
-  double variance(std::size_t i) const
+  /** @brief Variance of the points within a patch, as these say. */
+  double ownVariance(std::size_t i) const
   {
     const PatchSums& p = *patches_[i];
-    return std::max(0.0, p.squares / p.count - p.mean() * p.mean());
+    return std::max(0.0, p.squares - p.count * p.mean() * p.mean()) /
+           std::max(1.0, p.count - 1);
   }
 
-  /** @brief Weighs the patches by how far they are from where a step leads, or from
-   * `centre` there. A patch that holds two surfaces scatters more than others. */
-  void weigh(const Eigen::Vector3d& step, double centre)
+  /** @brief Variance within most of the patches that tell any. */
+  double usualVariance() const
+  {
+    constexpr double least_points = 4;
+    std::vector<Weighted> variances{{noise_ * noise_, 1}};
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      if (patches_[i]->count >= least_points)
+        variances.push_back({ownVariance(i), voteOf(i)});
+    return medianOf(std::move(variances));
+  }
+
+  /** @brief Variance of the points within a patch: few say little of it, so that the
+   * usual one counts with them. */
+  double variance(std::size_t i) const
+  {
+    constexpr double points_of_usual = 20;
+    const double own = patches_[i]->count - 1;
+    return (points_of_usual * usual_variance_ + own * ownVariance(i)) /
+           (points_of_usual + own);
+  }
+
+  /** @brief Weighs the patches by how far they are from where a step leads. A patch
+   * that holds two surfaces scatters more than others, and than what is seen head on.
+   */
+  void weigh(const Eigen::Vector3d& step)
   {
     constexpr double sigmas = 4;
     constexpr double most_scatter = 1.4;
@@ -178,19 +239,18 @@ private:
     std::vector<Weighted> scatters;
     for (std::size_t i = 0; i < patches_.size(); ++i)
       if (weight_[i] > 0) {
-        scaled.push_back(
-            {std::abs(residual(i, step) - centre) / deviationOf(i), voteOf(i)});
+        scaled.push_back({std::abs(residual(i, step)) / deviationOf(i), voteOf(i)});
         scatters.push_back({std::sqrt(variance(i)), voteOf(i)});
       }
     // Walls are less even than noise alone would make them.
     const double scale = std::max(1.0, 1.4826 * medianOf(std::move(scaled)));
-    const double scatter =
-        std::max(least_scatter, most_scatter * medianOf(std::move(scatters)));
+    const double scatter = std::max(
+        least_scatter, most_scatter * std::max(noise_, medianOf(std::move(scatters))));
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      weight_[i] = variance(i) > scatter * scatter
-                       ? 0
-                       : biweight((residual(i, step) - centre) /
-                                  (sigmas * scale * deviationOf(i)));
+      weight_[i] =
+          variance(i) > scatter * scatter
+              ? 0
+              : biweight(residual(i, step) / (sigmas * scale * deviationOf(i)));
   }
 
   double deviationOf(std::size_t i) const
@@ -226,15 +286,17 @@ private:
   {
     double all = 0;
     double squares = 0;
+    double freedom = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       all += patches_[i]->count;
       if (weight_[i] < 0.25)
         continue;
       fit.count += patches_[i]->count;
-      squares += variance(i) * patches_[i]->count;
+      squares += ownVariance(i) * (patches_[i]->count - 1);
+      freedom += patches_[i]->count - 1;
     }
     fit.share = all > 0 ? fit.count / all : 0;
-    fit.deviation = fit.count > 0 ? std::sqrt(squares / fit.count) : 0;
+    fit.deviation = freedom > 0 ? std::sqrt(squares / freedom) : 0;
   }
 
   /** @brief A patch counts for no more points than this, however near the scanner. */
@@ -243,6 +305,8 @@ private:
   std::vector<const PatchSums*> patches_;
   std::vector<bool> is_top_;
   std::vector<double> weight_;
+  double noise_;
+  double usual_variance_;
 };
 
 } // namespace
@@ -274,6 +338,8 @@ scatterOf(const RawPoints& raw, const RefitTargets& targets, double reach)
       overAll<std::uint32_t>(raw, targets, targets.size() * bins,
                              [&](std::vector<std::uint32_t>& own, std::size_t t,
                                  std::size_t, double d, const Eigen::Vector3d&) {
+                               if (2 * std::abs(d) > targets.gap(t))
+                                 return;
                                const auto at =
                                    static_cast<std::size_t>((d + reach) / bin);
                                ++own[t * bins + std::min(bins - 1, at)];
@@ -320,18 +386,18 @@ fitPatches(const std::vector<PatchSums>& patches,
            std::size_t last,
            const std::vector<bool>& is_top,
            Eigen::Index parameters,
-           double least_points)
+           double noise)
 {
   std::vector<const PatchSums*> own;
   std::vector<bool> tops;
   for (std::size_t p = first; p < last; ++p)
-    if (patches[p].count >= least_points) {
+    if (patches[p].count > 0) {
       own.push_back(&patches[p]);
       tops.push_back(is_top[p - first]);
     }
   if (own.empty())
     return {};
-  return PatchSolver(std::move(own), std::move(tops)).run(parameters);
+  return PatchSolver(std::move(own), std::move(tops), noise).run(parameters);
 }
 
 } // namespace sedr

@@ -52,9 +52,9 @@ struct RawPoints {
   }
 };
 
-/** @brief How the points within `reach` scatter about every surface: by the shortest
- * interval that holds half of them (Rousseeuw 1984), which what is beside a wall hardly
- * moves. O(n). */
+/** @brief How the points within `reach` scatter about every surface, and nearer to it
+ * than to another that runs along it: by the shortest interval that holds half of them
+ * (Rousseeuw 1984), which what is beside a wall hardly moves. O(n). */
 std::vector<Scatter>
 scatterOf(const RawPoints& raw, const RefitTargets& targets, double reach);
 
@@ -80,13 +80,14 @@ struct PatchFit {
  * and is left out by its biweight (Beaton and Tukey 1974), however much it overlaps the
  * noise of the others. It starts where half of the patches are nearest to each other
  * (Rousseeuw 1984), `is_top` patches counting more.
- * @param least_points of a patch that counts */
+ * @param noise expected standard deviation of the points, metres: patches of few
+ * points say little of it */
 PatchFit fitPatches(const std::vector<PatchSums>& patches,
                     std::size_t first,
                     std::size_t last,
                     const std::vector<bool>& is_top,
                     Eigen::Index parameters,
-                    double least_points);
+                    double noise);
 
 } // namespace sedr
 } // namespace pcl

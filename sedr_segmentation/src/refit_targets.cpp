@@ -2,6 +2,7 @@
 #include "refit_targets.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace pcl {
@@ -18,6 +19,7 @@ constexpr double height_margin = 0.08;
 
 /** @brief Edge of a patch of an upright and of a slab, metres. */
 constexpr double upright_patch = 0.1;
+constexpr double least_patch = 0.02;
 constexpr double slab_patch = 0.25;
 
 /** @brief A part of an element. */
@@ -98,8 +100,10 @@ RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double rea
     , reach_(reach)
     , length_(curves.curves.size(), 0)
     , depth_(curves.curves.size(), 0)
+    , gap_(curves.curves.size(), std::numeric_limits<double>::infinity())
 {
   addUprights(plan);
+  findGaps();
   for (auto& room : plan.rooms)
     addSlabs(room);
   numberPatches();
@@ -191,6 +195,37 @@ RefitTargets::addStretch(const UprightSurface& surface,
   depth_[curve] = std::max(depth_[curve], heights.high - heights.low);
 }
 
+/** @brief Looks for stretches that run along each other at the same heights. */
+void
+RefitTargets::findGaps()
+{
+  constexpr double step = 0.1;
+  constexpr double least_cosine = 0.9;
+  const double farthest = 3 * reach_;
+  const auto mayBeNear = [&](const PlanElement& a, const PlanElement& b) {
+    return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() <
+           (a.length() + b.length()) / 2 + farthest;
+  };
+  for (const Stretch& own : stretches_)
+    for (const Stretch& other : stretches_) {
+      if (own.curve == other.curve || own.low > other.high || other.low > own.high ||
+          !mayBeNear(own.part, other.part))
+        continue;
+      const PlanCurve& along = curves_.curves[own.curve].curve;
+      const PlanCurve& beside = curves_.curves[other.curve].curve;
+      const double length = own.part.length();
+      const auto parts = static_cast<std::size_t>(length / step) + 1;
+      for (std::size_t k = 0; k <= parts; ++k) {
+        const Eigen::Vector2d p = own.part.pointAt(length * static_cast<double>(k) /
+                                                   static_cast<double>(parts));
+        const double apart = beside.distance(p);
+        if (apart < std::min(farthest, gap_[own.curve]) && isBeside(other.part, p) &&
+            std::abs(along.tangentAt(p).dot(beside.tangentAt(p))) > least_cosine)
+          gap_[own.curve] = apart;
+      }
+    }
+}
+
 /** @brief Numbers a slab; one that is parallel to `parallel_to` follows `parent`. */
 std::size_t
 RefitTargets::addSlab(PlanSlab& slab,
@@ -255,7 +290,8 @@ RefitTargets::numberPatches()
     const PlanCurve& curve = curves_.curves[c].curve;
     const double length =
         curve.isCircle() ? 2 * M_PI * curve.radius : 2 * curves_.reach(c);
-    along_.push_back(static_cast<std::size_t>(length / upright_patch) + 2);
+    patch_.push_back(std::clamp(length_[c] / 4, least_patch, upright_patch));
+    along_.push_back(static_cast<std::size_t>(length / patch_[c]) + 2);
     const auto rows = static_cast<std::size_t>(depth_[c] / upright_patch) + 1;
     first_patch_.push_back(first_patch_.back() + along_.back() * rows);
   }
@@ -277,8 +313,8 @@ RefitTargets::patchOf(const Stretch& stretch,
   const double s = m.curve.isCircle()
                        ? (std::atan2(row.y(), row.x()) + M_PI) * m.curve.radius
                        : row[1] + curves_.reach(c);
-  const auto x = std::min(along_[c] - 1,
-                          static_cast<std::size_t>(std::max(0.0, s / upright_patch)));
+  const auto x =
+      std::min(along_[c] - 1, static_cast<std::size_t>(std::max(0.0, s / patch_[c])));
   const auto y = static_cast<std::size_t>((stretch.high - z) / upright_patch);
   return first_patch_[c] + y * along_[c] + x;
 }

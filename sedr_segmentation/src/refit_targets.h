@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,10 @@ namespace sedr {
 /** @brief The surfaces of a plan, by place: which of them a point of the scan may show.
  *
  * Numbered are first the curves of the plan, then its slabs. Each is divided into
- * patches: a tenth of a metre of an upright, a quarter of a slab. Each has up to
- * three parameters: a line its shift to the left and its turn about the pivot, a circle
- * its centre and radius, a slab its rise and its slopes about the middle of its room;
- * one that is parallel to another only its rise. */
+ * patches: a tenth of a metre of an upright, less of a short one, a quarter of a slab.
+ * Each has up to three parameters: a line its shift to the left and its turn about the
+ * pivot, a circle its centre and radius, a slab its rise and its slopes about the
+ * middle of its room; one that is parallel to another only its rise. */
 class RefitTargets {
 public:
   /** @brief `plan` must stay where it is; moved curves and slabs are seen. */
@@ -43,6 +44,14 @@ public:
 
   /** @brief Length of the shown part of a curve that is looked at, metres. */
   double lengthOf(std::size_t curve) const { return length_[curve]; }
+
+  /** @brief Distance to the nearest other upright that runs along a surface, such as
+   * the other face of a partition, metres; infinite where none is near. */
+  double gap(std::size_t number) const
+  {
+    return number < gap_.size() ? gap_[number]
+                                : std::numeric_limits<double>::infinity();
+  }
 
   /** @brief Number of all patches, and the first one of a surface. */
   std::size_t patchCount() const { return first_patch_.back(); }
@@ -171,6 +180,7 @@ private:
                   double from,
                   double to,
                   const UprightSpan& span);
+  void findGaps();
   void addSlabs(PlanRoom& room);
   std::size_t addSlab(PlanSlab& slab,
                       const Eigen::Vector2d& middle,
@@ -185,6 +195,8 @@ private:
   std::vector<Stretch> stretches_;
   std::vector<double> length_;
   std::vector<double> depth_;      ///< of each curve's stretches, below their tops
+  std::vector<double> gap_;        ///< of each curve, to the next that runs along it
+  std::vector<double> patch_;      ///< length of the patches of each curve
   std::vector<std::size_t> along_; ///< patches along each curve, and along x of a slab
   std::vector<std::size_t> first_patch_;
   std::vector<Slab> slabs_;

@@ -80,6 +80,36 @@ uprightPlaces(const PointView& points,
   return {std::move(upper), 0.1};
 }
 
+/** @brief What may show the walls of a room: what the growing found, and what is at the
+ * edge of the room's cells, as the growing sees none where the ceiling goes on behind a
+ * thin partition; less what is on the walls of other rooms. */
+std::vector<int>
+wallEvidence(const PointView& points,
+             const RoomEvidence& evidence,
+             const CellMask& room,
+             const CellGrid& grid,
+             double tolerance)
+{
+  constexpr double reach = 2; // cells
+  const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
+  std::vector<int> walls = evidence.walls;
+  const auto place = [&](int i) -> Eigen::Vector2d {
+    return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
+  };
+  for (const int i : evidence.around)
+    if (edge.at(grid.at(place(i).x(), place(i).y())))
+      walls.push_back(i);
+  std::sort(walls.begin(), walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  const auto isOfOthers = [&](int i) {
+    return std::any_of(
+        evidence.faces_of_others.begin(), evidence.faces_of_others.end(),
+        [&](const PlanElement& e) { return e.distance(place(i)) < tolerance; });
+  };
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
+  return walls;
+}
+
 /** @brief Those of some points that are in the cells of a column or beside them. */
 std::vector<int>
 pointsIn(const CellMask& column,
@@ -180,7 +210,10 @@ fitRoom(const PointView& points,
   const ColumnTable columns(grid, box, points, evidence.around);
   const RoomOutline outline =
       outlineRoom(CellMask(seen, box), grid, columns, room.ceiling, room.floor);
-  const PlanPoints walls = uprightPlaces(points, evidence.walls, room, columns, grid);
+  const PlanPoints walls = uprightPlaces(
+      points,
+      wallEvidence(points, evidence, outline.room, grid, parameters.loop.tolerance),
+      room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;

@@ -402,9 +402,9 @@ TEST(FitLoop, KnownCurvesStayExactlyAsTheyAre)
 {
   // A soffit whose edge was scanned, between the walls of the room, which were not.
   const PlanLoop truth = rectangle(0.013, 0.021, 1.2, 3.017);
-  const std::vector<PlanCurve> walls = {lineThrough({0.013, 0}, {0.013, 1}),
-                                        lineThrough({0, 0.021}, {1, 0.021}),
-                                        lineThrough({0, 3.017}, {1, 3.017})};
+  const PlanLoop room = rectangle(0.013, 0.021, 4, 3.017);
+  const std::vector<PlanElement> walls = {room.elements[0], room.elements[2],
+                                          room.elements[3]};
   const PlanLoop loop = fitLoop(
       contourIn(truth),
       PlanPoints(wallPoints(truth, 0.003, [](const Vector2d& p) { return p.x() > 1; }),

@@ -77,14 +77,14 @@ std::vector<std::size_t> assignCurves(const std::vector<ContourSample>& samples,
  * @param contour closed, the room on its left
  * @param evidence points of the walls, in plan; curves are fitted to them where there
  * are any
- * @param known curves that are already known exactly, such as the walls of the room for
- * a detail
+ * @param known elements that are already known exactly, such as the walls of the room
+ * for a detail
  * @param[out] places the samples of the contour, if wanted
  * @return a loop that does not cross itself; where no sequence of curves gives one, the
  * simplified contour. Empty for a contour of fewer than four corners. */
 PlanLoop fitLoop(const Contour& contour,
                  const PlanPoints& evidence,
-                 const std::vector<PlanCurve>& known,
+                 const std::vector<PlanElement>& known,
                  const LoopParameters& parameters,
                  std::vector<ContourSample>* places = nullptr);
 

@@ -28,6 +28,8 @@ struct RoomEvidence {
   std::vector<int> details; ///< of soffits, beams, recesses; may be empty
   std::vector<int> floor;
   std::vector<int> walls;
+  /** @brief Walls of other rooms: what is on them shows none of this one. */
+  std::vector<PlanElement> faces_of_others;
 };
 
 /** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).
