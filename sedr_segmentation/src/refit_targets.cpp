@@ -123,12 +123,12 @@ RefitTargets::isBeside(const PlanElement& e, const Eigen::Vector2d& p)
 }
 
 bool
-RefitTargets::isIn(const PlanNiche& niche, const Eigen::Vector2d& p)
+RefitTargets::isIn(const NicheSlabs& niche, const Eigen::Vector2d& p)
 {
   constexpr double margin = 0.03;
-  const Eigen::Vector2d& start = niche.boundary.elements[0].start;
-  return (p - start).norm() < niche.boundary.length() && niche.boundary.contains(p) &&
-         niche.boundary.distance(p) > margin;
+  const PlanLoop& boundary = niche.niche->boundary;
+  return (p - boundary.elements[0].start).norm() < niche.length &&
+         boundary.contains(p) && boundary.distance(p) > margin;
 }
 
 void
@@ -259,7 +259,7 @@ RefitTargets::addSlabs(PlanRoom& room)
     const std::size_t bottom =
         addSlab(niche.bottom, middle, half, &niche.bottom, floor);
     const std::size_t top = addSlab(niche.top, middle, half, &niche.top, ceiling);
-    niches_.push_back({&niche, bottom, top});
+    niches_.push_back({&niche, bottom, top, niche.boundary.length()});
   }
 
   RoomMap map;

@@ -106,6 +106,7 @@ private:
     const PlanNiche* niche = nullptr;
     std::size_t bottom = 0;
     std::size_t top = 0;
+    double length = 0; ///< of its outline: it lies within so far of every corner
   };
 
   template <typename See>
@@ -157,7 +158,7 @@ private:
         look(static_cast<std::size_t>(map.floor[at]));
     }
     for (const auto& n : niches_)
-      if (isIn(*n.niche, p.head<2>())) {
+      if (isIn(n, p.head<2>())) {
         look(n.bottom);
         look(n.top);
       }
@@ -171,7 +172,7 @@ private:
   void numberPatches();
 
   static bool isBeside(const PlanElement& part, const Eigen::Vector2d& p);
-  static bool isIn(const PlanNiche& niche, const Eigen::Vector2d& p);
+  static bool isIn(const NicheSlabs& niche, const Eigen::Vector2d& p);
 
   void addUprights(Floorplan& plan);
   void addStretches(const UprightSurface& surface, std::size_t curve);
