@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detail_extension.h"
+
 #include <pcl/sedr_segmentation/detail_fit.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
@@ -370,6 +372,29 @@ widestFirst(const HeightMap& map)
   return labels;
 }
 
+/** @brief Lets beams go on over what was not seen of them; joined pieces share their
+ * label. */
+void
+extendBeams(HeightMap& map, const CellGrid& grid)
+{
+  extendDetails(map.room, map.details, grid, map.label);
+  for (std::size_t i = 0; i < map.seen.size(); ++i)
+    if (map.seen[i] > 0)
+      map.seen[i] = map.label[i];
+}
+
+/** @brief The cells of a room and what its boundary holds besides, strips narrower than
+ * three cells left out: a beam may hide the corner between it and the wall. */
+CellMask
+withHiddenCorners(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
+{
+  CellMask beyond(cells.box());
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    beyond.values()[i] =
+        !cells.values()[i] && boundary.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+  return unite(cells, dilated(eroded(beyond, 1), 1));
+}
+
 PlanDetail
 fitDetail(const HeightMap& map,
           const CellMask& cells,
@@ -413,11 +438,13 @@ fitDetails(const PointView& points,
            const CellMask& cells,
            const RoomFitParameters& parameters)
 {
+  const CellGrid grid(parameters.cell_size);
   HeightMap map =
       seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
-                  cells, parameters);
+                  withHiddenCorners(cells, room.boundary, grid), parameters);
+  if (!evidence.is_floor)
+    extendBeams(map, grid);
   fillHeights(map);
-  const CellGrid grid(parameters.cell_size);
   const ColumnTable columns(grid, cells.box(), points, evidence.around);
   if (evidence.is_floor)
     fillHiddenParts(map, columns, grid);

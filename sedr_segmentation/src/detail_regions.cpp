@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slice_scene.h"
-
-#include <Eigen/Eigenvalues>
+#include "strip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,40 +100,6 @@ hasFloorBelow(const SliceScene& scene, const CellMask& region)
                                 scene.floor_height + 0.1))
       ++above_floor;
   return 4 * above_floor >= region.count();
-}
-
-/** @brief A strip of cells along a line. */
-struct Strip {
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
-  double length = 0; ///< metres
-  double width = 0;
-};
-
-/** @brief The straight strip that cells spread along: one of length l has the variance
- * l^2 / 12. */
-Strip
-stripOf(const CellMask& cells, const CellGrid& grid)
-{
-  Strip strip;
-  std::vector<Eigen::Vector2d> places;
-  for (std::size_t i = 0; i < cells.values().size(); ++i)
-    if (cells.values()[i]) {
-      places.push_back(grid.centre(cells.cellAt(i)));
-      strip.middle += places.back();
-    }
-  if (places.empty())
-    return strip;
-  const auto count = static_cast<double>(places.size());
-  strip.middle /= count;
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (const auto& p : places)
-    scatter += (p - strip.middle) * (p - strip.middle).transpose() / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
-  strip.direction = solver.eigenvectors().col(1);
-  strip.length = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[1]));
-  strip.width = std::sqrt(12 * std::max(0.0, solver.eigenvalues()[0]));
-  return strip;
 }
 
 /** @brief Whether a wall stands on the strip's line beyond one of its ends. */

@@ -49,11 +49,19 @@ struct Storey {
   }
 
   /** @brief Whether the column is a wall from the floor up to the ceiling: a cupboard
-   * is not. */
+   * is not, nor is what stands below a beam. */
   bool isWall(Cell cell, double floor, double top) const
   {
     return columns.share(cell, top - 0.36, top - 0.08, 3, 1) >= 1 &&
-           columns.share(cell, floor + 0.2, top - 0.15, 8, 0) >= 0.5;
+           columns.share(cell, floor + 0.2, top - 0.15, 8, 0) >= 0.5 &&
+           columns.share(cell, (floor + top) / 2, top - 0.15, 5, 0) >= 0.5;
+  }
+
+  /** @brief Whether a sill stands in the column: something upright from near the floor
+   * up to 0.8 m. */
+  bool isSill(Cell cell, double floor) const
+  {
+    return columns.share(cell, floor + 0.2, floor + 0.8, 4, 1) >= 0.75;
   }
 };
 
@@ -121,7 +129,8 @@ struct Frontier {
   std::size_t wall = 0;
   std::size_t plain = 0; ///< nothing below: a step, a soffit
   std::vector<CellKey>
-      below_lintel; ///< something above, nothing below: a beam or a doorway
+      below_lintel;       ///< something above, nothing below: a beam or a doorway
+  std::size_t hidden = 0; ///< something above, furniture below
 };
 
 /** @brief The cells from `cell` back to the piece that it was reached from. */
@@ -163,13 +172,17 @@ judgeMeeting(const Storey& storey,
     }
     has_lintel = has_lintel || storey.columns.hasWithin(cell, top - 0.5, top - 0.12);
   }
-  // One walks below a beam: the floor goes on there, as it does not in a window.
+  // One walks below a beam: the floor goes on there, as it does not in a window. What
+  // furniture hides of it says neither.
   const bool has_floor =
       storey.columns.share(way.front(), floor - 0.1, floor + 0.1, 1, 1) >= 1;
   if (!has_lintel)
     ++frontier.plain;
-  else if (!has_floor)
-    ++frontier.wall;
+  else if (!has_floor) {
+    const bool has_sill = std::any_of(
+        way.begin(), way.end(), [&](Cell cell) { return storey.isSill(cell, floor); });
+    ++(has_sill ? frontier.wall : frontier.hidden);
+  }
   else if (isSameHeight(storey, a, b, way.front()))
     frontier.below_lintel.push_back(keyOf(way.front()));
 }
@@ -252,8 +265,11 @@ isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& param
 {
   const std::size_t open = frontier.plain + frontier.below_lintel.size();
   const std::size_t total = frontier.wall + open;
-  if (static_cast<double>(open) <
-      parameters.minimum_open_share * static_cast<double>(around))
+  // What furniture hides is as open as the rest.
+  const double extent = static_cast<double>(open) *
+                        (1 + static_cast<double>(frontier.hidden) /
+                                 static_cast<double>(std::max<std::size_t>(1, total)));
+  if (extent < parameters.minimum_open_share * static_cast<double>(around))
     return false;
   if (2 * frontier.plain >= total || 4 * open >= 3 * total)
     return true; // a door is a small part of what is wall else
@@ -277,6 +293,7 @@ betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
     Frontier& sum = merged[{std::min(a, b), std::max(a, b)}];
     sum.wall += frontier.wall;
     sum.plain += frontier.plain;
+    sum.hidden += frontier.hidden;
     sum.below_lintel.insert(sum.below_lintel.end(), frontier.below_lintel.begin(),
                             frontier.below_lintel.end());
   }

@@ -203,6 +203,68 @@ TEST(FitRoom, ARecessIsADetailAboveTheCeiling)
   EXPECT_NEAR(room.details[0].boundary.area(), 3, 0.05);
 }
 
+/** The plan of a room of which nothing was seen where `isHidden` says so. */
+PlanRoom
+fittedWithout(const RoomPoints& points,
+              const RoomParts& parts,
+              const RoomPoints::InSpace& isHidden)
+{
+  RoomEvidence evidence = evidenceOf(points, parts);
+  for (auto* indices : {&evidence.around, &evidence.ceiling, &evidence.details,
+                        &evidence.floor, &evidence.walls})
+    indices->erase(
+        std::remove_if(indices->begin(), indices->end(),
+                       [&](int i) { return isHidden(points[i].cast<double>()); }),
+        indices->end());
+  std::string problem;
+  return fitRoom(points.view(), evidence, {}, problem);
+}
+
+/** 6 m x 4 m, with a beam of 0.4 m across. */
+PlanRoom
+roomWithABeam()
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  room.details = {detailOf(rectangle(2.81, 0.01, 3.21, 4.01), 2.4)};
+  return room;
+}
+
+TEST(FitRoom, ABeamWhoseEndWasNotSeenGoesOnToTheWall)
+{
+  const PlanRoom truth = roomWithABeam();
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  // A shadow that reaches farther on one side.
+  const PlanRoom room = fittedWithout(points, parts, [](const Eigen::Vector3d& p) {
+    return p.z() > 2.3 && p.x() > 2.6 && p.x() < 3.5 && p.y() > 4.4 - 0.4 * p.x();
+  });
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_EQ(room.details[0].boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
+}
+
+TEST(FitRoom, PiecesOfABeamAreOneWhereNothingWasSeenBetween)
+{
+  const PlanRoom truth = roomWithABeam();
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fittedWithout(points, parts, [](const Eigen::Vector3d& p) {
+    return p.z() > 2.3 && p.x() > 2.6 && p.x() < 3.4 && p.y() > 1.6 && p.y() < 2.2;
+  });
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
+}
+
+TEST(FitRoom, BeamsOnOneLineAreTwoWhereTheCeilingIsSeenBetween)
+{
+  PlanRoom truth = roomWithABeam();
+  truth.details = {detailOf(rectangle(2.81, 0.01, 3.21, 1.51), 2.4),
+                   detailOf(rectangle(2.81, 2.31, 3.21, 4.01), 2.4)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  EXPECT_EQ(fitted(points, parts).details.size(), 2u);
+}
+
 TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);

@@ -138,6 +138,31 @@ TEST(SegmentRooms, AStepInTheCeilingIsOneRoom)
   EXPECT_TRUE(rooms.regions[0].ceiling.contains(CellGrid(0.05).at(2, 2)));
 }
 
+TEST(SegmentRooms, ABeamAboveWhatHidesTheFloorDoesNotPartARoom)
+{
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 8.01, 6.01), 2.7);
+  room.details = {detailOf(rectangle(3.81, 0.01, 4.21, 6.01), 2.4)};
+  const PlanLoop car = rectangle(3.01, 1.01, 5.01, 5.01);
+  points.slab(room.boundary, 0, [&](double x, double y) {
+    return !car.contains({x, y});
+  });
+  points.slab(car, 1.5);
+  for (const auto& side : car.elements)
+    points.wall(side, 0, 1.5);
+  points.slab(room.boundary, 2.7, [&](double x, double y) {
+    return !room.details[0].boundary.contains({x, y});
+  });
+  points.slab(room.details[0].boundary, 2.4);
+  for (const auto& side : room.details[0].boundary.elements)
+    points.wall(side, 2.4, 2.7);
+  for (const auto& wall : room.boundary.elements)
+    points.wall(wall, 0, 2.7);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 1u);
+  EXPECT_EQ(rooms.at(1, 2), rooms.at(7, 2));
+}
+
 TEST(SegmentRooms, ABeamDoesNotPartARoom)
 {
   RoomPoints points;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+
+#include <Eigen/Core>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A strip of cells along a line; lengths in metres. */
+struct Strip {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
+  double length = 0;
+  double width = 0;
+};
+
+/** @brief The straight strip that cells spread along: one of length l has the variance
+ * l^2 / 12. No cells give one of length 0. O(cells of the box). */
+Strip stripOf(const CellMask& cells, const CellGrid& grid);
+
+} // namespace sedr
+} // namespace pcl
