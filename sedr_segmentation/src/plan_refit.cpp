@@ -57,10 +57,12 @@ public:
     for (int round = 0; round < rounds; ++round) {
       const std::vector<PatchSums> sums = patchSums(raw_, targets_, centre, band);
       for (std::size_t t = 0; t < targets_.size(); ++t) {
-        PatchFit fit = fitOf(sums, t);
+        if (isSparse(t) && round > 0)
+          continue;
+        PatchFit fit = isSparse(t) ? shiftTo(scatters_[t]) : fitOf(sums, t);
         if (fit.count < static_cast<double>(parameters_.least_points))
           continue;
-        if (isBesideAnother(t, scatters_[t].deviation))
+        if (!isSparse(t) && isBesideAnother(t, scatters_[t].deviation))
           undoCut(centre[t], band[t], scatters_[t].deviation, fit);
         move(t, fit);
         noise_[t] = fit.deviation;
@@ -93,8 +95,25 @@ private:
     for (Scatter& s : scatters_) {
       const double share = s.count / (s.count + points_of_usual);
       s.deviation = share * s.deviation + (1 - share) * usual;
-      s.centre *= share;
     }
+  }
+
+  /** @brief Whether a line is shown by too few points for patches. */
+  bool isSparse(std::size_t t) const
+  {
+    constexpr double few = 150;
+    return t < curves_.curves.size() && !curves_.curves[t].curve.isCircle() &&
+           scatters_[t].count < few;
+  }
+
+  /** @brief A shift to where most of the points are. */
+  static PatchFit shiftTo(const Scatter& scatter)
+  {
+    PatchFit fit;
+    fit.step[0] = scatter.centre;
+    fit.count = scatter.count;
+    fit.deviation = scatter.deviation;
+    return fit;
   }
 
   /** @brief Whether the points of another surface reach into the band of this one. */
@@ -367,6 +386,8 @@ refitToRaw(Floorplan& plan,
     if (!is_fitted[c])
       curves.curves[c] = was[c];
   }
+  if (std::none_of(is_fitted.begin(), is_fitted.end(), [](bool b) { return b; }))
+    return report;
   const auto restore = [&](const PlanCurves::Loop& loop) {
     for (const std::size_t c : loop.curves) {
       curves.curves[c] = was[c];

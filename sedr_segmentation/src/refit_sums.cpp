@@ -229,26 +229,23 @@ private:
   }
 
   /** @brief Weighs the patches by how far they are from where a step leads. A patch
-   * that holds two surfaces scatters more than others, and than what is seen head on.
-   */
+   * that holds two surfaces scatters more than others. */
   void weigh(const Eigen::Vector3d& step)
   {
     constexpr double sigmas = 4;
     constexpr double most_scatter = 1.4;
+    constexpr double least_points = 8; // that tell a scatter
     std::vector<Weighted> scaled;
-    std::vector<Weighted> scatters;
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      if (weight_[i] > 0) {
+      if (weight_[i] > 0)
         scaled.push_back({std::abs(residual(i, step)) / deviationOf(i), voteOf(i)});
-        scatters.push_back({std::sqrt(variance(i)), voteOf(i)});
-      }
     // Walls are less even than noise alone would make them.
     const double scale = std::max(1.0, 1.4826 * medianOf(std::move(scaled)));
-    const double scatter = std::max(
-        least_scatter, most_scatter * std::max(noise_, medianOf(std::move(scatters))));
+    const double scatter =
+        std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
     for (std::size_t i = 0; i < patches_.size(); ++i)
       weight_[i] =
-          variance(i) > scatter * scatter
+          patches_[i]->count >= least_points && ownVariance(i) > scatter * scatter
               ? 0
               : biweight(residual(i, step) / (sigmas * scale * deviationOf(i)));
   }
@@ -388,10 +385,17 @@ fitPatches(const std::vector<PatchSums>& patches,
            Eigen::Index parameters,
            double noise)
 {
+  // Where a wall is open, a few points of something else are seen.
+  constexpr double least_share = 0.05;
+  std::vector<Weighted> counts;
+  for (std::size_t p = first; p < last; ++p)
+    if (patches[p].count > 0)
+      counts.push_back({patches[p].count, std::sqrt(patches[p].count)});
+  const double least_points = std::max(1.0, least_share * medianOf(std::move(counts)));
   std::vector<const PatchSums*> own;
   std::vector<bool> tops;
   for (std::size_t p = first; p < last; ++p)
-    if (patches[p].count > 0) {
+    if (patches[p].count >= least_points) {
       own.push_back(&patches[p]);
       tops.push_back(is_top[p - first]);
     }

@@ -246,19 +246,21 @@ RefitTargets::addSlabs(PlanRoom& room)
   if (room.boundary.elements.empty())
     return;
   const auto [low, high] = boundsOf(room.boundary);
-  const Eigen::Vector2d middle = (low + high) / 2;
   const Eigen::Vector2d extent = high - low;
-  const Eigen::Vector2d half = extent / 2;
-  const std::size_t ceiling = addSlab(room.ceiling, middle, half, nullptr, 0);
+  const auto add = [&](PlanSlab& slab, const PlanLoop& loop,
+                       const PlanSlab* parallel_to, std::size_t parent) {
+    const auto [from, to] = boundsOf(loop);
+    return addSlab(slab, (from + to) / 2, (to - from) / 2, parallel_to, parent);
+  };
+  const std::size_t ceiling = add(room.ceiling, room.boundary, nullptr, 0);
   for (auto& detail : room.details)
-    addSlab(detail.slab, middle, half, &room.ceiling, ceiling);
-  const std::size_t floor = addSlab(room.floor, middle, half, nullptr, 0);
+    add(detail.slab, detail.boundary, &room.ceiling, ceiling);
+  const std::size_t floor = add(room.floor, room.boundary, nullptr, 0);
   for (auto& detail : room.floor_details)
-    addSlab(detail.slab, middle, half, &room.floor, floor);
+    add(detail.slab, detail.boundary, &room.floor, floor);
   for (auto& niche : room.niches) {
-    const std::size_t bottom =
-        addSlab(niche.bottom, middle, half, &niche.bottom, floor);
-    const std::size_t top = addSlab(niche.top, middle, half, &niche.top, ceiling);
+    const std::size_t bottom = add(niche.bottom, niche.boundary, &room.floor, floor);
+    const std::size_t top = add(niche.top, niche.boundary, &room.ceiling, ceiling);
     niches_.push_back({&niche, bottom, top, niche.boundary.length()});
   }
 

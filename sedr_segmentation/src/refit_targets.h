@@ -86,8 +86,9 @@ private:
   struct Slab {
     PlanSlab* slab = nullptr;
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    std::size_t parent = 0;                         ///< whose direction it has
-    Eigen::Vector2d half = Eigen::Vector2d::Zero(); ///< extent about the middle
+    std::size_t parent = 0; ///< whose direction it has
+    Eigen::Vector2d half =
+        Eigen::Vector2d::Zero(); ///< extent of its loop about the middle
   };
 
   /** @brief Which slabs are above and below the cells of a room, -1 none, away from

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_segmentation/plan_refit.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/** The elements of a loop as a fit to `residual` would leave them. */
+void
+setSeen(PlanLoop& loop, double residual)
+{
+  for (auto& e : loop.elements) {
+    e.inliers = 100;
+    e.residual = residual;
+  }
+}
+
+/** A rectangle of 4 x 3 m, 2.6 m high. */
+PlanRoom
+plainRoom()
+{
+  return roomOf(rectangle(0, 0, 4, 3), 2.6);
+}
+
+/** A plan of a room that is off: its rectangle by up to 8 mm, its slabs by 5 mm. */
+Floorplan
+offPlan(double floor = 0.005, double ceiling = 2.595)
+{
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(
+      polygon({{0.006, -0.004}, {3.995, 0.003}, {4.006, 3.004}, {-0.003, 2.992}}),
+      ceiling));
+  plan.rooms[0].floor = slabAt(floor);
+  setSeen(plan.rooms[0].boundary, 0.01);
+  return plan;
+}
+
+double
+cornerError(const PlanLoop& loop, const PlanLoop& truth)
+{
+  double worst = 0;
+  for (std::size_t i = 0; i < truth.elements.size(); ++i)
+    worst = std::max(worst, (loop.elements[i].start - truth.elements[i].start).norm());
+  return worst;
+}
+
+TEST(RefitToRaw, ANoiseFreeRoomIsMetExactly)
+{
+  RoomPoints raw(0.02);
+  raw.room(plainRoom());
+  Floorplan plan = offPlan();
+  const RefitReport report = refitToRaw(plan, raw.view());
+  EXPECT_EQ(report.curves, 4u);
+  EXPECT_EQ(report.slabs, 2u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
+  for (const Vector2d& p : {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 3)}) {
+    EXPECT_NEAR(plan.rooms[0].floor.heightAt(p), 0, 1e-5);
+    EXPECT_NEAR(plan.rooms[0].ceiling.heightAt(p), 2.6, 1e-5);
+  }
+}
+
+TEST(RefitToRaw, NoiseIsAveragedAwayAndTold)
+{
+  // 20,000 points a wall: its middle is known to 0.15 mm, its ends to 0.3 mm.
+  for (const double noise : {0.001, 0.01, 0.02}) {
+    RoomPoints raw(0.015, noise);
+    raw.room(plainRoom());
+    Floorplan plan = offPlan();
+    refitToRaw(plan, raw.view());
+    const double bar = 4 * (2 * noise / std::sqrt(16000.0)) + 0.0001;
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), bar) << noise;
+    EXPECT_NEAR(plan.rooms[0].floor.heightAt({2, 1.5}), 0, bar);
+    for (const auto& e : plan.rooms[0].boundary.elements) {
+      EXPECT_NEAR(e.residual, noise, 0.1 * noise);
+      EXPECT_GT(e.inliers, 10000u);
+    }
+  }
+}
+
+TEST(RefitToRaw, WhatStandsBeforeAWallIsLeftOut)
+{
+  // A cupboard 4 cm before a third of the wall, up to the ceiling.
+  const PlanRoom truth = plainRoom();
+  const auto isHidden = [](const Vector3d& p) { return p.y() < 1e-9 && p.x() < 1.3; };
+  for (const double noise : {0.001, 0.01}) {
+    RoomPoints raw(0.015, noise);
+    raw.room(truth, [&](const Vector3d& p) { return !isHidden(p); });
+    raw.wall(segment({0, 0.04}, {1.3, 0.04}), 0, 2.6);
+    Floorplan plan = offPlan();
+    refitToRaw(plan, raw.view());
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001)
+        << noise;
+  }
+}
+
+TEST(RefitToRaw, FurnitureInTheLowerHalfDoesNotCount)
+{
+  RoomPoints raw(0.02);
+  raw.room(plainRoom(), [](const Vector3d& p) { return p.y() > 0.1 || p.z() > 1.2; });
+  raw.wall(segment({0, 0.03}, {4, 0.03}), 0, 1.2);
+  Floorplan plan = offPlan();
+  refitToRaw(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
+}
+
+TEST(RefitToRaw, ASurfaceThatWouldMoveFartherThanItsNoiseExplainsStays)
+{
+  // All points of a wall are 5 cm off what was found with a residual of 2 mm.
+  RoomPoints raw(0.02);
+  raw.room(roomOf(rectangle(0, -0.05, 4, 3), 2.6));
+  Floorplan plan;
+  plan.rooms.push_back(plainRoom());
+  setSeen(plan.rooms[0].boundary, 0.002);
+  const RefitReport report = refitToRaw(plan, raw.view());
+  EXPECT_EQ(report.curves, 3u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
+
+  // With a residual of 5 cm it is believed.
+  setSeen(plan.rooms[0].boundary, 0.05);
+  EXPECT_EQ(refitToRaw(plan, raw.view()).curves, 4u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, -0.05, 4, 3)), 1e-4);
+}
+
+TEST(RefitToRaw, LeaningSlabsLean)
+{
+  PlanRoom truth = plainRoom();
+  truth.ceiling = slabAt(2.597, 0.002, -0.001);
+  truth.floor = slabAt(-0.003, 0, 0.002);
+  RoomPoints raw(0.02, 0.005);
+  raw.room(truth);
+  Floorplan plan = offPlan(0, 2.6);
+  refitToRaw(plan, raw.view());
+  for (const Vector2d& p : {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 3)}) {
+    EXPECT_NEAR(plan.rooms[0].ceiling.heightAt(p), truth.ceiling.heightAt(p), 0.0004);
+    EXPECT_NEAR(plan.rooms[0].floor.heightAt(p), truth.floor.heightAt(p), 0.0004);
+  }
+}
+
+TEST(RefitToRaw, ADetailParallelToItsCeilingStaysSo)
+{
+  PlanRoom truth = plainRoom();
+  truth.ceiling = slabAt(2.597, 0.002, 0);
+  PlanDetail soffit = detailOf(rectangle(0, 0, 1, 3), 2.3);
+  soffit.slab = slabAt(2.3, 0.002, 0);
+  truth.details.push_back(soffit);
+  RoomPoints raw(0.02);
+  raw.room(truth);
+  Floorplan plan = offPlan(0, 2.6);
+  plan.rooms[0].details.push_back(detailOf(rectangle(0, 0, 1.004, 3), 2.304));
+  setSeen(plan.rooms[0].details[0].boundary, 0.01);
+  refitToRaw(plan, raw.view());
+  const PlanRoom& room = plan.rooms[0];
+  EXPECT_LT((room.details[0].slab.plane - room.ceiling.plane).head<3>().norm(), 1e-12);
+  EXPECT_NEAR(room.details[0].slab.heightAt({0.5, 1.5}), 2.301, 1e-4);
+  EXPECT_NEAR(room.details[0].boundary.elements[1].start.x(), 1, 1e-4); // its riser
+}
+
+TEST(RefitToRaw, TheCircleOfASmallColumnIsUnbiased)
+{
+  // Seen from one side only, as the means of voxels of it would be 1 mm outside.
+  PlanRoom truth = plainRoom();
+  PlanLoop column = circle({2, 1.5}, 0.2);
+  column.elements[0].counter_clockwise = false; // the room is outside
+  truth.columns.push_back(column);
+  for (const double noise : {0.0, 0.005}) {
+    RoomPoints raw(0.01, noise);
+    raw.room(truth, [](const Vector3d& p) {
+      return (p.head<2>() - Vector2d(2, 1.5)).norm() > 0.3 || p.x() + p.y() < 3.45;
+    });
+    Floorplan plan = offPlan();
+    PlanLoop found = circle({2.004, 1.497}, 0.206);
+    found.elements[0].counter_clockwise = false;
+    setSeen(found, 0.01);
+    plan.rooms[0].columns.push_back(found);
+    refitToRaw(plan, raw.view());
+    const PlanElement& e = plan.rooms[0].columns[0].elements[0];
+    const double bar = noise > 0 ? 0.0006 : 1e-5;
+    EXPECT_LT((e.centre - Vector2d(2, 1.5)).norm(), 2 * bar);
+    EXPECT_NEAR(e.radius, 0.2, bar);
+  }
+}
+
+TEST(RefitToRaw, ALongFlatArcIsJudgedByWhatItMovesNotByItsCentre)
+{
+  // An arc of 8 m with a radius of 7: 5 mm at its ends are 5 cm at its centre.
+  const double half = std::asin(4.0 / 7) * 180 / M_PI;
+  const double sagitta = 7 - std::sqrt(33.0);
+  const auto hall = [&](double ends) {
+    const double radius = (16 + std::pow(sagitta + ends, 2)) / (2 * (sagitta + ends));
+    const double angle = std::asin(4 / radius) * 180 / M_PI;
+    PlanLoop loop;
+    loop.elements = {
+        segment({0, 0}, {8, 0}), segment({8, 0}, {8, 5}),
+        arc({4, 5 + std::sqrt(radius * radius - 16)}, radius, 270 + angle, 270 - angle),
+        segment({0, 5}, {0, 0})};
+    for (std::size_t i : {1, 2, 3}) // as exact as the corners are written
+      loop.elements[i].start = loop.elements[i - 1].end;
+    return loop;
+  };
+  ASSERT_NEAR(hall(0).elements[2].radius, 7, 1e-9);
+  ASSERT_GT(half, 30);
+  RoomPoints raw(0.03);
+  raw.room(roomOf(hall(0), 3));
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(hall(0.012), 3));
+  ASSERT_GT(std::abs(plan.rooms[0].boundary.elements[2].radius - 7), 0.02);
+  setSeen(plan.rooms[0].boundary, 0.003);
+  EXPECT_EQ(refitToRaw(plan, raw.view()).curves, 4u);
+  const PlanElement& e = plan.rooms[0].boundary.elements[2];
+  EXPECT_NEAR(e.radius, 7, 0.002);
+  EXPECT_LT((e.start - Vector2d(8, 5)).norm(), 0.001);
+}
+
+TEST(RefitToRaw, SmoothJointsStaySmooth)
+{
+  RoomPoints raw(0.02, 0.005);
+  raw.room(roomOf(stadium(4, 1.5), 2.6));
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(placed(stadium(4, 1.505), 0, {0.003, -0.002}), 2.6));
+  setSeen(plan.rooms[0].boundary, 0.01);
+  refitToRaw(plan, raw.view());
+  const auto& elements = plan.rooms[0].boundary.elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const PlanElement& next = elements[(i + 1) % elements.size()];
+    EXPECT_GT(elements[i].normalAt(elements[i].length()).dot(next.normalAt(0)),
+              1 - 1e-8);
+    if (elements[i].isArc()) {
+      EXPECT_NEAR(elements[i].radius, 1.5, 0.001);
+    }
+  }
+}
+
+TEST(RefitToRaw, TheFacesOfAThinPartitionKeepApart)
+{
+  // 8 cm between the faces, noise of 2 cm: each face's points reach to the other's.
+  PlanRoom left = roomOf(rectangle(0, 0, 4, 3), 2.6);
+  PlanRoom right = roomOf(rectangle(4.08, 0, 8, 3), 2.6, 2);
+  RoomPoints raw(0.015, 0.02);
+  raw.room(left);
+  RoomPoints once_more(0.01, 0.02, 2); // twice as dense on the other side
+  once_more.room(right);
+  for (std::size_t i = 0; i < once_more.size(); ++i) {
+    const Eigen::Vector3f p = once_more[static_cast<int>(i)];
+    raw.point(p.x(), p.y(), p.z());
+  }
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4.006, 3), 2.6),
+                roomOf(rectangle(4.07, 0, 8, 3), 2.6, 2)};
+  for (auto& room : plan.rooms)
+    setSeen(room.boundary, 0.02);
+  refitToRaw(plan, raw.view());
+  EXPECT_NEAR(plan.rooms[0].boundary.elements[1].pointAt(1.5).x(), 4, 0.001);
+  EXPECT_NEAR(plan.rooms[1].boundary.elements[3].pointAt(1.5).x(), 4.08, 0.001);
+}
+
+TEST(RefitToRaw, AShortFaceIsTurnedWherePointsTellItsDirection)
+{
+  // A pilaster of 12 cm whose front was found 2 degrees askew.
+  const Corners corners{{0, 0},      {1.5, 0}, {1.5, 0.12}, {1.62, 0.12},
+                        {1.62, 0.0}, {4, 0},   {4, 3},      {0, 3}};
+  RoomPoints raw(0.005, 0.0005);
+  raw.room(roomOf(polygon(corners), 2.6));
+  Corners found = corners;
+  found[2].y() += 0.002;
+  found[3].y() -= 0.002;
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(polygon(found), 2.6));
+  setSeen(plan.rooms[0].boundary, 0.003);
+  refitToRaw(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, polygon(corners)), 0.0005);
+}
+
+TEST(RefitToRaw, TheSameBytesForAnyNumberOfThreads)
+{
+  RoomPoints raw(0.01, 0.01);
+  raw.room(plainRoom());
+  ASSERT_GT(raw.size(), 400000u);
+  std::string first;
+  for (const unsigned threads : {1u, 2u, 4u}) {
+    Floorplan plan = offPlan();
+    RefitParameters parameters;
+    parameters.threads = threads;
+    refitToRaw(plan, raw.view(), {}, parameters);
+    const std::string text = floorplanToJson(plan);
+    if (first.empty())
+      first = text;
+    EXPECT_TRUE(text == first) << threads;
+  }
+}
+
+TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
+{
+  RoomPoints raw(0.015, 0.005);
+  raw.room(plainRoom());
+  Floorplan plan = offPlan();
+  RefitParameters parameters;
+  parameters.most_points = raw.size() / 10;
+  refitToRaw(plan, raw.view(), {}, parameters);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.002);
+  EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);
+}
+
+TEST(RefitToRaw, NoPointsOrPointsElsewhereLeaveThePlanAsItIs)
+{
+  const std::string was = floorplanToJson(offPlan());
+  const auto expectUnchanged = [&](const RoomPoints& raw) {
+    Floorplan plan = offPlan();
+    const RefitReport report = refitToRaw(plan, raw.view());
+    EXPECT_EQ(report.curves, 0u);
+    EXPECT_EQ(report.slabs, 0u);
+    EXPECT_TRUE(floorplanToJson(plan) == was);
+  };
+  expectUnchanged(RoomPoints());
+  RoomPoints far;
+  for (const double shift : {100.0, 1e7, 1e30})
+    for (int i = 0; i < 1000; ++i)
+      far.point(shift + i, -shift, shift);
+  expectUnchanged(far);
+  RoomPoints not_a_number;
+  for (int i = 0; i < 1000; ++i)
+    not_a_number.point(std::numeric_limits<double>::quiet_NaN(), 1, 1);
+  expectUnchanged(not_a_number);
+  Floorplan empty;
+  EXPECT_EQ(refitToRaw(empty, far.view()).curves, 0u);
+}
+
+TEST(RefitToRaw, PointsThatAreNotFiniteOrNotIndexedDoNotCount)
+{
+  RoomPoints raw(0.02);
+  const PlanRoom truth = plainRoom();
+  raw.room(truth);
+  const std::vector<int> indices = raw.all();
+  raw.room(roomOf(rectangle(-0.01, -0.01, 4.01, 3.01), 2.61)); // not indexed
+  raw.room(roomOf(rectangle(-0.01, -0.01, 4.01, 3.01), 2.61));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<int> with_bad = indices;
+  for (int i = 0; i < 100; ++i)
+    with_bad.push_back(raw.point(2, nan, 2));
+  for (const auto& chosen : {indices, with_bad}) {
+    Floorplan plan = offPlan();
+    refitToRaw(plan, raw.view(), chosen);
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
+  }
+}
+
+} // namespace
