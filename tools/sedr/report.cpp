@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include "room_measures.h"
-
 #include <pcl/common/angles.h>
+#include <pcl/sedr_filters/room_measures.h>
 
 #include <nlohmann/json.hpp>
 
