@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -159,26 +160,21 @@ private:
                   "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));
-    const TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const auto texts = roomTexts(room, spot.place, "m²");
-    for (const PlanElement& e : room.boundary.elements)
-      writeSize(e, room, spot, reachOf(texts) * fontFor(spot, texts, room_font));
-    // Last, so that no text breaks its line.
     writePath("wall", pathOf(room.boundary));
+    // What matters more takes its place first.
+    const TextSpot spot = textSpotIn(room.boundary, room.columns);
+    writeFitting("name halo", spot, roomTexts(room, spot.place, "m²"), room_font);
     for (const LevelNote& note : levelNotes(room, spot))
       writeFitting("level halo", note.spot, {note.text}, size_font);
-    writeFitting("name halo", spot, texts, room_font);
+    for (const PlanElement& e : room.boundary.elements)
+      writeSize(e, room);
     out_ << "</g>\n";
   }
 
   /** @brief Distance of the corners of some lines from their middle, over the font. */
   static double reachOf(const std::vector<std::string>& lines)
   {
-    std::size_t letters = 0;
-    for (const std::string& line : lines)
-      letters = std::max(letters, line.size());
-    return std::hypot(letter * static_cast<double>(letters) / 2,
-                      0.65 * static_cast<double>(lines.size()));
+    return halfSizeOf(lines).norm();
   }
 
   /** @brief The font with which lines fit the radius of a spot, at most `font`; 0 where
@@ -192,6 +188,28 @@ private:
     return fitting < least ? 0 : std::min(font, fitting);
   }
 
+  /** @brief Half the width and height of some lines, over the font. */
+  static Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines)
+  {
+    std::size_t letters = 0;
+    for (const std::string& line : lines)
+      letters = std::max(letters, line.size());
+    return {letter * static_cast<double>(letters) / 2,
+            0.65 * static_cast<double>(lines.size())};
+  }
+
+  /** @brief Takes a rectangle of the page for a text.
+   * @return false where another text stands there already */
+  bool takePlace(const Eigen::Vector2d& middle, const Eigen::Vector2d& half_size)
+  {
+    const Eigen::AlignedBox2d box(middle - half_size, middle + half_size);
+    for (const Eigen::AlignedBox2d& other : texts_)
+      if (!box.intersection(other).isEmpty())
+        return false;
+    texts_.push_back(box);
+    return true;
+  }
+
   /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing
    * where they could not be read. */
   void writeFitting(const char* kind,
@@ -200,9 +218,9 @@ private:
                     double font)
   {
     font = fontFor(spot, lines, font);
-    if (font == 0)
-      return;
     Eigen::Vector2d place = onPage(spot.place);
+    if (font == 0 || !takePlace(place, font * halfSizeOf(lines)))
+      return;
     place.y() -= 0.65 * font * static_cast<double>(lines.size() - 1);
     for (const std::string& line : lines) {
       writeText(kind, place, font, line);
@@ -210,24 +228,30 @@ private:
     }
   }
 
-  /** @brief The size of a wall beside its middle, within the room; nothing where there
-   * is no space for it, for the text of the room too. */
-  void writeSize(const PlanElement& e,
-                 const PlanRoom& room,
-                 const TextSpot& room_spot,
-                 double room_reach)
+  /** @brief The size of a wall beside its middle, else a third from either end, within
+   * the room; nothing where there is no space for it. */
+  void writeSize(const PlanElement& e, const PlanRoom& room)
+  {
+    for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3})
+      if (writeSizeAt(e, share * e.length(), room))
+        return;
+  }
+
+  bool writeSizeAt(const PlanElement& e, double s, const PlanRoom& room)
   {
     const std::string text = sizeText(e);
-    const double width = letter * size_font * static_cast<double>(text.size());
-    const Eigen::Vector2d normal = e.normalAt(e.length() / 2);
+    const Eigen::Vector2d half = size_font * halfSizeOf({text});
+    const Eigen::Vector2d normal = e.normalAt(s);
     const Eigen::Vector2d place =
-        e.pointAt(e.length() / 2) + 0.9 * size_font * scale_ / 1000 * normal;
+        e.pointAt(s) + 0.9 * size_font * scale_ / 1000 * normal;
     const double space = spaceFor(place, e, room) * 1000 / scale_;
-    const Eigen::Vector2d beside = onPage(place);
-    const double to_room_text = (beside - onPage(room_spot.place)).norm();
-    if (e.length() * 1000 / scale_ < width + 2 || space < 0.4 * width ||
-        to_room_text < room_reach + size_font / 2)
-      return;
+    const double along = std::min(s, e.length() - s) * 1000 / scale_;
+    const Eigen::Vector2d turned(
+        std::abs(normal.y()) * half.x() + std::abs(normal.x()) * half.y(),
+        std::abs(normal.x()) * half.x() + std::abs(normal.y()) * half.y());
+    if (along < half.x() + 1 || space < 0.8 * half.x() ||
+        !takePlace(onPage(place), turned))
+      return false;
     // Along the wall, read from below or from the right; a degree for walls that are
     // not quite upright.
     double degrees = std::atan2(normal.x(), normal.y()) * 180 / M_PI;
@@ -235,7 +259,8 @@ private:
       degrees -= 180;
     if (degrees <= -91)
       degrees += 180;
-    writeText("size halo", beside, size_font, text, degrees);
+    writeText("size halo", onPage(place), size_font, text, degrees);
+    return true;
   }
 
   /** @brief Distance of a place from all walls but one. */
@@ -294,6 +319,7 @@ private:
   Eigen::AlignedBox2d bounds_;
   Eigen::Vector2d drawn_; ///< size of the plan on paper
   Eigen::Vector2d size_;  ///< of the page
+  std::vector<Eigen::AlignedBox2d> texts_;
   std::ostringstream out_;
 };
 
