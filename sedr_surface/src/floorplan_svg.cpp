@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
 #include "plan_drawing.h"
+#include "text_places.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
@@ -25,7 +26,6 @@ constexpr double margin_bottom = 30; // with overall size, scale bar and title
 constexpr double least_width = 110;  // of the page: scale bar and title
 constexpr double room_font = 3.2;
 constexpr double size_font = 2.0;
-constexpr double letter = 0.56; // width of a letter over its font's size
 
 constexpr const char* style = R"(
   text { font-family: Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif; }
@@ -171,12 +171,6 @@ private:
     out_ << "</g>\n";
   }
 
-  /** @brief Distance of the corners of some lines from their middle, over the font. */
-  static double reachOf(const std::vector<std::string>& lines)
-  {
-    return halfSizeOf(lines).norm();
-  }
-
   /** @brief The font with which lines fit the radius of a spot, at most `font`; 0 where
    * they could not be read. */
   double fontFor(const TextSpot& spot,
@@ -184,30 +178,8 @@ private:
                  double font) const
   {
     constexpr double least = 1.1;
-    const double fitting = spot.radius * 1000 / scale_ / reachOf(lines);
+    const double fitting = spot.radius * 1000 / scale_ / halfSizeOf(lines).norm();
     return fitting < least ? 0 : std::min(font, fitting);
-  }
-
-  /** @brief Half the width and height of some lines, over the font. */
-  static Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines)
-  {
-    std::size_t letters = 0;
-    for (const std::string& line : lines)
-      letters = std::max(letters, line.size());
-    return {letter * static_cast<double>(letters) / 2,
-            0.65 * static_cast<double>(lines.size())};
-  }
-
-  /** @brief Takes a rectangle of the page for a text.
-   * @return false where another text stands there already */
-  bool takePlace(const Eigen::Vector2d& middle, const Eigen::Vector2d& half_size)
-  {
-    const Eigen::AlignedBox2d box(middle - half_size, middle + half_size);
-    for (const Eigen::AlignedBox2d& other : texts_)
-      if (!box.intersection(other).isEmpty())
-        return false;
-    texts_.push_back(box);
-    return true;
   }
 
   /** @brief Lines about a spot, as large as fits its radius, up to `font`; nothing
@@ -219,7 +191,7 @@ private:
   {
     font = fontFor(spot, lines, font);
     Eigen::Vector2d place = onPage(spot.place);
-    if (font == 0 || !takePlace(place, font * halfSizeOf(lines)))
+    if (font == 0 || !texts_.take(place, font * halfSizeOf(lines)))
       return;
     place.y() -= 0.65 * font * static_cast<double>(lines.size() - 1);
     for (const std::string& line : lines) {
@@ -246,11 +218,8 @@ private:
         e.pointAt(s) + 0.9 * size_font * scale_ / 1000 * normal;
     const double space = spaceFor(place, e, room) * 1000 / scale_;
     const double along = std::min(s, e.length() - s) * 1000 / scale_;
-    const Eigen::Vector2d turned(
-        std::abs(normal.y()) * half.x() + std::abs(normal.x()) * half.y(),
-        std::abs(normal.x()) * half.x() + std::abs(normal.y()) * half.y());
     if (along < half.x() + 1 || space < 0.8 * half.x() ||
-        !takePlace(onPage(place), turned))
+        !texts_.take(onPage(place), turnedTo(normal, half)))
       return false;
     // Along the wall, read from below or from the right; a degree for walls that are
     // not quite upright.
@@ -319,7 +288,7 @@ private:
   Eigen::AlignedBox2d bounds_;
   Eigen::Vector2d drawn_; ///< size of the plan on paper
   Eigen::Vector2d size_;  ///< of the page
-  std::vector<Eigen::AlignedBox2d> texts_;
+  TextPlaces texts_;
   std::ostringstream out_;
 };
 
