@@ -18,6 +18,8 @@ for scan in synth1 office_labelled stepped_room apartment vaulted_studio; do
   echo "== $scan"
   "$bin/pcl_sedr" "$SEDR_DATA/$scan.pcd" "$out/$scan" --pictures
   "$bin/pcl_mesh_evaluation" "$out/$scan/mesh.ply" --cloud "$SEDR_DATA/$scan.pcd"
+  "$bin/pcl_mesh_evaluation" "$out/$scan/solid.ply" --self-intersections | grep -E 'closed|triangles|intersect' || true
+  cp "$out/$scan/floorplan.svg" "$images/real_${scan}_drawing.svg"
   cp "$out/$scan/pictures/"*_floorplan_fitting.png "$images/real_${scan}_plan.png"
   cp "$out/$scan/pictures/"*_structural_poisson.png "$images/real_${scan}_mesh.png"
 done

@@ -135,6 +135,7 @@ struct Settings {
       , threads(chain.getNumberOfThreads())
       , seed(chain.getSeed())
       , z_up(chain.getChain().trust_up)
+      , mesh_from_plan(chain.getChain().mesh_from_plan)
   {}
 
   std::string input;
@@ -152,6 +153,7 @@ struct Settings {
   double unit = 1; ///< metres
   bool z_up;
   bool fixed_grid = false;
+  bool mesh_from_plan;
   bool pictures = false;
 };
 
@@ -186,6 +188,8 @@ addOptions(Options& options, Settings& s)
                  "length of one unit of the scan: 0.001 for millimetres",
                  Range::between(1e-6, 1e6));
   options.flag("z-up", s.z_up, "take z as up even if another axis seems to be");
+  options.flag("mesh-from-plan", s.mesh_from_plan,
+               "sample the floor plan for mesh.ply, not the points: sharper edges");
   options.flag("pictures", s.pictures,
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
 }
@@ -204,6 +208,7 @@ apply(const Settings& s, Reconstruction& chain)
   chain.setNumberOfThreads(s.threads);
   chain.setSeed(s.seed);
   chain.getChain().trust_up = s.z_up;
+  chain.getChain().mesh_from_plan = s.mesh_from_plan;
 }
 
 /** @brief Reads, reconstructs, measures and writes. */

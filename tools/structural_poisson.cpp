@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_picture.h"
 #include "picture_file.h"
+#include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -22,6 +23,7 @@ struct Settings {
   std::string input;
   std::string output;
   std::string picture;
+  std::string plan;
   bool one_room = false;
 };
 
@@ -77,7 +79,10 @@ run(const Settings& settings, Poisson& poisson)
                     "' does not end in .ply");
   checkWritable(settings.output);
   checkPictureOutput(settings.picture);
-  poisson.setInputCloud(load(settings));
+  if (!settings.plan.empty())
+    poisson.setFloorplan(loadFloorplan(settings.plan));
+  else
+    poisson.setInputCloud(load(settings));
   pcl::PolygonMesh mesh;
   {
     const Progress progress("solving");
@@ -123,6 +128,9 @@ main(int argc, char** argv)
                "room and label are used if there");
   options.file("OUTPUT.ply", settings.output,
                "mesh to write, faces with room and label");
+  options.text("plan", settings.plan,
+               "floor plan, as JSON, to take the samples from instead of INPUT: sharper "
+               "edges");
   options.number("depth", depth, "", "largest depth of the octree",
                  Range::between(3, 14));
   options.number("min-depth", min_depth, "", "depth of the octree everywhere",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
 #include "plan_drawing.h"
+#include "text_places.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -24,7 +26,6 @@ constexpr double margin_bottom = 30; // with overall size, scale bar and title
 constexpr double least_width = 110;  // of the page: scale bar and title
 constexpr double room_font = 3.2;
 constexpr double size_font = 2.0;
-constexpr double letter = 0.56; // width of a letter over its font's size
 
 constexpr const char* style = R"(
   text { font-family: Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif; }
@@ -159,26 +160,15 @@ private:
                   "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));
-    const TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const auto texts = roomTexts(room, spot.place, "m²");
-    for (const PlanElement& e : room.boundary.elements)
-      writeSize(e, room, spot, reachOf(texts) * fontFor(spot, texts, room_font));
-    // Last, so that no text breaks its line.
     writePath("wall", pathOf(room.boundary));
+    // What matters more takes its place first.
+    const TextSpot spot = textSpotIn(room.boundary, room.columns);
+    writeFitting("name halo", spot, roomTexts(room, spot.place, "m²"), room_font);
     for (const LevelNote& note : levelNotes(room, spot))
       writeFitting("level halo", note.spot, {note.text}, size_font);
-    writeFitting("name halo", spot, texts, room_font);
+    for (const PlanElement& e : room.boundary.elements)
+      writeSize(e, room);
     out_ << "</g>\n";
-  }
-
-  /** @brief Distance of the corners of some lines from their middle, over the font. */
-  static double reachOf(const std::vector<std::string>& lines)
-  {
-    std::size_t letters = 0;
-    for (const std::string& line : lines)
-      letters = std::max(letters, line.size());
-    return std::hypot(letter * static_cast<double>(letters) / 2,
-                      0.65 * static_cast<double>(lines.size()));
   }
 
   /** @brief The font with which lines fit the radius of a spot, at most `font`; 0 where
@@ -188,7 +178,7 @@ private:
                  double font) const
   {
     constexpr double least = 1.1;
-    const double fitting = spot.radius * 1000 / scale_ / reachOf(lines);
+    const double fitting = spot.radius * 1000 / scale_ / halfSizeOf(lines).norm();
     return fitting < least ? 0 : std::min(font, fitting);
   }
 
@@ -200,9 +190,9 @@ private:
                     double font)
   {
     font = fontFor(spot, lines, font);
-    if (font == 0)
-      return;
     Eigen::Vector2d place = onPage(spot.place);
+    if (font == 0 || !texts_.take(place, font * halfSizeOf(lines)))
+      return;
     place.y() -= 0.65 * font * static_cast<double>(lines.size() - 1);
     for (const std::string& line : lines) {
       writeText(kind, place, font, line);
@@ -210,24 +200,27 @@ private:
     }
   }
 
-  /** @brief The size of a wall beside its middle, within the room; nothing where there
-   * is no space for it, for the text of the room too. */
-  void writeSize(const PlanElement& e,
-                 const PlanRoom& room,
-                 const TextSpot& room_spot,
-                 double room_reach)
+  /** @brief The size of a wall beside its middle, else a third from either end, within
+   * the room; nothing where there is no space for it. */
+  void writeSize(const PlanElement& e, const PlanRoom& room)
+  {
+    for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3})
+      if (writeSizeAt(e, share * e.length(), room))
+        return;
+  }
+
+  bool writeSizeAt(const PlanElement& e, double s, const PlanRoom& room)
   {
     const std::string text = sizeText(e);
-    const double width = letter * size_font * static_cast<double>(text.size());
-    const Eigen::Vector2d normal = e.normalAt(e.length() / 2);
+    const Eigen::Vector2d half = size_font * halfSizeOf({text});
+    const Eigen::Vector2d normal = e.normalAt(s);
     const Eigen::Vector2d place =
-        e.pointAt(e.length() / 2) + 0.9 * size_font * scale_ / 1000 * normal;
+        e.pointAt(s) + 0.9 * size_font * scale_ / 1000 * normal;
     const double space = spaceFor(place, e, room) * 1000 / scale_;
-    const Eigen::Vector2d beside = onPage(place);
-    const double to_room_text = (beside - onPage(room_spot.place)).norm();
-    if (e.length() * 1000 / scale_ < width + 2 || space < 0.4 * width ||
-        to_room_text < room_reach + size_font / 2)
-      return;
+    const double along = std::min(s, e.length() - s) * 1000 / scale_;
+    if (along < half.x() + 1 || space < 0.8 * half.x() ||
+        !texts_.take(onPage(place), turnedTo(normal, half)))
+      return false;
     // Along the wall, read from below or from the right; a degree for walls that are
     // not quite upright.
     double degrees = std::atan2(normal.x(), normal.y()) * 180 / M_PI;
@@ -235,7 +228,8 @@ private:
       degrees -= 180;
     if (degrees <= -91)
       degrees += 180;
-    writeText("size halo", beside, size_font, text, degrees);
+    writeText("size halo", onPage(place), size_font, text, degrees);
+    return true;
   }
 
   /** @brief Distance of a place from all walls but one. */
@@ -294,6 +288,7 @@ private:
   Eigen::AlignedBox2d bounds_;
   Eigen::Vector2d drawn_; ///< size of the plan on paper
   Eigen::Vector2d size_;  ///< of the page
+  TextPlaces texts_;
   std::ostringstream out_;
 };
 

@@ -6,6 +6,7 @@
 #include <pcl/sedr_surface/plan_facets.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -24,6 +25,63 @@ liesOn(const PlanElement& element, const PlanRoom& room)
                        [&](const PlanLoop& c) { return c.distance(p) <= on_wall; });
   };
   return isOn(0) && isOn(0.25) && isOn(0.5) && isOn(0.75) && isOn(1);
+}
+
+/** @brief The part of an element between two distances from its start. */
+PlanElement
+pieceOf(const PlanElement& element, double from, double to)
+{
+  PlanElement piece = element;
+  piece.start = element.pointAt(from);
+  piece.end = element.pointAt(to);
+  return piece;
+}
+
+/** @brief Where, between two distances along an element, it enters or leaves a room. */
+double
+crossingOf(const PlanElement& element, const PlanRoom& room, double from, double to)
+{
+  const bool is_inside = room.contains(element.pointAt(from));
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (from + to) / 2;
+    (room.contains(element.pointAt(middle)) == is_inside ? from : to) = middle;
+  }
+  return (from + to) / 2;
+}
+
+/** @brief The pieces of an edge of a detail that are in the room: a fitted detail may
+ * reach beyond its walls, which nobody draws. Pieces shorter than 2 cm do not show. */
+std::vector<PlanElement>
+piecesInside(const PlanElement& element, const PlanRoom& room)
+{
+  constexpr double step = 0.02;
+  constexpr std::size_t most = 10000;
+  const double length = element.length();
+  const auto steps =
+      std::min(most, static_cast<std::size_t>(std::ceil(length / step)) + 1);
+  const auto at = [&](std::size_t i) {
+    return length * static_cast<double>(i) / static_cast<double>(steps);
+  };
+  // From the middle of each step: the ends may lie on a wall.
+  const auto middleOf = [&](std::size_t i) { return (at(i) + at(i + 1)) / 2; };
+  std::vector<PlanElement> pieces;
+  double from = 0;
+  bool is_inside = room.contains(element.pointAt(middleOf(0)));
+  const auto close = [&](double to) {
+    if (is_inside && (to - from >= step || to - from == length))
+      pieces.push_back(from == 0 && to == length ? element
+                                                 : pieceOf(element, from, to));
+    from = to;
+  };
+  for (std::size_t i = 1; i < steps; ++i) {
+    const bool is_next_inside = room.contains(element.pointAt(middleOf(i)));
+    if (is_next_inside == is_inside)
+      continue;
+    close(crossingOf(element, room, middleOf(i - 1), middleOf(i)));
+    is_inside = is_next_inside;
+  }
+  close(length);
+  return pieces;
 }
 
 /** @brief Distance from all edges, negative outside of the loop or in an obstacle. */
@@ -71,6 +129,12 @@ drawnElements(const Floorplan& plan)
         if (element.length() > 0 && !(is_on_top && liesOn(element, room)))
           drawn.push_back({element, layer, room.id});
     };
+    const auto addInside = [&](const PlanLoop& loop, DrawnLayer layer) {
+      for (const PlanElement& element : loop.elements)
+        if (element.length() > 0 && !liesOn(element, room))
+          for (const PlanElement& piece : piecesInside(element, room))
+            drawn.push_back({piece, layer, room.id});
+    };
     add(room.boundary, DrawnLayer::Wall, false);
     for (const PlanLoop& column : room.columns)
       add(column, DrawnLayer::Column, false);
@@ -78,9 +142,9 @@ drawnElements(const Floorplan& plan)
          {std::make_pair(&room.details, DrawnLayer::Detail),
           std::make_pair(&room.floor_details, DrawnLayer::FloorDetail)})
       for (const PlanDetail& detail : *details) {
-        add(detail.boundary, layer, true);
+        addInside(detail.boundary, layer);
         for (const PlanLoop& hole : detail.holes)
-          add(hole, layer, true);
+          addInside(hole, layer);
       }
     for (const PlanNiche& niche : room.niches)
       add(niche.boundary, DrawnLayer::Niche, true);

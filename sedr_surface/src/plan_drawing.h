@@ -22,7 +22,8 @@ struct DrawnElement {
 };
 
 /** @brief All lines and arcs of a plan; edges of details and niches that lie on a wall
- * or a column, as near as they are known, are drawn as such only. */
+ * or a column, as near as they are known, are drawn as such only, and of edges of
+ * details what is within the room. */
 std::vector<DrawnElement> drawnElements(const Floorplan& plan);
 
 /** @brief A place for text within a loop, and its distance from what is around it,

@@ -190,6 +190,7 @@ StructureChain::makeMesh()
 {
   return runStage("StructuralPoisson", structure->size(), [&](StageReport& report) {
     poisson.setInputCloud(structure);
+    poisson.setFloorplan(mesh_from_plan ? plan : nullptr);
     pcl::PolygonMesh unused;
     poisson.reconstruct(unused);
     report.points_out = poisson.getMesh().vertices.size();

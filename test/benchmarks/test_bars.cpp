@@ -66,9 +66,55 @@ TEST(Bars, each_is_missed_alone)
             Bars{Bar::DetailZone});
 }
 
+TEST(Bars, of_solids_are_missed_alone)
+{
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid = {}; }), Bars{Bar::SolidClosed});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.closed_manifold = false; }),
+            Bars{Bar::SolidClosed});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.components = 3; }),
+            Bars{Bar::SolidClosed});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.self_intersections = 1; }),
+            Bars{Bar::SolidCrossing});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.truth_to_solid_mean = 0.00031; }),
+            Bars{Bar::SolidMean});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.truth_to_solid_max = 0.0051; }),
+            Bars{Bar::SolidMax});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.volume_error = 0.0051; }),
+            Bars{Bar::SolidVolume});
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.wall_area_error = 0.021; }),
+            Bars{Bar::WallArea});
+  EXPECT_EQ(missedAfter([](auto& r) { r.rooms.area_error = 0.011; }),
+            Bars{Bar::PlanArea});
+  EXPECT_EQ(missedAfter([](auto& r) { r.plan.radius_error = 0.011; }),
+            Bars{Bar::Radius});
+  EXPECT_EQ(missedAfter([](auto& r) { r.plan.rooms_with_other_corners = 1; }),
+            Bars{Bar::Corners});
+}
+
+TEST(Bars, of_triangles_is_for_straight_walls)
+{
+  EXPECT_EQ(missedAfter([](auto& r) { r.solid.triangles = 5001; }), Bars{});
+  EXPECT_EQ(missedAfter([](auto& r) {
+              r.solid.triangles = 5001;
+              r.plan.arcs_true = 0;
+            }),
+            Bars{Bar::SolidTriangles});
+}
+
+TEST(Bars, the_limits_of_solids_rise_with_the_noise_in_steps)
+{
+  EXPECT_DOUBLE_EQ(solidLimits(0.001).mean, 0.0001);
+  EXPECT_DOUBLE_EQ(solidLimits(0.001).max, 0.001);
+  EXPECT_DOUBLE_EQ(solidLimits(0.005).mean, 0.0003);
+  EXPECT_DOUBLE_EQ(solidLimits(0.01).max, 0.005);
+  EXPECT_DOUBLE_EQ(solidLimits(0.02).mean, 0.001);
+  EXPECT_DOUBLE_EQ(solidLimits(0.02).max, 0.01);
+}
+
 TEST(Bars, what_lies_on_its_bar_reaches_it)
 {
   RunRow row = goodRow("sample", 0.001);
+  row.solid = {4, true, 0, 5000, 0.0001, 0.001, 0, 0, 0.005, 0.02};
   row.mesh.truth_to_mesh_mean = 0.002;
   row.mesh.truth_within_1cm = 0.95;
   row.mesh.truth_within_5cm = 0.99;

@@ -42,6 +42,11 @@ TEST(Run, of_an_empty_room_finds_it)
     EXPECT_GT(row.labels[k].recall, 0.97) << k;
     EXPECT_GT(row.labels[k].precision, 0.97) << k;
   }
+  EXPECT_TRUE(row.solid.closed_manifold.value_or(false));
+  EXPECT_EQ(row.solid.self_intersections, 0u);
+  EXPECT_LT(row.solid.truth_to_solid_max, 0.002);
+  EXPECT_LT(row.solid.wall_area_error, 0.002);
+  EXPECT_EQ(row.plan.corners_found, 4u);
   EXPECT_FALSE(row.mesh.isMeasured());
   EXPECT_FALSE(row.stage_seconds.empty());
 }
@@ -84,8 +89,8 @@ TEST(Run, keeps_its_files_when_asked_to)
   settings.seed = 3;
   ASSERT_EQ(runScene(emptyRoom(), settings).failure, "");
   const auto kept = settings.keep / "sample_n0.005_s3";
-  for (const char* name :
-       {"scan.pcd", "truth.ply", "truth.json", "structure.pcd", "floorplan.json"})
+  for (const char* name : {"scan.pcd", "truth.ply", "truth.json", "structure.pcd",
+                           "floorplan.json", "solid.ply"})
     EXPECT_TRUE(std::filesystem::exists(kept / name)) << name;
   EXPECT_FALSE(std::filesystem::exists(kept / "mesh.ply")); // none was made
 }

@@ -50,9 +50,10 @@ cell(const std::string& table, const std::string& row, const std::string& column
 
 TEST(Table, has_a_row_a_scene_and_noise_in_order)
 {
-  const std::string table =
+  const std::string all =
       tableOf({goodRow("hall", 0.02), goodRow("attic", 0.001), goodRow("hall", 0.001),
                goodRow("hall", 0.001, 2)});
+  const std::string table = all.substr(0, all.find("## Plans and solids"));
   EXPECT_EQ(linesWith(table, "| hall | 0.1 |").size(), 1u);
   EXPECT_EQ(linesWith(table, "| hall | 2 |").size(), 1u);
   EXPECT_EQ(linesWith(table, "| attic | 0.1 |").size(), 1u);
@@ -159,6 +160,22 @@ TEST(Table, has_the_seconds_of_each_stage)
                                       "StructuralPoisson", "all"}));
   EXPECT_EQ(cellsOf(linesWith(table, "| hall | 1.23 |").at(0)),
             (std::vector<std::string>{"hall", "1.23", "0.50", "12.25", "12.50"}));
+}
+
+TEST(Table, has_plans_and_solids_by_themselves)
+{
+  std::vector<RunRow> rows{goodRow("hall", 0.01, 1), goodRow("hall", 0.01, 2)};
+  rows[1].solid.truth_to_solid_mean = 0.0004;
+  rows[1].plan.corners_found = 19;
+  rows[1].plan.rooms_with_other_corners = 1;
+  const std::string all = tableOf(rows);
+  EXPECT_EQ(cell(all, "| hall", "missed"), ""); // of the models
+  const std::string table = all.substr(all.find("## Plans and solids"));
+  EXPECT_EQ(cell(table, "| hall", "closed"), "yes");
+  EXPECT_EQ(cell(table, "| hall", "mean, cm"), "**0.0400 (0.0100)**");
+  EXPECT_EQ(cell(table, "| hall", "corners"), "**18-19/18**");
+  EXPECT_EQ(cell(table, "| hall", "triangles"), "120");
+  EXPECT_EQ(cell(table, "| hall", "missed"), "solid mean 1/2, corners 1/2");
 }
 
 TEST(RunGroups, median_is_the_middle_one_or_the_lower_of_two)

@@ -21,6 +21,7 @@ samplePlan()
   PlanRoom room = roomOf(placed(bittenRectangle(6, 4, 1), 10, {1e4 / 3, -0.1}), 2.5, 3);
   room.boundary.elements[0].inliers = 123456789;
   room.boundary.elements[0].residual = 1.0 / 3;
+  room.boundary.elements[0].evidence = {1.0 / 7, 0.5, 5.0 / 14};
   room.floor.plane = Eigen::Vector4d(1e-300, -1.0 / 7, std::sqrt(1 - 1.0 / 49), -0.1);
   room.floor.inliers = 17;
   room.floor.residual = 0.1 + 0.2;
@@ -48,6 +49,9 @@ expectSame(const PlanLoop& a, const PlanLoop& b)
     EXPECT_EQ(e.radius, f.radius);
     EXPECT_EQ(e.inliers, f.inliers);
     EXPECT_EQ(e.residual, f.residual);
+    EXPECT_EQ(e.evidence.seen, f.evidence.seen);
+    EXPECT_EQ(e.evidence.hidden, f.evidence.hidden);
+    EXPECT_EQ(e.evidence.opening, f.evidence.opening);
     if (e.isArc()) {
       EXPECT_EQ(e.centre, f.centre);
       EXPECT_EQ(e.counter_clockwise, f.counter_clockwise);
@@ -161,6 +165,24 @@ TEST(FloorplanJson, SaysAreaAndPerimeterForThoseWhoReadOn)
   EXPECT_NE(text.find("\"area\": 8.0"), std::string::npos) << text;
   EXPECT_NE(text.find("\"perimeter\": 12.0"), std::string::npos) << text;
   EXPECT_NE(text.find("\"unit\": \"m\""), std::string::npos) << text;
+}
+
+TEST(FloorplanJson, SaysHeightVolumeStoreysAndThickness)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 2), 2.5), roomOf(rectangle(4.125, 0, 6, 2), 2.5, 2)}};
+  const std::string text = floorplanToJson(plan);
+  EXPECT_NE(text.find("\"height\": 2.5"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"volume\": 20.0"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"storeys\": ["), std::string::npos) << text;
+  EXPECT_NE(text.find("\"thickness\": 0.125"), std::string::npos) << text;
+}
+
+TEST(FloorplanJson, AShareBeyondAllIsRefused)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 2), 2.5)}};
+  plan.rooms[0].boundary.elements[0].evidence.seen = 1.5;
+  EXPECT_NE(problemOf(floorplanToJson(plan)).find("seen"), std::string::npos);
 }
 
 TEST(FloorplanJson, ForeignTextIsRefused)

@@ -76,6 +76,35 @@ TEST(FloorplanDrawing, APlanWithoutRoomsIsAnEmptyPage)
   EXPECT_TRUE(holds(floorplanToDxf({}), "ENTITIES\n0\nENDSEC\n0\nEOF\n"));
 }
 
+TEST(FloorplanDrawing, DetailsEndAtTheWalls)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
+  const std::string dxf = floorplanToDxf(plan);
+  // Of its four edges one lies in the room, from wall to wall.
+  const std::string line = "0\nLINE\n8\nDETAIL\n";
+  const std::size_t first = dxf.find(line);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(dxf.find(line, first + 1), std::string::npos);
+  EXPECT_TRUE(holds(dxf, line + "10\n4.0000000\n20\n4.0000000\n30\n0.0000000\n11\n"
+                                "4.0000000\n21\n0.0000000\n"));
+  plan.rooms[0].details = {detailOf(circle({6, 2}, 1), 2.2)};
+  EXPECT_TRUE(holds(floorplanToDxf(plan),
+                    "0\nARC\n8\nDETAIL\n10\n6.0000000\n20\n2.0000000\n30\n0.0000000\n"
+                    "40\n1.0000000\n50\n90.0000000\n51\n270.0000000\n"));
+}
+
+TEST(FloorplanDrawing, ALevelDoesNotHideTheSizeOfAWall)
+{
+  // A soffit 40 cm wide along a wall of 6 m: its height and the wall's length do not
+  // fit one above the other at 1:100, so the length moves aside.
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].details = {detailOf(rectangle(0, 0, 6, 0.4), 2.2)};
+  const std::string svg = floorplanToSvg(plan, 100);
+  EXPECT_TRUE(holds(svg, ">2.20<"));
+  EXPECT_TRUE(holds(svg, "x=\"40\"")) << svg; // a third along the wall
+}
+
 TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
 {
   // A closet 30 cm wide: no sizes, no name that could be read at 1:100.

@@ -83,7 +83,61 @@ checkStructure(const StructureFigures& structure, Misses& misses)
                  "truth covered");
 }
 
+void
+checkSolid(const RunRow& row, Misses& misses)
+{
+  const SolidFigures& solid = row.solid;
+  if (!solid.isMeasured())
+    return misses.add(Bar::SolidClosed, "no solid");
+  if (!solid.closed_manifold.value_or(false) ||
+      solid.components < row.rooms.rooms_found)
+    misses.add(Bar::SolidClosed, "solid not closed");
+  if (solid.self_intersections != 0)
+    misses.add(Bar::SolidCrossing,
+               std::to_string(solid.self_intersections.value_or(0)) +
+                   " pairs of the solid's triangles meet");
+  const SolidLimits limits = solidLimits(row.noise);
+  if (!(solid.truth_to_solid_mean <= limits.mean))
+    misses.add(Bar::SolidMean,
+               formatted("solid: mean %.4f cm > %.2f cm",
+                         100 * solid.truth_to_solid_mean, 100 * limits.mean));
+  if (!(solid.truth_to_solid_max <= limits.max))
+    misses.add(Bar::SolidMax,
+               formatted("solid: max %.3f cm > %.1f cm", 100 * solid.truth_to_solid_max,
+                         100 * limits.max));
+  misses.atMost(Bar::SolidVolume, solid.volume_error, most_volume_error,
+                "solid's volume");
+  misses.atMost(Bar::WallArea, solid.wall_area_error, most_wall_area_error,
+                "wall surface");
+  if (row.plan.arcs_true == 0 && solid.triangles > most_straight_triangles)
+    misses.add(Bar::SolidTriangles,
+               std::to_string(*solid.triangles) + " triangles of straight walls");
+}
+
+void
+checkPlan(const RunRow& row, Misses& misses)
+{
+  misses.atMost(Bar::PlanArea, row.rooms.area_error, most_area_error, "area");
+  const PlanFigures& plan = row.plan;
+  if (plan.radius_error > most_radius_error) // NaN where there is none
+    misses.atMost(Bar::Radius, plan.radius_error, most_radius_error, "radius");
+  if (plan.rooms_with_other_corners != 0)
+    misses.add(Bar::Corners, std::to_string(plan.corners_found.value_or(0)) +
+                                 " corners of " +
+                                 std::to_string(plan.corners_true.value_or(0)));
+}
+
 } // namespace
+
+SolidLimits
+solidLimits(double noise)
+{
+  if (noise <= 0.001)
+    return {0.0001, 0.001};
+  if (noise <= 0.01)
+    return {0.0003, 0.005};
+  return {0.001, 0.01};
+}
 
 double
 meanLimit(double noise)
@@ -122,6 +176,26 @@ nameOf(Bar bar)
     return "points > 5 cm";
   case Bar::Covered:
     return "covered";
+  case Bar::SolidClosed:
+    return "solid closed";
+  case Bar::SolidCrossing:
+    return "solid crossing";
+  case Bar::SolidMean:
+    return "solid mean";
+  case Bar::SolidMax:
+    return "solid max";
+  case Bar::SolidTriangles:
+    return "triangles";
+  case Bar::PlanArea:
+    return "area";
+  case Bar::SolidVolume:
+    return "solid volume";
+  case Bar::WallArea:
+    return "wall surface";
+  case Bar::Radius:
+    return "radius";
+  case Bar::Corners:
+    return "corners";
   }
   return "";
 }
@@ -139,6 +213,8 @@ missedBars(const RunRow& row)
     checkModel(row, misses);
   else
     checkStructure(row.structure, misses);
+  checkSolid(row, misses);
+  checkPlan(row, misses);
   return misses.all();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,34 @@ enum class Bar {
   ModelBeyond5cm,  ///< of the model's area, at most 0.5 %
   DetailZone,      ///< of the zone around details, at least 97 % within 5 cm
   PointsBeyond5cm, ///< without a mesh: of the structure's points, at most 0.5 %
-  Covered          ///< without a mesh: of the truth, at least 99 % near a point
+  Covered,         ///< without a mesh: of the truth, at least 99 % near a point
+  SolidClosed,     ///< solids closed, manifold, oriented, one a room
+  SolidCrossing,   ///< no two triangles of the solids go through each other
+  SolidMean,       ///< truth to solid, at most solidLimits()
+  SolidMax,        ///< likewise
+  SolidTriangles,  ///< at most 5000 where all walls are straight
+  PlanArea,        ///< of every room within 1 %
+  SolidVolume,     ///< within 0.5 %
+  WallArea,        ///< within 2 %
+  Radius,          ///< of every arc within 1 %
+  Corners          ///< as many as there are, in every room
 };
 
-constexpr std::array<Bar, 11> all_bars{
-    Bar::Done,       Bar::Rooms,           Bar::Closed,    Bar::Components,
-    Bar::Mean,       Bar::Within1cm,       Bar::Within5cm, Bar::ModelBeyond5cm,
-    Bar::DetailZone, Bar::PointsBeyond5cm, Bar::Covered};
+constexpr std::array<Bar, 21> all_bars{
+    Bar::Done,       Bar::Rooms,           Bar::Closed,      Bar::Components,
+    Bar::Mean,       Bar::Within1cm,       Bar::Within5cm,   Bar::ModelBeyond5cm,
+    Bar::DetailZone, Bar::PointsBeyond5cm, Bar::Covered,     Bar::SolidClosed,
+    Bar::SolidMean,  Bar::SolidMax,        Bar::SolidVolume, Bar::SolidCrossing,
+    Bar::WallArea,   Bar::SolidTriangles,  Bar::PlanArea,    Bar::Radius,
+    Bar::Corners};
+
+/** @brief Whether a bar is one of the plan and its solids, which have a table of their
+ * own. */
+constexpr bool
+isOfSolid(Bar bar)
+{
+  return bar >= Bar::SolidClosed;
+}
 
 constexpr double least_within_1cm = 0.95;
 constexpr double least_within_5cm = 0.99;
@@ -41,6 +63,23 @@ constexpr double most_beyond_5cm = 0.005;
  * @param noise metres */
 double meanLimit(double noise);
 
+constexpr double most_area_error = 0.01;
+constexpr double most_volume_error = 0.005;
+constexpr double most_wall_area_error = 0.02;
+constexpr double most_radius_error = 0.01;
+constexpr std::size_t most_straight_triangles = 5000;
+
+/** @brief Metres that a solid may be off the truth. */
+struct SolidLimits {
+  double mean = 0;
+  double max = 0;
+};
+
+/** @brief 0.01 cm on average and 0.1 cm at most up to a noise of 0.1 cm, 0.03 and 0.5
+ * cm up to 1 cm, 0.1 and 1 cm above.
+ * @param noise metres */
+SolidLimits solidLimits(double noise);
+
 /** @brief A bar that a run missed, and by what: "3 rooms of 4". */
 struct Miss {
   Bar bar = Bar::Done;
@@ -51,7 +90,8 @@ struct Miss {
 std::string nameOf(Bar bar);
 
 /** @brief The bars a run missed. Those of a mesh are looked at if the run was to make
- * one, the last two if not; without details there is no bar for them. */
+ * one, those of points if not; those of solids in any case. Without details or arcs
+ * there is no bar for them. */
 std::vector<Miss> missedBars(const RunRow& row);
 
 } // namespace benchmark

@@ -58,6 +58,9 @@ KeptFiles::keepResult(const pcl::IndoorStructureReconstruction<pcl::PointXYZ>& c
   pcl::toPCLPointCloud2(*chain.getStructure(), structure);
   tools::saveCloud((folder_ / "structure.pcd").string(), structure);
   sim::writeText(folder_ / "floorplan.json", floorplanToJson(*chain.getFloorplan()));
+  const TriangleMesh& solid = chain.getChain().extrusion.getMesh();
+  if (!solid.empty())
+    saveMesh(folder_ / "solid.ply", solid);
   if (has_mesh)
     saveMesh(folder_ / "mesh.ply", chain.getChain().poisson.getMesh());
 }

@@ -16,8 +16,8 @@ namespace sedr {
 namespace benchmark {
 
 /** @brief The files of a run, for a closer look: FOLDER/SCENE_n0.01_s1/scan.pcd,
- * truth.ply, truth.json, structure.pcd, floorplan.json, mesh.ply. What cannot be
- * written is thrown as a std::runtime_error of one sentence. */
+ * truth.ply, truth.json, structure.pcd, floorplan.json, solid.ply, mesh.ply. What
+ * cannot be written is thrown as a std::runtime_error of one sentence. */
 class KeptFiles {
 public:
   /** @param folder where the run gets a folder; empty: nothing is kept */

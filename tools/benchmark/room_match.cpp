@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/room_match.h"
 
-#include "room_measures.h"
+#include <pcl/sedr_filters/room_measures.h>
 
 #include <Eigen/Geometry>
 
@@ -90,12 +90,12 @@ measureRooms(const Floorplan& plan,
     const PlanRoom& room = plan.rooms[pair.found];
     const sim::RoomTruth& truth = truths[pair.truth];
     const double area = room.area();
-    const double height = tools::meanHeight(room);
+    const double height = meanHeight(room);
     const double both = area + truth.area - pair.overlap;
     figures.rooms_matched += pair.overlap >= least_overlap * both ? 1 : 0;
     raise(figures.area_error, area, truth.area);
     raise(figures.height_error, height, truth.height);
-    raise(figures.volume_error, tools::volumeOf(room, height), truth.volume);
+    raise(figures.volume_error, volumeOf(room, height), truth.volume);
     const auto mesh = mesh_volumes.find(room.id);
     if (mesh != mesh_volumes.end())
       raise(figures.mesh_volume_error, mesh->second, truth.volume);

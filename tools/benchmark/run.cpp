@@ -114,6 +114,9 @@ measure(const Reconstruction& chain,
   row.rooms =
       measureRooms(*chain.getFloorplan(), truth.rooms,
                    has_mesh ? meshVolumes(chain) : std::map<std::uint32_t, double>());
+  row.plan = measurePlan(*chain.getFloorplan(), truth.rooms);
+  row.solid = measureSolid(chain.getChain().extrusion.getMesh(), *truth.fine_mesh,
+                           *chain.getFloorplan(), truth.rooms, settings.threads);
   if (chain.getStructure()->empty())
     return;
   const LabelledPoints structure = labelled(*chain.getStructure());

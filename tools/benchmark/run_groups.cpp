@@ -10,6 +10,16 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
+namespace {
+
+bool
+isOfKind(Bar bar, BarKind kind)
+{
+  return bar == Bar::Done || isOfSolid(bar) == (kind == BarKind::Solid);
+}
+
+} // namespace
+
 std::vector<RunRow>
 latestRows(const std::vector<RunRow>& rows)
 {
@@ -88,14 +98,22 @@ missesOf(const RunGroup& group, Bar bar)
 }
 
 std::string
-missesOf(const RunGroup& group)
+missesOf(const RunGroup& group, BarKind kind)
 {
   std::string text;
   for (const Bar bar : all_bars)
-    if (const std::size_t count = missesOf(group, bar))
+    if (const std::size_t count = isOfKind(bar, kind) ? missesOf(group, bar) : 0)
       text += (text.empty() ? "" : ", ") + nameOf(bar) + " " + std::to_string(count) +
               "/" + std::to_string(group.size());
   return text;
+}
+
+bool
+missesAny(const RunRow& row, BarKind kind)
+{
+  const auto misses = missedBars(row);
+  return std::any_of(misses.begin(), misses.end(),
+                     [kind](const Miss& miss) { return isOfKind(miss.bar, kind); });
 }
 
 } // namespace benchmark

@@ -35,9 +35,15 @@ double medianOf(const std::vector<double>& sorted);
 /** @brief The number of rows that missed the bar. */
 std::size_t missesOf(const RunGroup& group, Bar bar);
 
-/** @brief The bars that any row missed with the number of those rows, in the order of
- * Bar: "rooms 1/3, mean 3/3". */
-std::string missesOf(const RunGroup& group);
+/** @brief Which bars are asked for: those of solids or all others. */
+enum class BarKind { Model, Solid };
+
+/** @brief The bars of a kind that any row missed with the number of those rows: "rooms
+ * 1/3, mean 3/3". */
+std::string missesOf(const RunGroup& group, BarKind kind);
+
+/** @brief Whether a row missed any bar of a kind; of a row without a result all. */
+bool missesAny(const RunRow& row, BarKind kind);
 
 } // namespace benchmark
 } // namespace sedr

@@ -80,6 +80,42 @@ addRooms(Columns& columns)
   add("mesh_volume_error", &RoomFigures::mesh_volume_error);
 }
 
+void
+addPlan(Columns& columns)
+{
+  const auto add = [&columns](const std::string& name, auto member) {
+    columns.add(
+        name, [member](auto& row) -> auto& { return row.plan.*member; });
+  };
+  add("corners_true", &PlanFigures::corners_true);
+  add("corners_found", &PlanFigures::corners_found);
+  add("rooms_with_other_corners", &PlanFigures::rooms_with_other_corners);
+  add("corner_distance_max", &PlanFigures::corner_distance_max);
+  add("arcs_true", &PlanFigures::arcs_true);
+  add("arcs_found", &PlanFigures::arcs_found);
+  add("radius_error", &PlanFigures::radius_error);
+  add("perimeter_error", &PlanFigures::perimeter_error);
+}
+
+void
+addSolid(Columns& columns)
+{
+  const auto add = [&columns](const std::string& name, auto member) {
+    columns.add(
+        name, [member](auto& row) -> auto& { return row.solid.*member; });
+  };
+  add("solid_components", &SolidFigures::components);
+  add("solid_closed_manifold", &SolidFigures::closed_manifold);
+  add("solid_self_intersections", &SolidFigures::self_intersections);
+  add("solid_triangles", &SolidFigures::triangles);
+  add("truth_to_solid_mean", &SolidFigures::truth_to_solid_mean);
+  add("truth_to_solid_max", &SolidFigures::truth_to_solid_max);
+  add("solid_to_truth_mean", &SolidFigures::solid_to_truth_mean);
+  add("solid_to_truth_max", &SolidFigures::solid_to_truth_max);
+  add("solid_volume_error", &SolidFigures::volume_error);
+  add("solid_wall_area_error", &SolidFigures::wall_area_error);
+}
+
 /** @brief The columns of a model: `model(row)` is its figures, `prefix` stands before
  * every name. */
 template <typename Model>
@@ -152,6 +188,8 @@ makeColumns()
   Columns columns;
   addRun(columns);
   addRooms(columns);
+  addPlan(columns);
+  addSolid(columns);
   addModel(
       columns, "", [](auto& row) -> auto& { return row.mesh; });
   addStructure(columns);

@@ -3,7 +3,9 @@
 
 #include "benchmark/label_scores.h"
 #include "benchmark/model_figures.h"
+#include "benchmark/plan_figures.h"
 #include "benchmark/room_match.h"
+#include "benchmark/solid_figures.h"
 #include "benchmark/structure_figures.h"
 
 #include <array>
@@ -36,6 +38,8 @@ struct RunRow {
   std::size_t points = 0; ///< of the scan
   std::string failure;    ///< why there is no result, a sentence; empty if there is
   RoomFigures rooms;
+  PlanFigures plan;
+  SolidFigures solid;
   ModelFigures mesh;
   StructureFigures structure;
   std::array<LabelFigures, scored_labels.size()> labels;

@@ -9,10 +9,14 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-SceneTruth
-truthOf(const sim::Scene& scene)
+namespace {
+
+constexpr double fine_chord_tolerance = 1e-5; ///< metres
+
+/** @brief A truth in the frame of the scan. */
+std::shared_ptr<const TriangleMesh>
+placedMesh(const sim::Scene& scene, const sim::Mesh& truth)
 {
-  const sim::Mesh truth = sim::truthMesh(scene);
   auto mesh = std::make_shared<TriangleMesh>();
   for (const sim::Vec3& vertex : truth.vertices) {
     const sim::Vec3 p = sim::placed(scene.placement, vertex);
@@ -23,7 +27,17 @@ truthOf(const sim::Scene& scene)
     mesh->labels.push_back(static_cast<std::uint32_t>(face.label));
     mesh->rooms.push_back(face.room);
   }
-  return {mesh, sim::roomTruths(scene, truth)};
+  return mesh;
+}
+
+} // namespace
+
+SceneTruth
+truthOf(const sim::Scene& scene)
+{
+  const sim::Mesh truth = sim::truthMesh(scene);
+  return {placedMesh(scene, truth), sim::roomTruths(scene, truth),
+          placedMesh(scene, sim::truthMesh(scene, fine_chord_tolerance))};
 }
 
 TriangleMesh

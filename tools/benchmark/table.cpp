@@ -30,9 +30,8 @@ tableHead(const std::vector<std::string>& titles)
 }
 
 std::string
-runTable(const std::vector<RunRow>& rows, bool with_mesh)
+runTable(const std::vector<RunRow>& rows, const std::vector<TableColumn>& columns)
 {
-  const auto columns = columnsOf(with_mesh);
   std::vector<std::string> titles;
   for (const TableColumn& column : columns)
     titles.push_back(column.title);
@@ -47,12 +46,12 @@ runTable(const std::vector<RunRow>& rows, bool with_mesh)
 }
 
 std::string
-summaryOf(const std::vector<RunRow>& rows)
+summaryOf(const std::vector<RunRow>& rows, BarKind kind)
 {
-  const auto good = std::count_if(rows.begin(), rows.end(), [](const RunRow& row) {
-    return missedBars(row).empty();
+  const auto good = std::count_if(rows.begin(), rows.end(), [kind](const RunRow& row) {
+    return !missesAny(row, kind);
   });
-  const std::string missed = missesOf(rows);
+  const std::string missed = missesOf(rows, kind);
   return "Scenes: " + std::to_string(groupByScene(rows).size()) +
          ". Runs: " + std::to_string(rows.size()) +
          ". Runs that reach every bar: " + std::to_string(good) + "." +
@@ -141,9 +140,12 @@ tableOf(const std::vector<RunRow>& rows)
     if (kind.empty())
       continue;
     text += with_mesh ? "\n## Models\n\n" : "\n## Structure alone, no mesh made\n\n";
-    text += summaryOf(kind) + legend + runTable(kind, with_mesh) + failuresOf(kind) +
-            stageTable(kind);
+    text += summaryOf(kind, BarKind::Model) + legend +
+            runTable(kind, columnsOf(with_mesh)) + failuresOf(kind) + stageTable(kind);
   }
+  if (!latest.empty())
+    text += "\n## Plans and solids\n\n" + summaryOf(latest, BarKind::Solid) + "\n" +
+            runTable(latest, solidColumns());
   return text;
 }
 

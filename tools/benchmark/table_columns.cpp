@@ -3,6 +3,7 @@
 
 #include "benchmark/formatted.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -93,6 +94,49 @@ closedCell(const RunGroup& group)
   return marked(text, open + split > 0);
 }
 
+/** @brief "yes", or in how many runs solids are open or cross themselves. */
+std::string
+solidClosedCell(const RunGroup& group)
+{
+  const std::size_t open = missesOf(group, Bar::SolidClosed);
+  const std::size_t crossing = missesOf(group, Bar::SolidCrossing);
+  if (missesOf(group, Bar::Done) == group.size())
+    return "-";
+  std::string text = open == 0 ? "yes" : "no " + std::to_string(open);
+  if (crossing > 0)
+    text += ", crossing " + std::to_string(crossing);
+  return marked(text, open + crossing > 0);
+}
+
+/** @brief "4/4": found of true, or of each count of the seeds' "4-5/4". */
+std::string
+cornersCell(const RunGroup& group)
+{
+  std::vector<std::size_t> found;
+  std::size_t real = 0;
+  for (const RunRow& row : group)
+    if (row.plan.corners_found) {
+      found.push_back(*row.plan.corners_found);
+      real = row.plan.corners_true.value_or(0);
+    }
+  if (found.empty())
+    return "-";
+  const auto [least, most] = std::minmax_element(found.begin(), found.end());
+  std::string text = std::to_string(*least);
+  if (*least != *most)
+    text += "-" + std::to_string(*most);
+  return marked(text + "/" + std::to_string(real), missesOf(group, Bar::Corners) > 0);
+}
+
+double
+extrusionSeconds(const RunRow& row)
+{
+  for (const auto& [name, seconds] : row.stage_seconds)
+    if (name == "FloorplanExtrusion")
+      return seconds;
+  return not_known;
+}
+
 /** @brief Recall and precision of a label, the worst of each. */
 TableColumn
 labelColumn(std::size_t k)
@@ -181,8 +225,59 @@ columnsOf(bool with_mesh)
     columns.push_back(labelColumn(k));
   columns.push_back(figureColumn(
       "s", [](const RunRow& row) { return row.seconds; }, Worse::Higher, "%.1f", 1));
-  columns.push_back({"missed", [](const RunGroup& group) { return missesOf(group); }});
+  columns.push_back({"missed", [](const RunGroup& group) {
+                       return missesOf(group, BarKind::Model);
+                     }});
   return columns;
+}
+
+std::vector<TableColumn>
+solidColumns()
+{
+  const auto rooms = [](double RoomFigures::*figure) {
+    return [figure](const RunRow& row) { return row.rooms.*figure; };
+  };
+  const auto plan = [](double PlanFigures::*figure) {
+    return [figure](const RunRow& row) { return row.plan.*figure; };
+  };
+  const auto solid = [](double SolidFigures::*figure) {
+    return [figure](const RunRow& row) { return row.solid.*figure; };
+  };
+  return {
+      {"scene", [](const RunGroup& group) { return group.front().scene; }},
+      {"noise, cm",
+       [](const RunGroup& group) {
+         return formatted("%.4g", 100 * group.front().noise);
+       }},
+      {"closed", solidClosedCell},
+      figureColumn("mean, cm", solid(&SolidFigures::truth_to_solid_mean), Worse::Higher,
+                   "%.4f", 100, Bar::SolidMean),
+      figureColumn("max, cm", solid(&SolidFigures::truth_to_solid_max), Worse::Higher,
+                   "%.3f", 100, Bar::SolidMax),
+      figureColumn("solid to truth max, cm", solid(&SolidFigures::solid_to_truth_max),
+                   Worse::Higher, "%.3f", 100),
+      shareColumn("area", rooms(&RoomFigures::area_error), Worse::Higher,
+                  Bar::PlanArea),
+      shareColumn("perimeter", plan(&PlanFigures::perimeter_error), Worse::Higher),
+      shareColumn("volume", solid(&SolidFigures::volume_error), Worse::Higher,
+                  Bar::SolidVolume),
+      shareColumn("wall surface", solid(&SolidFigures::wall_area_error), Worse::Higher,
+                  Bar::WallArea),
+      shareColumn("radius", plan(&PlanFigures::radius_error), Worse::Higher,
+                  Bar::Radius),
+      {"corners", cornersCell},
+      figureColumn("corner off, cm", plan(&PlanFigures::corner_distance_max),
+                   Worse::Higher, "%.3f", 100),
+      figureColumn(
+          "triangles",
+          [](const RunRow& row) {
+            return row.solid.triangles ? static_cast<double>(*row.solid.triangles)
+                                       : not_known;
+          },
+          Worse::Higher, "%.0f", 1, Bar::SolidTriangles),
+      figureColumn("ms", extrusionSeconds, Worse::Higher, "%.0f", 1000),
+      {"missed", [](const RunGroup& group) { return missesOf(group, BarKind::Solid); }},
+  };
 }
 
 } // namespace benchmark

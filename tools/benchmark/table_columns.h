@@ -23,6 +23,9 @@ struct TableColumn {
  * if any of the runs misses its bar. */
 std::vector<TableColumn> columnsOf(bool with_mesh);
 
+/** @brief The columns about plans and their solids, whatever the runs made besides. */
+std::vector<TableColumn> solidColumns();
+
 } // namespace benchmark
 } // namespace sedr
 } // namespace pcl

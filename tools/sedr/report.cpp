@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include "room_measures.h"
-
 #include <pcl/common/angles.h>
+#include <pcl/sedr_filters/room_measures.h>
 
 #include <nlohmann/json.hpp>
 
@@ -80,6 +79,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"snap_tolerance", c.extrusion.getSnapTolerance()},
+          {"mesh_from_plan", c.mesh_from_plan},
           {"tree_depth", chain.getTreeDepth()},
           {"minimum_tree_depth", c.poisson.getMinDepth()},
           {"cell_ratio", c.poisson.getCellRatio()},

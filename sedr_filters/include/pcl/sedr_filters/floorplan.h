@@ -12,6 +12,17 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief What a scan shows of the surface that stands on an element, in shares of it;
+ * all 0 where that was not looked at, or nothing stands there. See measureEvidence().
+ */
+struct ElementEvidence {
+  double seen = 0;    ///< points lie on it
+  double hidden = 0;  ///< something stands before it
+  double opening = 0; ///< nothing is there: a door, a window
+
+  bool isKnown() const { return seen + hidden + opening > 0; }
+};
+
 /** @brief A straight segment or a circular arc of a plan, metres. */
 struct PlanElement {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
@@ -20,8 +31,9 @@ struct PlanElement {
   double radius = 0;             ///< of an arc; 0 says that this is a segment
   bool counter_clockwise = true; ///< sense in which an arc runs from start to end
 
-  std::size_t inliers = 0; ///< points that the element was fitted to
-  double residual = 0;     ///< their root mean square distance from it, metres
+  std::size_t inliers = 0;  ///< points that the element was fitted to
+  double residual = 0;      ///< their root mean square distance from it, metres
+  ElementEvidence evidence; ///< what was seen of it
 
   bool isArc() const { return radius > 0; }
 

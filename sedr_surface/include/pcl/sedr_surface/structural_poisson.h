@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_surface/room_poisson.h>
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -76,6 +78,22 @@ public:
   void setRoomLabels(const std::vector<std::uint32_t>& rooms) { room_labels_ = rooms; }
 
   const std::vector<std::uint32_t>& getRoomLabels() const { return room_labels_; }
+
+  /** @brief A plan to take the samples from, instead of the points of a cloud, which is
+   * not needed then: evenly from every room's solid, more of them along edges and
+   * corners (samplePlan()), which round off less. Null (default): the points. */
+  void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
+  {
+    plan_ = plan;
+  }
+
+  std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
+
+  /** @brief Metres between samples of a plan away from its edges, above 0 (default
+   * 0.05). */
+  void setPlanSpacing(double spacing) { plan_spacing_ = spacing; }
+
+  double getPlanSpacing() const { return plan_spacing_; }
 
   /** @brief Largest depth of the octree, 3 to 14 (default 9, as in the paper). Less is
    * used where the points bear no more; a room too large for it gets coarser cells. */
@@ -180,10 +198,10 @@ protected:
                              std::vector<pcl::Vertices>& polygons) override;
 
 private:
-  /** @brief The points of one room and where they stand in the input. */
+  /** @brief The points of one room. */
   struct Room {
     std::vector<sedr::OrientedPoint> points;
-    pcl::Indices indices;
+    std::vector<std::uint32_t> labels; ///< of each of them, or empty
     std::size_t skipped = 0;
     std::size_t scaled = 0;
   };
@@ -195,14 +213,24 @@ private:
 
   std::uint32_t roomOf(pcl::index_t index) const;
 
+  /** @brief Takes the samples of all rooms from the points. */
+  bool runOnPoints();
+
+  /** @brief Takes them from the plan. */
+  bool runOnPlan();
+
   void gather(std::map<std::uint32_t, Room>& rooms) const;
 
-  void addRoom(std::uint32_t number, const Room& room);
+  void addRoom(std::uint32_t number,
+               const Room& room,
+               const sedr::RoomPoissonParameters& parameters);
 
   void summarize();
 
   sedr::RoomPoissonParameters parameters_;
   std::vector<std::uint32_t> room_labels_;
+  std::shared_ptr<const sedr::Floorplan> plan_;
+  double plan_spacing_ = 0.05;
   std::vector<sedr::RoomPoissonReport> reports_;
   sedr::TriangleMesh mesh_;
   bool closed_ = false;

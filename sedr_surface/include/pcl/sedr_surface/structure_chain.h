@@ -70,6 +70,10 @@ public:
    */
   bool adapts_grid = true;
 
+  /** @brief Whether the mesh is made of samples of the plan instead of the repaired
+   * points: its edges round off less. */
+  bool mesh_from_plan = false;
+
   /** @brief Whether a scan in which z seems not to be up is taken as it is. */
   bool trust_up = false;
 

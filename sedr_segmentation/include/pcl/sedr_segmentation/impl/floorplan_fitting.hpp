@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_evidence.h>
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
@@ -97,7 +98,12 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   std::string problem;
   plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem,
                        warnings_, &boundaries_);
-  return problem.empty() ? fitToRaw(plan) : fail("FloorplanFitting", problem);
+  if (!problem.empty())
+    return fail("FloorplanFitting", problem);
+  if (!fitToRaw(plan))
+    return false;
+  sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_);
+  return true;
 }
 
 template <typename PointT>

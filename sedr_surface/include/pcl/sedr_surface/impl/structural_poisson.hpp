@@ -7,9 +7,12 @@
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>
 #include <pcl/search/impl/search.hpp>
+#include <pcl/sedr_surface/plan_samples.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 
@@ -110,7 +113,8 @@ StructuralPoisson<PointNT>::gather(std::map<std::uint32_t, Room>& rooms) const
     }
     room.scaled += std::abs(length - 1) > 1e-3f;
     room.points.push_back({point.getVector3fMap(), normal / length});
-    room.indices.push_back(index);
+    if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value)
+      room.labels.push_back(point.label);
   }
   if (rooms.size() > 1)
     rooms.erase(0); // no room's points
@@ -118,7 +122,9 @@ StructuralPoisson<PointNT>::gather(std::map<std::uint32_t, Room>& rooms) const
 
 template <typename PointNT>
 void
-StructuralPoisson<PointNT>::addRoom(std::uint32_t number, const Room& room)
+StructuralPoisson<PointNT>::addRoom(std::uint32_t number,
+                                    const Room& room,
+                                    const sedr::RoomPoissonParameters& parameters)
 {
   sedr::RoomPoissonReport report;
   report.room = number;
@@ -126,13 +132,11 @@ StructuralPoisson<PointNT>::addRoom(std::uint32_t number, const Room& room)
   report.scaled_normals = room.scaled;
   sedr::TriangleMesh surface;
   std::vector<std::uint32_t> nearest;
-  if (sedr::reconstructRoom(room.points, parameters_, surface, nearest, report)) {
+  if (sedr::reconstructRoom(room.points, parameters, surface, nearest, report)) {
     surface.rooms.assign(surface.triangles.size(), number);
-    if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value) {
-      surface.labels.reserve(nearest.size());
+    if (!room.labels.empty())
       for (const auto i : nearest)
-        surface.labels.push_back((*input_)[room.indices[i]].label);
-    }
+        surface.labels.push_back(room.labels[i]);
     mesh_.append(surface);
   }
   reports_.push_back(report);
@@ -180,6 +184,42 @@ StructuralPoisson<PointNT>::run()
   reports_.clear();
   mesh_ = sedr::TriangleMesh();
   closed_ = false;
+  if (!(plan_ ? runOnPlan() : runOnPoints()))
+    return false;
+  summarize();
+  return !mesh_.empty();
+}
+
+template <typename PointNT>
+bool
+StructuralPoisson<PointNT>::runOnPlan()
+{
+  // The finest cells are for the edges, where the samples are denser.
+  constexpr double edge_cells = 0.625;
+  if (plan_->rooms.empty())
+    return fail("StructuralPoisson", "the floor plan has no rooms");
+  if (!(plan_spacing_ > 0))
+    return fail("StructuralPoisson", "the spacing of a plan's samples must be above 0 "
+                                     "m, it is " +
+                                         std::to_string(plan_spacing_));
+  if (!checkParameters())
+    return false;
+  sedr::RoomPoissonParameters parameters = parameters_;
+  parameters.cell_ratio = std::max(0.1, edge_cells * parameters.cell_ratio);
+  for (const sedr::PlanRoom& room : plan_->rooms) {
+    sedr::PlanSamples samples = sedr::samplePlan(room, plan_spacing_);
+    addRoom(room.id, {std::move(samples.points), std::move(samples.labels)},
+            parameters);
+    if (!samples.problem.empty())
+      reports_.back().problem = samples.problem;
+  }
+  return true;
+}
+
+template <typename PointNT>
+bool
+StructuralPoisson<PointNT>::runOnPoints()
+{
   if (!input_)
     return fail("StructuralPoisson", "no input cloud is set");
   if (input_->empty())
@@ -200,13 +240,10 @@ StructuralPoisson<PointNT>::run()
     std::map<std::uint32_t, Room> rooms;
     gather(rooms);
     for (const auto& room : rooms)
-      addRoom(room.first, room.second);
+      addRoom(room.first, room.second, parameters_);
   }
   deinitCompute();
-  if (!problem.empty())
-    return fail("StructuralPoisson", problem);
-  summarize();
-  return !mesh_.empty();
+  return problem.empty() || fail("StructuralPoisson", problem);
 }
 
 template <typename PointNT>

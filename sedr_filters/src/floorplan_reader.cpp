@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/floorplan_io.h>
-
+#include "floorplan_format.h"
 #include "number_text.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -15,15 +17,6 @@ namespace sedr {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* format_name = "sedr-floorplan";
-constexpr int format_version = 1;
-
-Json
-toJson(const Eigen::Vector2d& p)
-{
-  return Json::array({p.x(), p.y()});
-}
 
 /** @brief Limits of what is read: beyond them no room was ever scanned, and double
  * precision, grids and files of single precision lose the millimetres. Metres. */
@@ -48,20 +41,21 @@ pointFrom(const Json& json)
   return p;
 }
 
-Json
-toJson(const PlanElement& e)
+/** @brief A share as it was written, if it was. */
+ElementEvidence
+evidenceFrom(const Json& json)
 {
-  Json json{{"type", e.isArc() ? "arc" : "segment"},
-            {"start", toJson(e.start)},
-            {"end", toJson(e.end)}};
-  if (e.isArc()) {
-    json["centre"] = toJson(e.centre);
-    json["radius"] = e.radius;
-    json["counter_clockwise"] = e.counter_clockwise;
+  ElementEvidence evidence;
+  for (const auto& [name, share] : {std::make_pair("seen", &evidence.seen),
+                                    std::make_pair("hidden", &evidence.hidden),
+                                    std::make_pair("opening", &evidence.opening)}) {
+    *share = json.at(name).get<double>();
+    if (!(*share >= 0 && *share <= 1))
+      throw std::invalid_argument(std::string("the share ") + name +
+                                  " of an element lies from 0 to 1, it is " +
+                                  numberText(*share));
   }
-  json["inliers"] = e.inliers;
-  json["residual"] = e.residual;
-  return json;
+  return evidence;
 }
 
 /** @brief Throws where start and end of an arc are not on its circle. */
@@ -97,16 +91,9 @@ elementFrom(const Json& json)
   }
   e.inliers = json.at("inliers").get<std::size_t>();
   e.residual = json.at("residual").get<double>();
+  if (json.contains("evidence"))
+    e.evidence = evidenceFrom(json.at("evidence"));
   return e;
-}
-
-Json
-toJson(const PlanLoop& loop)
-{
-  Json json = Json::array();
-  for (const auto& e : loop.elements)
-    json.push_back(toJson(e));
-  return json;
 }
 
 PlanLoop
@@ -140,15 +127,6 @@ outerLoopFrom(const Json& json)
   return loop;
 }
 
-Json
-loopsToJson(const std::vector<PlanLoop>& loops)
-{
-  Json json = Json::array();
-  for (const auto& loop : loops)
-    json.push_back(toJson(loop));
-  return json;
-}
-
 std::vector<PlanLoop>
 loopsFrom(const Json& json)
 {
@@ -156,14 +134,6 @@ loopsFrom(const Json& json)
   for (const auto& loop : json)
     loops.push_back(loopFrom(loop));
   return loops;
-}
-
-Json
-toJson(const PlanSlab& slab)
-{
-  return {{"plane", {slab.plane[0], slab.plane[1], slab.plane[2], slab.plane[3]}},
-          {"inliers", slab.inliers},
-          {"residual", slab.residual}};
 }
 
 /** @brief Brings a normal that was rounded to unit length, and leaves one that was not
@@ -201,17 +171,6 @@ slabFrom(const Json& json)
   return slab;
 }
 
-Json
-detailsToJson(const std::vector<PlanDetail>& details)
-{
-  Json json = Json::array();
-  for (const auto& detail : details)
-    json.push_back({{"slab", toJson(detail.slab)},
-                    {"boundary", toJson(detail.boundary)},
-                    {"holes", loopsToJson(detail.holes)}});
-  return json;
-}
-
 std::vector<PlanDetail>
 detailsFrom(const Json& json)
 {
@@ -224,26 +183,6 @@ detailsFrom(const Json& json)
     details.push_back(std::move(detail));
   }
   return details;
-}
-
-Json
-toJson(const PlanRoom& room)
-{
-  Json niches = Json::array();
-  for (const auto& niche : room.niches)
-    niches.push_back({{"bottom", toJson(niche.bottom)},
-                      {"top", toJson(niche.top)},
-                      {"boundary", toJson(niche.boundary)}});
-  return {{"id", room.id},
-          {"area", room.area()},
-          {"perimeter", room.perimeter()},
-          {"floor", toJson(room.floor)},
-          {"ceiling", toJson(room.ceiling)},
-          {"boundary", toJson(room.boundary)},
-          {"columns", loopsToJson(room.columns)},
-          {"details", detailsToJson(room.details)},
-          {"floor_details", detailsToJson(room.floor_details)},
-          {"niches", niches}};
 }
 
 /** @brief The id of a room, which none of `rooms` may have. */
@@ -284,19 +223,6 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
 
 } // namespace
 
-std::string
-floorplanToJson(const Floorplan& plan)
-{
-  Json rooms = Json::array();
-  for (const auto& room : plan.rooms)
-    rooms.push_back(toJson(room));
-  const Json json{{"format", format_name},
-                  {"version", format_version},
-                  {"unit", "m"},
-                  {"rooms", rooms}};
-  return json.dump(1) + "\n";
-}
-
 Floorplan
 floorplanFromJson(const std::string& text, std::string& problem)
 {
@@ -304,12 +230,12 @@ floorplanFromJson(const std::string& text, std::string& problem)
   Floorplan plan;
   try {
     const Json json = Json::parse(text);
-    if (json.at("format") != format_name)
+    if (json.at("format") != floorplan_format_name)
       throw std::invalid_argument("it is not a floor plan");
-    if (json.at("version") != format_version)
-      throw std::invalid_argument("it has version " + json.at("version").dump() +
-                                  ", version " + std::to_string(format_version) +
-                                  " can be read");
+    if (json.at("version") != floorplan_format_version)
+      throw std::invalid_argument(
+          "it has version " + json.at("version").dump() + ", version " +
+          std::to_string(floorplan_format_version) + " can be read");
     for (const auto& room : json.at("rooms"))
       plan.rooms.push_back(roomFrom(room, plan.rooms));
   }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Looks what a scan shows of every wall, column, riser and side of a niche, and
+ * notes it in PlanElement::evidence.
+ *
+ * The surface is cut into cells of 10 cm. One with a point of the scan within
+ * `tolerance` of it is seen. Of the others, one that has points in the metre before it,
+ * below 1 m of height also one without floor at its foot, is hidden: by furniture, or
+ * in its shadow. What is left is an opening. Of a surface of which next to nothing was
+ * seen all is hidden. Without the places of the scanner this is a guess: the shadow of
+ * what stands more than a metre away counts as an opening.
+ *
+ * @param points thinned to a point in 5 cm or denser; not finite ones are left out
+ * @param indices those of them that count
+ * @param tolerance metres, above 0
+ *
+ * O(n log n + c) for n points and c cells; deterministic. */
+void measureEvidence(Floorplan& plan,
+                     const PointView& points,
+                     const std::vector<int>& indices,
+                     double tolerance = 0.05);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "floorplan_format.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/room_measures.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+toJson(const Eigen::Vector2d& p)
+{
+  return Json::array({p.x(), p.y()});
+}
+
+Json
+toJson(const PlanElement& e)
+{
+  Json json{{"type", e.isArc() ? "arc" : "segment"},
+            {"start", toJson(e.start)},
+            {"end", toJson(e.end)}};
+  if (e.isArc()) {
+    json["centre"] = toJson(e.centre);
+    json["radius"] = e.radius;
+    json["counter_clockwise"] = e.counter_clockwise;
+  }
+  json["inliers"] = e.inliers;
+  json["residual"] = e.residual;
+  if (e.evidence.isKnown())
+    json["evidence"] = {{"seen", e.evidence.seen},
+                        {"hidden", e.evidence.hidden},
+                        {"opening", e.evidence.opening}};
+  return json;
+}
+
+Json
+toJson(const PlanLoop& loop)
+{
+  Json json = Json::array();
+  for (const auto& e : loop.elements)
+    json.push_back(toJson(e));
+  return json;
+}
+
+Json
+loopsToJson(const std::vector<PlanLoop>& loops)
+{
+  Json json = Json::array();
+  for (const auto& loop : loops)
+    json.push_back(toJson(loop));
+  return json;
+}
+
+Json
+toJson(const PlanSlab& slab)
+{
+  return {{"plane", {slab.plane[0], slab.plane[1], slab.plane[2], slab.plane[3]}},
+          {"inliers", slab.inliers},
+          {"residual", slab.residual}};
+}
+
+Json
+detailsToJson(const std::vector<PlanDetail>& details)
+{
+  Json json = Json::array();
+  for (const auto& detail : details)
+    json.push_back({{"slab", toJson(detail.slab)},
+                    {"boundary", toJson(detail.boundary)},
+                    {"holes", loopsToJson(detail.holes)}});
+  return json;
+}
+
+/** @brief The boundary of a room, with the thickness of its walls where it is known. */
+Json
+wallsToJson(const Floorplan& plan, std::size_t room)
+{
+  Json walls = toJson(plan.rooms[room].boundary);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const double thickness = wallThickness(plan, room, i);
+    if (thickness > 0)
+      walls[i]["thickness"] = thickness;
+  }
+  return walls;
+}
+
+Json
+toJson(const PlanStorey& storey)
+{
+  return {{"floor", storey.floor}, {"rooms", storey.rooms}};
+}
+
+Json
+toJson(const Floorplan& plan, std::size_t number)
+{
+  const PlanRoom& room = plan.rooms[number];
+  const double height = meanHeight(room);
+  Json niches = Json::array();
+  for (const auto& niche : room.niches)
+    niches.push_back({{"bottom", toJson(niche.bottom)},
+                      {"top", toJson(niche.top)},
+                      {"boundary", toJson(niche.boundary)}});
+  return {{"id", room.id},
+          {"area", room.area()},
+          {"perimeter", room.perimeter()},
+          {"height", height},
+          {"volume", volumeOf(room, height)},
+          {"floor", toJson(room.floor)},
+          {"ceiling", toJson(room.ceiling)},
+          {"boundary", wallsToJson(plan, number)},
+          {"columns", loopsToJson(room.columns)},
+          {"details", detailsToJson(room.details)},
+          {"floor_details", detailsToJson(room.floor_details)},
+          {"niches", niches}};
+}
+
+} // namespace
+
+std::string
+floorplanToJson(const Floorplan& plan)
+{
+  Json rooms = Json::array();
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    rooms.push_back(toJson(plan, r));
+  Json storeys = Json::array();
+  for (const auto& storey : storeysOf(plan))
+    storeys.push_back(toJson(storey));
+  const Json json{{"format", floorplan_format_name},
+                  {"version", floorplan_format_version},
+                  {"unit", "m"},
+                  {"rooms", rooms},
+                  {"storeys", storeys}};
+  return json.dump(1) + "\n";
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_filters/plan_surfaces.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+// Metres.
+constexpr double cell_size = 0.1;
+constexpr double rim = 0.03;    ///< of a wall, where points may be those of a slab
+constexpr double beside = 0.08; ///< of a point from the place that it fills
+constexpr double beside_corner = 0.06; ///< where points may be those of the next wall
+constexpr double reach_before = 1.0;   ///< of what hides a cell
+constexpr double off_slab = 0.07;  ///< points nearer to floor or ceiling hide nothing
+constexpr double low_cell = 1.0;   ///< below it shadows of furniture are looked for
+constexpr double foot_from = 0.15; ///< the floor at the foot of a wall
+constexpr double foot_to = 0.55;
+constexpr double least_seen = 0.05; ///< share; below it a wall was not in view
+
+/** @brief Points by cubes of 10 cm, to be found by place. */
+class PointCubes {
+public:
+  PointCubes(const PointView& points,
+             const std::vector<int>& indices,
+             const Eigen::AlignedBox3d& box)
+      : origin_(box.min())
+  {
+    for (const int i : indices) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!points.isFinite(at))
+        continue;
+      const Eigen::Vector3d p = points[at].cast<double>();
+      if (box.contains(p))
+        points_.emplace_back(keyOf(cubeOf(p)), p);
+    }
+    std::stable_sort(points_.begin(), points_.end(),
+                     [](const Entry& a, const Entry& b) { return a.first < b.first; });
+  }
+
+  /** @brief Whether any point within a cube's size of `place` is one that is asked for.
+   */
+  template <typename Asked>
+  bool anyNear(const Eigen::Vector3d& place, Asked asked) const
+  {
+    const Cube cube = cubeOf(place);
+    for (std::int64_t x = cube[0] - 1; x <= cube[0] + 1; ++x)
+      for (std::int64_t y = cube[1] - 1; y <= cube[1] + 1; ++y) {
+        // Three cubes above each other have keys in a row.
+        auto at = std::lower_bound(
+            points_.begin(), points_.end(), keyOf({x, y, cube[2] - 1}),
+            [](const Entry& entry, std::uint64_t key) { return entry.first < key; });
+        const std::uint64_t last = keyOf({x, y, cube[2] + 1});
+        for (; at != points_.end() && at->first <= last; ++at)
+          if (asked(at->second))
+            return true;
+      }
+    return false;
+  }
+
+private:
+  using Cube = std::array<std::int64_t, 3>;
+  using Entry = std::pair<std::uint64_t, Eigen::Vector3d>;
+
+  Cube cubeOf(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d q = ((p - origin_) / cell_size).array().floor();
+    return {static_cast<std::int64_t>(q.x()), static_cast<std::int64_t>(q.y()),
+            static_cast<std::int64_t>(q.z())};
+  }
+
+  /** @brief Unique within 200 km. */
+  static std::uint64_t keyOf(const Cube& cube)
+  {
+    constexpr std::int64_t off = 1 << 20;
+    std::uint64_t key = 0;
+    for (const std::int64_t c : cube)
+      key = (key << 21) | (static_cast<std::uint64_t>(c + off) & 0x1fffff);
+    return key;
+  }
+
+  Eigen::Vector3d origin_;
+  std::vector<Entry> points_;
+};
+
+/** @brief A room with its niches, and what may stand before or behind its walls. */
+Eigen::AlignedBox3d
+boxOf(const PlanRoom& room)
+{
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const PlanLoop& loop) {
+    for (const auto& p : loop.polygon(0.01))
+      for (const PlanSlab* slab : {&room.floor, &room.ceiling})
+        box.extend(Eigen::Vector3d(p.x(), p.y(), slab->heightAt(p)));
+  };
+  extend(room.boundary);
+  for (const PlanNiche& niche : room.niches)
+    extend(niche.boundary);
+  if (box.isEmpty())
+    return box;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.5);
+  return {box.min() - margin, box.max() + margin};
+}
+
+/** @brief A cell of an upright surface. */
+struct Cell {
+  Eigen::Vector3d middle;
+  Eigen::Vector3d normal; ///< into the room
+  double floor = 0;       ///< z at its foot
+  UprightSpan span;
+};
+
+class RoomEvidence {
+public:
+  RoomEvidence(const PlanRoom& room, const PointCubes& points, double tolerance)
+      : room_(room)
+      , points_(points)
+      , tolerance_(tolerance)
+  {}
+
+  /** @brief Counts of seen, hidden and open cells of a surface. */
+  ElementEvidence countOf(const UprightSurface& surface) const
+  {
+    ElementEvidence count;
+    const double margin = std::min(beside_corner, surface.element->length() / 4);
+    const double length = surface.element->length() - 2 * margin;
+    const auto columns = partsOf(length);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double s = margin + length * (static_cast<double>(c) + 0.5) /
+                                    static_cast<double>(columns);
+      const UprightSpan span = surface.spanAt(s);
+      if (!(span.high > span.low))
+        continue;
+      const Eigen::Vector2d place = surface.element->pointAt(s);
+      const auto rows = partsOf(span.high - span.low);
+      for (std::size_t r = 0; r < rows; ++r) {
+        Cell cell{{}, surface.normalAt(s), room_.floorAt(place), span};
+        cell.middle << place, span.low + (span.high - span.low) *
+                                             (static_cast<double>(r) + 0.5) /
+                                             static_cast<double>(rows);
+        (isSeen(cell)     ? count.seen
+         : isHidden(cell) ? count.hidden
+                          : count.opening) += 1;
+      }
+    }
+    return count;
+  }
+
+private:
+  static std::size_t partsOf(double length)
+  {
+    return std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::lround(length / cell_size)));
+  }
+
+  bool isSeen(const Cell& cell) const
+  {
+    return points_.anyNear(cell.middle, [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector3d off = p - cell.middle;
+      const double across = off.dot(cell.normal);
+      const double along = (off - across * cell.normal).head<2>().norm();
+      return std::abs(across) <= tolerance_ && along <= cell_size / 2 &&
+             std::abs(off.z()) <= cell_size / 2 && p.z() > cell.span.low + rim &&
+             p.z() < cell.span.high - rim;
+    });
+  }
+
+  bool isHidden(const Cell& cell) const
+  {
+    for (double d = tolerance_ + beside; d < reach_before; d += cell_size) {
+      const Eigen::Vector3d before = cell.middle + d * cell.normal;
+      if (!room_.contains(before.head<2>()))
+        break;
+      if (points_.anyNear(before, [&](const Eigen::Vector3d& p) {
+            return (p - before).norm() <= beside && p.z() > cell.floor + off_slab &&
+                   p.z() < cell.span.high - off_slab;
+          }))
+        return true;
+    }
+    return cell.middle.z() < cell.floor + low_cell && !seesFloorAtFoot(cell);
+  }
+
+  bool seesFloorAtFoot(const Cell& cell) const
+  {
+    for (double d = foot_from; d < foot_to; d += cell_size) {
+      Eigen::Vector3d foot = cell.middle + d * cell.normal;
+      foot.z() = room_.floorAt(foot.head<2>());
+      if (points_.anyNear(foot, [&](const Eigen::Vector3d& p) {
+            return (p - foot).head<2>().norm() <= beside &&
+                   std::abs(p.z() - foot.z()) <= tolerance_;
+          }))
+        return true;
+    }
+    return false;
+  }
+
+  const PlanRoom& room_;
+  const PointCubes& points_;
+  double tolerance_;
+};
+
+/** @brief Shares of counted cells. */
+ElementEvidence
+sharesOf(const ElementEvidence& count)
+{
+  const double all = count.seen + count.hidden + count.opening;
+  if (all == 0)
+    return {};
+  if (count.seen < least_seen * all)
+    return {count.seen / all, 1 - count.seen / all, 0};
+  return {count.seen / all, count.hidden / all, count.opening / all};
+}
+
+using Counts = std::map<const PlanElement*, ElementEvidence>;
+
+void
+note(const Counts& counts, PlanLoop& loop)
+{
+  for (PlanElement& element : loop.elements) {
+    const auto count = counts.find(&element);
+    element.evidence =
+        count == counts.end() ? ElementEvidence() : sharesOf(count->second);
+  }
+}
+
+} // namespace
+
+void
+measureEvidence(Floorplan& plan,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double tolerance)
+{
+  for (PlanRoom& room : plan.rooms) {
+    const PointCubes cubes(points, indices, boxOf(room));
+    const RoomEvidence evidence(room, cubes, tolerance);
+    Counts counts;
+    for (const UprightSurface& surface : uprightSurfaces(room)) {
+      const ElementEvidence count = evidence.countOf(surface);
+      ElementEvidence& sum = counts[surface.element];
+      sum.seen += count.seen;
+      sum.hidden += count.hidden;
+      sum.opening += count.opening;
+    }
+    note(counts, room.boundary);
+    for (PlanLoop& column : room.columns)
+      note(counts, column);
+    for (auto* details : {&room.details, &room.floor_details})
+      for (PlanDetail& detail : *details) {
+        note(counts, detail.boundary);
+        for (PlanLoop& hole : detail.holes)
+          note(counts, hole);
+      }
+    for (PlanNiche& niche : room.niches)
+      note(counts, niche.boundary);
+  }
+}
+
+} // namespace sedr
+} // namespace pcl

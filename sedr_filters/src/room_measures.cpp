@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/room_measures.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/** @brief A ray in plan. */
+struct Ray {
+  Eigen::Vector2d from;
+  Eigen::Vector2d way; ///< unit
+};
+
+/** @brief Where a ray meets an element at more than `least` metres; infinite where it
+ * does not. */
+double
+distanceAlong(const Ray& ray, const PlanElement& e, double least)
+{
+  constexpr double on_element = 1e-6;
+  double nearest = infinity;
+  const auto consider = [&](double t) {
+    if (t > least && t < nearest && e.distance(ray.from + t * ray.way) < on_element)
+      nearest = t;
+  };
+  if (e.isArc()) {
+    const Eigen::Vector2d to_centre = e.centre - ray.from;
+    const double middle = to_centre.dot(ray.way);
+    const double square =
+        e.radius * e.radius - to_centre.squaredNorm() + middle * middle;
+    if (square >= 0)
+      for (const double side : {-1.0, 1.0})
+        consider(middle + side * std::sqrt(square));
+    return nearest;
+  }
+  const Eigen::Vector2d along = e.end - e.start;
+  const double across = ray.way.x() * along.y() - ray.way.y() * along.x();
+  if (std::abs(across) > 1e-12) {
+    const Eigen::Vector2d to_start = e.start - ray.from;
+    consider((to_start.x() * along.y() - to_start.y() * along.x()) / across);
+  }
+  return nearest;
+}
+
+/** @brief The distance from a place of a boundary through its wall to a parallel face;
+ * infinite where the first thing behind it is none. */
+double
+thicknessAt(const Floorplan& plan, const PlanElement& element, double s, double most)
+{
+  constexpr double parallel = 0.996; // cosine of 5 degrees
+  constexpr double least = 0.005;    // thinner than any wall: the wall itself
+  const Eigen::Vector2d inward = element.normalAt(s);
+  const Ray ray{element.pointAt(s), -inward};
+  double nearest = most;
+  double thickness = infinity;
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& face : room.boundary.elements) {
+      const double t = distanceAlong(ray, face, least);
+      if (t > nearest)
+        continue;
+      nearest = t;
+      const double facing =
+          -inward.dot(face.normalAt(face.project(ray.from + t * ray.way)));
+      thickness = facing > parallel ? t : infinity;
+    }
+  return thickness;
+}
+
+/** @brief A room's heights at the middle of its outline. */
+struct HeightRange {
+  double low = 0;
+  double high = 0;
+};
+
+HeightRange
+heightsOf(const PlanRoom& room)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : room.boundary.polygon(0.01))
+    box.extend(corner);
+  const Eigen::Vector2d middle = box.center();
+  return {room.floor.heightAt(middle), room.ceiling.heightAt(middle)};
+}
+
+bool
+areBeside(const HeightRange& a, const HeightRange& b)
+{
+  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
+  return common > 0.5 * std::min(a.high - a.low, b.high - b.low);
+}
+
+} // namespace
+
+double
+meanHeight(const PlanRoom& room)
+{
+  constexpr double usual_step = 0.05;
+  constexpr double most_samples = 1e6;
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : room.boundary.polygon(0.01))
+    box.extend(corner);
+  if (box.isEmpty())
+    return 0;
+  const double step = std::max(usual_step, std::sqrt(box.volume() / most_samples));
+  double sum = 0;
+  std::size_t count = 0;
+  for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
+      const Eigen::Vector2d p(x, y);
+      if (!room.contains(p))
+        continue;
+      sum += room.ceilingAt(p) - room.floorAt(p);
+      ++count;
+    }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+double
+volumeOf(const PlanRoom& room, double mean_height)
+{
+  double volume = mean_height * room.area();
+  for (const PlanNiche& niche : room.niches) {
+    const Eigen::Vector2d somewhere = niche.boundary.elements.front().pointAt(0);
+    volume += niche.boundary.area() *
+              (niche.top.heightAt(somewhere) - niche.bottom.heightAt(somewhere));
+  }
+  return volume;
+}
+
+double
+wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, double most)
+{
+  constexpr double step = 0.1;
+  constexpr double least_share = 0.2;
+  const PlanElement& wall = plan.rooms[room].boundary.elements[element];
+  const double length = wall.length();
+  const auto samples = static_cast<std::size_t>(std::clamp(length / step, 3.0, 1000.0));
+  std::vector<double> found;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
+    const double thickness = thicknessAt(plan, wall, share * length, most);
+    if (thickness < infinity)
+      found.push_back(thickness);
+  }
+  if (static_cast<double>(found.size()) < least_share * static_cast<double>(samples))
+    return 0;
+  const auto middle =
+      found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
+  std::nth_element(found.begin(), middle, found.end());
+  return *middle;
+}
+
+std::vector<PlanStorey>
+storeysOf(const Floorplan& plan)
+{
+  std::vector<HeightRange> heights;
+  for (const PlanRoom& room : plan.rooms)
+    heights.push_back(heightsOf(room));
+  std::vector<PlanStorey> storeys;
+  std::vector<bool> is_placed(heights.size(), false);
+  for (std::size_t first = 0; first < heights.size(); ++first) {
+    if (is_placed[first])
+      continue;
+    std::vector<std::size_t> members{first};
+    is_placed[first] = true;
+    for (std::size_t m = 0; m < members.size(); ++m)
+      for (std::size_t r = 0; r < heights.size(); ++r)
+        if (!is_placed[r] && areBeside(heights[members[m]], heights[r])) {
+          is_placed[r] = true;
+          members.push_back(r);
+        }
+    std::sort(members.begin(), members.end());
+    PlanStorey storey;
+    storey.floor = infinity;
+    for (const std::size_t r : members) {
+      storey.floor = std::min(storey.floor, heights[r].low);
+      storey.rooms.push_back(plan.rooms[r].id);
+    }
+    storeys.push_back(storey);
+  }
+  std::stable_sort(
+      storeys.begin(), storeys.end(),
+      [](const PlanStorey& a, const PlanStorey& b) { return a.floor < b.floor; });
+  return storeys;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_filters/plan_evidence.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of 4 x 3 x 2.5 m, scanned every 4 cm. */
+class PlanEvidenceTest : public ::testing::Test {
+protected:
+  using Place = Eigen::Vector3d;
+
+  /** Points of a face between two corners, but for what `isMissing`. */
+  void addFace(
+      const Place& origin,
+      const Place& u,
+      const Place& v,
+      const std::function<bool(const Place&)>& isMissing = [](const Place&) {
+        return false;
+      })
+  {
+    constexpr double step = 0.04;
+    for (double a = step / 2; a < u.norm(); a += step)
+      for (double b = step / 2; b < v.norm(); b += step) {
+        const Place p = origin + a * u.normalized() + b * v.normalized();
+        if (!isMissing(p))
+          cloud_.emplace_back(p.x(), p.y(), p.z());
+      }
+  }
+
+  Floorplan measured()
+  {
+    Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+    std::vector<int> all(cloud_.size());
+    std::iota(all.begin(), all.end(), 0);
+    measureEvidence(plan, PointView(cloud_), all);
+    return plan;
+  }
+
+  static const ElementEvidence& wall(const Floorplan& plan, std::size_t i)
+  {
+    return plan.rooms[0].boundary.elements[i].evidence;
+  }
+
+  pcl::PointCloud<pcl::PointXYZ> cloud_;
+};
+
+TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
+{
+  const auto isDoor = [](const Place& p) {
+    return p.x() > 1 && p.x() < 2 && p.z() < 2;
+  };
+  const auto isCupboard = [](const Place& p) {
+    return p.x() > 1 && p.x() < 3 && p.z() < 1.5;
+  };
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, // the floor, but below the cupboard
+          [&](const Place& p) { return p.y() > 2.5 && isCupboard(p); });
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}, isDoor);
+  addFace({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5});
+  addFace({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5}, isCupboard);
+  addFace({1, 2.5, 0}, {2, 0, 0}, {0, 0, 1.5}); // its front
+  addFace({1, 2.5, 1.5}, {2, 0, 0}, {0, 0.5, 0});
+  const Floorplan plan = measured();
+  // A rim of up to half a cell and a point's reach counts as seen.
+  EXPECT_NEAR(wall(plan, 0).opening, 2.0 / 10, 0.03);
+  EXPECT_NEAR(wall(plan, 0).seen, 8.0 / 10, 0.03);
+  EXPECT_EQ(wall(plan, 0).hidden, 0);
+  EXPECT_NEAR(wall(plan, 1).seen, 1, 1e-9);
+  EXPECT_NEAR(wall(plan, 2).hidden, 3.0 / 10, 0.03);
+  EXPECT_NEAR(wall(plan, 2).opening, 0, 1e-9);
+  // Of the fourth there is nothing: it was not in view.
+  EXPECT_LT(wall(plan, 3).seen, 0.05);
+  EXPECT_EQ(wall(plan, 3).opening, 0);
+  EXPECT_NEAR(wall(plan, 3).seen + wall(plan, 3).hidden, 1, 1e-9);
+}
+
+TEST_F(PlanEvidenceTest, WhatIsOffTheWallDoesNotShowIt)
+{
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
+  addFace({0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ(wall(measured(), 0).seen, 0);
+}
+
+TEST_F(PlanEvidenceTest, WithoutPointsAllIsHidden)
+{
+  cloud_.emplace_back(NAN, 0.0f, 0.0f);
+  EXPECT_EQ(wall(measured(), 0).hidden, 1);
+}
+
+} // namespace

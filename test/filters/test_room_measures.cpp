@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/room_measures.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+TEST(RoomMeasures, TheMeanHeightKnowsSoffitsAndSteps)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+  room.details = {detailOf(rectangle(0, 0, 1, 3), 2.1)};
+  room.floor_details = {detailOf(rectangle(2, 0, 4, 3), 0.2)};
+  const double height = 2.5 - 0.4 / 4 - 0.2 / 2;
+  EXPECT_NEAR(meanHeight(room), height, 1e-9);
+  room.niches.push_back({rectangle(1, -0.3, 3, 0), slabAt(1), slabAt(2)});
+  EXPECT_NEAR(volumeOf(room, height), 12 * height + 0.6, 1e-9);
+}
+
+TEST(RoomMeasures, AHugeRoomIsSampledMoreCoarsely)
+{
+  EXPECT_NEAR(meanHeight(roomOf(rectangle(0, 0, 1e6, 1e6), 2.5)), 2.5, 1e-9);
+}
+
+TEST(RoomMeasures, APartitionIsAsThickAsItsFacesAreApart)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 1, 6, 5), 2.5, 2)}};
+  EXPECT_NEAR(wallThickness(plan, 0, 1), 0.1, 1e-9); // two of its three metres
+  EXPECT_NEAR(wallThickness(plan, 1, 3), 0.1, 1e-9); // two of four
+  for (const std::size_t outer : {0, 2, 3})
+    EXPECT_EQ(wallThickness(plan, 0, outer), 0) << outer;
+  EXPECT_EQ(wallThickness(plan, 0, 1, 0.09), 0);
+}
+
+TEST(RoomMeasures, RoundAndInnerWallsHaveAThicknessToo)
+{
+  // A rotunda within a ring's outer part, 20 cm between; a slit 30 cm deep in a room.
+  const Floorplan round{{roomOf(circle({0, 0}, 2), 2.5),
+                         roomOf({{arc({0, 0}, 2.2, 90, 0), segment({2.2, 0}, {4, 0}),
+                                  segment({4, 0}, {4, 4}), segment({4, 4}, {0, 4}),
+                                  segment({0, 4}, {0, 2.2})}},
+                                2.5, 2)}};
+  EXPECT_NEAR(wallThickness(round, 1, 0), 0.2, 1e-9);
+  EXPECT_NEAR(wallThickness(round, 0, 0), 0.2, 1e-9); // a quarter of the circle
+  const Floorplan tongue{{roomOf(
+      polygon({{0, 0}, {4, 0}, {4, 3}, {2.3, 3}, {2.3, 1}, {2, 1}, {2, 3}, {0, 3}}),
+      2.5)}};
+  EXPECT_NEAR(wallThickness(tongue, 0, 3), 0.3, 1e-9);
+  EXPECT_NEAR(wallThickness(tongue, 0, 5), 0.3, 1e-9);
+}
+
+TEST(RoomMeasures, AFaceThatIsNotParallelTellsNoThickness)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
+                        roomOf(polygon({{4.1, 0}, {6, 0}, {6, 3}, {4.5, 3}}), 2.5, 2)}};
+  EXPECT_EQ(wallThickness(plan, 0, 1), 0);
+}
+
+TEST(RoomMeasures, RoomsAboveEachOtherAreStoreys)
+{
+  PlanRoom upper = roomOf(rectangle(0, 0, 4, 3), 5.3, 3);
+  upper.floor = slabAt(2.8);
+  PlanRoom raised = roomOf(rectangle(5, 0, 9, 3), 3, 2);
+  raised.floor = slabAt(0.4);
+  const Floorplan plan{{upper, roomOf(rectangle(0, 0, 4, 3), 2.5), raised}};
+  const auto storeys = storeysOf(plan);
+  ASSERT_EQ(storeys.size(), 2u);
+  EXPECT_EQ(storeys[0].rooms, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_NEAR(storeys[0].floor, 0, 1e-9);
+  EXPECT_EQ(storeys[1].rooms, (std::vector<std::uint32_t>{3}));
+  EXPECT_NEAR(storeys[1].floor, 2.8, 1e-9);
+}
+
+TEST(RoomMeasures, NoRoomsAreNoStoreys)
+{
+  EXPECT_TRUE(storeysOf({}).empty());
+}
+
+} // namespace
