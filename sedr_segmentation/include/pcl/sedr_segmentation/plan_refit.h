@@ -41,7 +41,7 @@ struct RefitReport {
  *
  * O(n) for n points, in four passes; the same for any number of threads. It copies no
  * points: 20 million of 20 rooms take some 40 MiB and, as every third point is taken,
- * about 10 s of processor time.
+ * about 5 s of processor time.
  * @param raw the scan; points that are not finite are left out
  * @param indices those of its points that count; empty: all */
 RefitReport refitToRaw(Floorplan& plan,
