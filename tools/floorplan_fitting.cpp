@@ -25,6 +25,7 @@ using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
 struct Settings {
   std::string input;
   std::string output;
+  std::string raw;
   std::string picture;
 };
 
@@ -68,6 +69,8 @@ run(const Settings& settings, Fitting& fitting)
   checkPictureOutput(settings.picture);
   const ToolCloud cloud = loadCloud(settings.input);
   setEvidence(cloud, fitting);
+  if (!settings.raw.empty())
+    fitting.setRawCloud<pcl::PointXYZ>(loadCloud(settings.raw).points);
   pcl::sedr::Floorplan plan;
   {
     const Progress progress("fitting walls");
@@ -98,6 +101,7 @@ main(int argc, char** argv)
   double least_radius = fitting.getMinimumRadius();
   double greatest_radius = fitting.getMaximumRadius();
   std::uint64_t seed = fitting.getSeed();
+  unsigned threads = fitting.getNumberOfThreads();
 
   Options options(
       "pcl_floorplan_fitting",
@@ -119,6 +123,10 @@ main(int argc, char** argv)
   options.number("max-radius", greatest_radius, "m",
                  "of an arc; flatter walls are straight", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  options.number("threads", threads, "", "threads to use, 0 = all processors",
+                 Range::atLeast(0));
+  options.text("raw", settings.raw,
+               "PCD or PLY file of the scan before thinning, to fit the plan to");
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
     if (greatest_radius <= least_radius)
@@ -128,6 +136,7 @@ main(int argc, char** argv)
     fitting.setMinimumLength(length);
     fitting.setRadiusLimits(least_radius, greatest_radius);
     fitting.setSeed(seed);
+    fitting.setNumberOfThreads(threads);
     return run(settings, fitting);
   });
 }

@@ -90,7 +90,7 @@ wallEvidence(const PointView& points,
              const CellGrid& grid,
              double tolerance)
 {
-  constexpr double reach = 2; // cells
+  constexpr double reach = 1; // cells
   const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
   std::vector<int> walls = evidence.walls;
   const auto place = [&](int i) -> Eigen::Vector2d {

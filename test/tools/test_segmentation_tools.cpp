@@ -96,6 +96,35 @@ TEST_F(SegmentationTools, FloorplanFittingGivesTheWallsOfEveryRoom)
   }
 }
 
+TEST_F(SegmentationTools, FloorplanFittingFollowsTheRawScan)
+{
+  // A raw scan 6 mm higher and 5 mm to the side of what was labelled.
+  const RoomScan scan = scanOf();
+  RoomScan raw = scan;
+  for (auto& p : raw.points) {
+    p.x += 0.005F;
+    p.z += 0.006F;
+  }
+  writeFile(in("raw.pcd"), raw.pcd(false));
+  ASSERT_EQ(runOn(FLOORPLAN_FITTING, scan.pcd(true), "output.json").exit_code, 0);
+  const auto found = plan().rooms.at(0);
+  const ProgramRun result =
+      runOn(FLOORPLAN_FITTING, scan.pcd(true), "output.json", {"--raw", in("raw.pcd")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto fitted = plan().rooms.at(0);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(fitted.boundary.elements[i].start.x(),
+                found.boundary.elements[i].start.x() + 0.005, 0.001);
+  const Eigen::Vector2d middle(2, 0);
+  EXPECT_NEAR(fitted.floor.heightAt(middle), 0.006, 0.0005);
+  EXPECT_NEAR(fitted.ceiling.heightAt(middle), 2.506, 0.0005);
+
+  const ProgramRun missing = runOn(FLOORPLAN_FITTING, scan.pcd(true), "output.json",
+                                   {"--raw", in("none.pcd")});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("none.pcd"), std::string::npos) << missing.err;
+}
+
 TEST_F(SegmentationTools, FloorplanFittingTakesAFileWithoutRoomsForOneRoom)
 {
   RoomScan scan = scanOf();

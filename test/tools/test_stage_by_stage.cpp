@@ -36,8 +36,8 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   const auto in = [&](const char* name) { return (folder.path() / name).string(); };
   const auto stage = [&](const char* tool, std::vector<const char*> files) {
     std::vector<std::string> arguments;
-    for (const char* file : files)
-      arguments.push_back(in(file));
+    for (const std::string file : files)
+      arguments.push_back(file.front() == '-' ? file : in(file.c_str()));
     const ProgramRun result = run(tool, arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "") << tool;
@@ -49,7 +49,7 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   stage(GRID_SLICE_DETAIL, {"rooms.pcd", "details.pcd"});
   stage(FLOOR_PROJECTION_RECOVERY, {"details.pcd", "floor.pcd"});
   stage(CEILING_BOUNDARY_WALL_GROWING, {"floor.pcd", "walls.pcd"});
-  stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json"});
+  stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json", "--raw", "scan.pcd"});
   stage(STRUCTURE_REFINEMENT, {"walls.pcd", "floorplan.json", "refined.pcd"});
   stage(VERTICAL_HOLE_REPAIR, {"refined.pcd", "floorplan.json", "structure.pcd"});
   stage(STRUCTURAL_POISSON, {"structure.pcd", "mesh.ply"});

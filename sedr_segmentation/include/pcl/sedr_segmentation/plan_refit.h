@@ -37,7 +37,11 @@ struct RefitReport {
  * out. Corners are where the moved curves meet, smooth joints stay so. What would move
  * farther than its noise explains, or break a loop, stays.
  *
- * O(n) for n points; the same for any number of threads.
+ * Where the other face of a partition is near, points between the faces are left to it.
+ *
+ * O(n) for n points, in four passes; the same for any number of threads. It copies no
+ * points: 20 million of 20 rooms take some 40 MiB and, as every third point is taken,
+ * about 5 s of processor time.
  * @param raw the scan; points that are not finite are left out
  * @param indices those of its points that count; empty: all */
 RefitReport refitToRaw(Floorplan& plan,
