@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace pcl {
 namespace sedr {
@@ -45,8 +46,11 @@ shareOut(const std::vector<int>& indices, std::size_t rooms, RoomOf roomOf)
 /** @brief What a room was fitted to. */
 struct RoomWork {
   RoomEvidence evidence;
-  std::vector<FittedBoundary> boundaries;
+  RoomRecord record;
 };
+
+/** @brief A part of a room that is worth a word when it is left out, square metres. */
+constexpr double least_loss = 0.25;
 
 /** @brief Fits a room again without the points of its neighbours' walls where it runs
  * along them; it stays where that makes it no simpler. */
@@ -62,8 +66,7 @@ leaveToOthers(const PointView& points,
   if (again.evidence.faces_of_others.empty())
     return;
   std::string problem;
-  PlanRoom room =
-      fitRoom(points, again.evidence, parameters, problem, &again.boundaries);
+  PlanRoom room = fitRoom(points, again.evidence, parameters, problem, &again.record);
   room.id = plan.rooms[r].id;
   if (!problem.empty() ||
       room.boundary.elements.size() >= plan.rooms[r].boundary.elements.size())
@@ -128,7 +131,7 @@ fitPlan(const PointView& points,
                " floor points are too few, 3 are needed of each";
     PlanRoom room;
     if (reason.empty())
-      room = fitRoom(points, own.evidence, parameters, reason, &own.boundaries);
+      room = fitRoom(points, own.evidence, parameters, reason, &own.record);
     room.id = numbers[r];
     if (!reason.empty()) {
       warnings.push_back("room " + std::to_string(numbers[r]) + ": " + reason);
@@ -139,7 +142,14 @@ fitPlan(const PointView& points,
   }
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     leaveToOthers(points, parameters, plan, r, work[r]);
-    for (auto& boundary : work[r].boundaries) {
+    if (work[r].record.lost_area >= least_loss) {
+      char text[96];
+      std::snprintf(text, sizeof text,
+                    "room %u: %.2f m2 of its ceiling lie apart and are left out",
+                    plan.rooms[r].id, work[r].record.lost_area);
+      warnings.push_back(text);
+    }
+    for (auto& boundary : work[r].record.boundaries) {
       boundary.room = plan.rooms[r].id;
       if (boundaries)
         boundaries->push_back(std::move(boundary));

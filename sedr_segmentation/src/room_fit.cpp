@@ -193,7 +193,7 @@ fitRoom(const PointView& points,
         const RoomEvidence& evidence,
         const RoomFitParameters& parameters,
         std::string& problem,
-        std::vector<FittedBoundary>* boundaries)
+        RoomRecord* record)
 {
   PlanRoom room;
   const CellGrid grid(parameters.cell_size);
@@ -218,8 +218,10 @@ fitRoom(const PointView& points,
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters), &fitted.samples);
-  if (boundaries)
-    boundaries->push_back(fitted);
+  if (record) {
+    record->boundaries.push_back(fitted);
+    record->lost_area = outline.lost_area;
+  }
   if (room.boundary.elements.size() < 1 || !(room.boundary.area() > 0)) {
     problem = "no closed outline could be fitted to " + std::to_string(seen.size()) +
               " ceiling cells";
@@ -235,8 +237,8 @@ fitRoom(const PointView& points,
       continue;
     room.columns.push_back(loop);
     fitted.label = StructureLabel::Column;
-    if (boundaries)
-      boundaries->push_back(fitted);
+    if (record)
+      record->boundaries.push_back(fitted);
   }
   if (!evidence.details.empty())
     room.details =

@@ -40,16 +40,22 @@ struct FittedBoundary {
   std::vector<ContourSample> samples;          ///< around the loop
 };
 
+/** @brief What the fit of a room knows beside the room. */
+struct RoomRecord {
+  std::vector<FittedBoundary> boundaries; ///< those of walls and columns
+  double lost_area = 0; ///< of ceiling that is far from the rest, square metres
+};
+
 /** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust
  * least squares, the loop of walls along the outline of ceiling and details, the loops
  * of columns in it, and for every detail its plane and its loop.
  * @param[out] problem why there is no room, a sentence; empty otherwise
- * @param[out] boundaries those of walls and columns are added, if wanted */
+ * @param[out] record what else is known, if wanted */
 PlanRoom fitRoom(const PointView& points,
                  const RoomEvidence& evidence,
                  const RoomFitParameters& parameters,
                  std::string& problem,
-                 std::vector<FittedBoundary>* boundaries = nullptr);
+                 RoomRecord* record = nullptr);
 
 } // namespace sedr
 } // namespace pcl
