@@ -120,7 +120,7 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
     const double d =
         direction * distanceAbove(slab, points[static_cast<std::size_t>(c.index)]);
     if (d > 1.5 * tolerance && d < 4 * tolerance)
-      holds[c.cell] |= d < 2.75 * tolerance ? away | close : away;
+      holds[c.cell] |= d < 2.25 * tolerance ? away | close : away;
   }
   std::vector<std::uint8_t> goes_on(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
