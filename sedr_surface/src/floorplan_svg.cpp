@@ -39,7 +39,8 @@ constexpr const char* style = R"(
   .size { fill: #555; text-anchor: middle; }
   .level { fill: #2b62a8; text-anchor: middle; }
   .name { fill: #111; text-anchor: middle; }
-  .halo { paint-order: stroke; stroke: #f6f3ec; stroke-width: 0.8; }
+  .halo { paint-order: stroke; stroke: #f6f3ec; stroke-width: 0.8;
+    stroke-linejoin: round; }
 )";
 
 std::string

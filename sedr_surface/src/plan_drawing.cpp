@@ -99,6 +99,16 @@ clearanceAt(const Eigen::Vector2d& p,
   return is_free ? clearance : -clearance;
 }
 
+PlanLoop
+circleAbout(const Eigen::Vector2d& centre, double radius)
+{
+  PlanElement circle;
+  circle.centre = centre;
+  circle.radius = radius;
+  circle.start = circle.end = centre + Eigen::Vector2d(radius, 0);
+  return {{circle}};
+}
+
 Eigen::AlignedBox2d
 boundsOf(const PlanLoop& loop)
 {
@@ -204,24 +214,28 @@ sizeText(const PlanElement& element)
 std::vector<LevelNote>
 levelNotes(const PlanRoom& room, const TextSpot& room_spot)
 {
+  constexpr double around_name = 0.35; // of the space that there is
   std::vector<LevelNote> notes;
-  const auto add = [&](const PlanDetail& detail, DrawnLayer layer) {
-    LevelNote note{textSpotIn(detail.boundary, detail.holes), {}, layer};
-    TextSpot& spot = note.spot;
-    if ((spot.place - room_spot.place).norm() < 0.5 * room_spot.radius) {
-      spot.place.y() -= 0.75 * spot.radius;
-      spot.radius *= 0.25;
-    }
-    const Eigen::Vector2d& p = spot.place;
+  const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
+                       DrawnLayer layer) {
+    const PlanDetail& detail = details[d];
+    std::vector<PlanLoop> others = detail.holes; // and what lies over it
+    for (std::size_t later = d + 1; later < details.size(); ++later)
+      others.push_back(details[later].boundary);
+    others.push_back(circleAbout(room_spot.place, around_name * room_spot.radius));
+    LevelNote note{textSpotIn(detail.boundary, others), {}, layer};
+    if (!room.contains(note.spot.place))
+      return;
+    const Eigen::Vector2d& p = note.spot.place;
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
     const bool is_floor = layer == DrawnLayer::FloorDetail;
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
     notes.push_back(note);
   };
-  for (const PlanDetail& detail : room.details)
-    add(detail, DrawnLayer::Detail);
-  for (const PlanDetail& detail : room.floor_details)
-    add(detail, DrawnLayer::FloorDetail);
+  for (std::size_t d = 0; d < room.details.size(); ++d)
+    add(room.details, d, DrawnLayer::Detail);
+  for (std::size_t d = 0; d < room.floor_details.size(); ++d)
+    add(room.floor_details, d, DrawnLayer::FloorDetail);
   return notes;
 }
 

@@ -105,6 +105,24 @@ TEST(FloorplanDrawing, ALevelDoesNotHideTheSizeOfAWall)
   EXPECT_TRUE(holds(svg, "x=\"40\"")) << svg; // a third along the wall
 }
 
+TEST(FloorplanDrawing, EveryStepOfAStairTellsItsHeight)
+{
+  // Each later one lies on those before it.
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].floor_details = {detailOf(rectangle(3, 0, 6, 4), 0.15),
+                                 detailOf(rectangle(4, 0, 6, 4), 0.3)};
+  const std::string svg = floorplanToSvg(plan, 50);
+  EXPECT_TRUE(holds(svg, ">+0.15<"));
+  EXPECT_TRUE(holds(svg, ">+0.30<"));
+}
+
+TEST(FloorplanDrawing, ADetailOutsideOfTheRoomTellsNothing)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].details = {detailOf(rectangle(7, 0, 9, 2), 2.2)};
+  EXPECT_FALSE(holds(floorplanToSvg(plan, 50), ">2.20<"));
+}
+
 TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
 {
   // A closet 30 cm wide: no sizes, no name that could be read at 1:100.
