@@ -87,7 +87,7 @@ expectPiece(const Solid& solid, double volume, int euler = 2)
 
 /** Area of the polygon whose corners a loop's facets have: not that of the arcs. */
 inline double
-facetArea(const pcl::sedr::PlanLoop& loop, double tolerance = 0.00025)
+facetArea(const pcl::sedr::PlanLoop& loop, double tolerance = 0.0005)
 {
   const auto p = loop.polygon(tolerance);
   double twice = 0;

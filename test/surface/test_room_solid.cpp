@@ -90,7 +90,7 @@ TEST(RoomSolid, AColumnIsATunnel)
   EXPECT_EQ(
       std::count(solid.mesh.labels.begin(), solid.mesh.labels.end(),
                  static_cast<std::uint32_t>(StructureLabel::Column)),
-      8 + 2 * static_cast<std::ptrdiff_t>(circle({2, 2}, 0.35).polygon(0.00025).size()));
+      8 + 2 * static_cast<std::ptrdiff_t>(circle({2, 2}, 0.35).polygon(0.0005).size()));
 }
 
 TEST(RoomSolid, ASoffitAtAWall)

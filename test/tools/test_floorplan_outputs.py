@@ -21,7 +21,7 @@ import zlib
 from collections import Counter, defaultdict
 
 EXTRUSION, DRAWING = sys.argv[1:3]
-CHORD = 0.00025
+CHORD = 0.0005
 HALL_HEIGHT = 3.0
 CELL_HEIGHT = 2.5
 

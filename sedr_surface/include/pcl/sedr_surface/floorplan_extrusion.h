@@ -73,8 +73,8 @@ public:
 
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
-  /** @brief How far facets may be off their arc, metres, 1e-6 to 1 (default 0.00025:
-   * of a round wall that is 0.15 mm on average). */
+  /** @brief How far facets may be off their arc, metres, 1e-6 to 1 (default 0.0005: of
+   * a round wall that is 0.3 mm on average). */
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
 
   double getChordTolerance() const { return parameters_.chord_tolerance; }

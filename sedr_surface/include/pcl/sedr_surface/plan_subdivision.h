@@ -66,7 +66,7 @@ std::vector<std::vector<Spoke>> spokesOf(const PlanSubdivision& subdivision);
 
 /** @brief How a room becomes a solid. */
 struct SolidParameters {
-  double chord_tolerance = 0.00025; ///< metres that facets may be off their arc
+  double chord_tolerance = 0.0005; ///< metres that facets may be off their arc
   double snap_tolerance =
       0; ///< metres; 0: from the elements' residuals, snapTolerance()
 };
