@@ -77,6 +77,28 @@ layBridges(LoopChain& chain)
   }
 }
 
+/** @brief Whether a line leaves the one that it was fitted to a short part of: points
+ * in one place tell nothing of a direction. */
+bool
+turnsAway(const PlanElement& was,
+          const PlanCurve& line,
+          const std::vector<WeightedPoint>& points,
+          double tolerance)
+{
+  constexpr double least_part = 0.4;
+  if (was.isArc() || line.isCircle() ||
+      std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
+    return false;
+  double from = was.length();
+  double to = 0;
+  for (const auto& p : points) {
+    const double s = was.project(p.position);
+    from = std::min(from, s);
+    to = std::max(to, s);
+  }
+  return to - from < least_part * was.length();
+}
+
 } // namespace
 
 std::vector<WeightedPoint>
@@ -225,6 +247,8 @@ refitLinks(LoopChain& chain,
                 ? fitParallel(points, link.curve, parameters.tolerance)
                 : fitRobustly(points, link.curve, parameters.tolerance,
                               parameters.minimum_radius, parameters.maximum_radius);
+    if (turnsAway(chain.element(i), curve, points, parameters.tolerance))
+      curve = fitParallel(points, link.curve, parameters.tolerance);
     if (curve.direction.dot(link.curve.direction) < 0)
       curve.direction = -curve.direction;
   }

@@ -5,6 +5,7 @@
 #include "loop_runs.h"
 
 #include <pcl/sedr_segmentation/loop_fit.h>
+#include <pcl/sedr_segmentation/loop_lobes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,12 +134,7 @@ curvesOf(const std::vector<PlanElement>& elements)
     };
     if (std::any_of(curves.begin(), curves.end(), runsAlong))
       continue;
-    PlanCurve curve = lineThrough(e.start, e.end);
-    if (e.isArc()) {
-      curve.point = e.centre;
-      curve.radius = e.radius;
-    }
-    curves.push_back(curve);
+    curves.push_back(carrierOf(e));
   }
   return curves;
 }
@@ -191,6 +187,7 @@ fitLoop(const Contour& contour,
       closeTangents(chain, parameters);
       PlanLoop loop = chain.loop();
       dropPoints(loop);
+      cutLobes(loop);
       if (isSound(loop, contour, parameters))
         return loop;
     }

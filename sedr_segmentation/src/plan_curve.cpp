@@ -120,6 +120,17 @@ lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 }
 
 PlanCurve
+carrierOf(const PlanElement& element)
+{
+  PlanCurve curve = lineThrough(element.start, element.end);
+  if (element.isArc()) {
+    curve.point = element.centre;
+    curve.radius = element.radius;
+  }
+  return curve;
+}
+
+PlanCurve
 circleThrough(const Eigen::Vector2d& a,
               const Eigen::Vector2d& b,
               const Eigen::Vector2d& c)

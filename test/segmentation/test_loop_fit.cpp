@@ -364,6 +364,19 @@ TEST(FitLoop, AWallHiddenBehindACupboardIsBridged)
   expectLoop(loop, truth, 0.006);
 }
 
+TEST(FitLoop, PointsInOnePlaceDoNotTurnAWall)
+{
+  // Of the window wall at x = 6 only a curtain was seen, askew.
+  const PlanLoop truth = rectangle(0, 0, 6, 5);
+  auto walls = wallPoints(truth, 0, [](const Vector2d& p) { return p.x() < 5.99; });
+  for (double s = 0; s < 1; s += 0.01)
+    for (int k = 0; k < 8; ++k)
+      walls.emplace_back(6.04 - 0.08 * s, 0.6 + s);
+  const PlanLoop loop = fitted(contourIn(truth), walls);
+  for (double s = 0.05; s < 5; s += 0.1)
+    EXPECT_LT(loop.distance(truth.elements[1].pointAt(s)), 0.1) << s;
+}
+
 TEST(FitLoop, AnOpeningThatLedTheContourAstrayIsBridged)
 {
   const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -47,6 +49,9 @@ struct WeightedPoint {
 };
 
 PlanCurve lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
+/** @brief The line or circle that an element is a part of. */
+PlanCurve carrierOf(const PlanElement& element);
 
 /** @brief The circle through three points; radius 0 (a line) where they are on one. */
 PlanCurve circleThrough(const Eigen::Vector2d& a,

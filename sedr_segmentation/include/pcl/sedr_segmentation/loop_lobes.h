@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Cuts off where a loop crosses itself: of the two ways from a crossing back to
+ * it, the shorter is left out, the smallest such lobe first, until none is left.
+ *
+ * Where two curves that hardly differ in direction are joined by a short one, their
+ * corners may come out in the wrong order; what is between them is such a lobe.
+ * @return false, and the loop is as it was, where a lobe is longer than a quarter of the
+ * loop, or crossings remain. O(n^2) for n elements and each lobe */
+bool cutLobes(PlanLoop& loop);
+
+} // namespace sedr
+} // namespace pcl
