@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_enclosure.h"
+
+#include <pcl/sedr_segmentation/cell_count.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief What stands and lies around a room. */
+struct Surroundings {
+  CellMask walls; ///< columns that are occupied in the upper half of the room
+  CellMask floor; ///< cells outside of the room where the floor goes on
+};
+
+Surroundings
+surroundingsOf(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  Surroundings around{CellMask(solid.box()), CellMask(solid.box())};
+  const int reach = cellsFor(0.7, storey.grid.size());
+  const CellMask rim = subtract(dilated(solid, reach), eroded(solid, reach));
+  for (std::size_t i = 0; i < rim.values().size(); ++i) {
+    if (!rim.values()[i])
+      continue;
+    const Cell cell = rim.cellAt(i);
+    const double top = storey.heightOf(main.level, cell);
+    const double floor = storey.heightOf(main.floor, cell);
+    around.walls.values()[i] =
+        storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 1) >= 0.6 ? 1 : 0;
+    around.floor.values()[i] =
+        !solid.values()[i] && storey.columns.hasWithin(cell, floor - 0.07, floor + 0.07)
+            ? 1
+            : 0;
+  }
+  return around;
+}
+
+} // namespace
+
+CellMask
+solidOf(const Storey& storey, const CellMask& scope)
+{
+  const double gap = cellsFor(0.4, storey.grid.size());
+  const CellMask closed = eroded(dilated(scope, gap), gap);
+  return unite(closed, enclosedCells(closed));
+}
+
+double
+enclosureOf(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  const double size = storey.grid.size();
+  const Surroundings around = surroundingsOf(storey, solid, main);
+  const CellMask outline = subtract(dilated(solid, 1), solid);
+  const CellMask walled = dilated(around.walls, cellsFor(0.6, size));
+  const CellMask open = subtract(dilated(around.floor, cellsFor(0.15, size)),
+                                 dilated(around.walls, cellsFor(0.1, size)));
+  const auto count = [&](const CellMask& mask) {
+    return static_cast<double>(intersect(outline, mask).count());
+  };
+  return (count(walled) - count(open)) /
+         static_cast<double>(std::max<std::size_t>(1, outline.count()));
+}
+
+bool
+hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  const CellMask outline = subtract(dilated(solid, 1), solid);
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < outline.values().size(); ++i) {
+    if (!outline.values()[i])
+      continue;
+    const Cell cell = outline.cellAt(i);
+    const double floor = storey.heightOf(main.floor, cell);
+    below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 1, 2) > 0 ? 1 : 0;
+  }
+  return 5 * below > 3 * outline.count();
+}
+
+} // namespace sedr
+} // namespace pcl

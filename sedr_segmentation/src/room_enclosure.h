@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "room_pieces.h"
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A room with what was not seen within it: gaps between its ceilings closed. */
+CellMask solidOf(const Storey& storey, const CellMask& scope);
+
+/** @brief How much of a room's outline is closed rather than open: the share with a
+ * wall within 0.6 m, for a cupboard may hide the ceiling that far, less the share
+ * across which the floor goes on and no wall stands. What is seen through a door or a
+ * window only has no walls towards it, and less of its ceiling is seen than of its
+ * floor. */
+double enclosureOf(const Storey& storey, const CellMask& solid, const Piece& main);
+
+/** @brief Whether something goes on below the floor along most of the outline: then it
+ * is a table or a shelf. */
+bool hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_groups.h"
+
+#include "room_frontiers.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Number of cell edges around a piece. */
+std::size_t
+perimeterOf(const CellMask& cells)
+{
+  std::size_t edges = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Cell c = cells.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}})
+      edges += cells.at({c.x + d.x, c.y + d.y}) ? 0 : 1;
+  }
+  return edges;
+}
+
+/** @brief The longest stretch of a frontier below a lintel, in cells; a gap of a cell
+ * ends none. */
+std::size_t
+widestSpan(const std::vector<CellKey>& below_lintel)
+{
+  const CellSet cells(below_lintel);
+  std::vector<CellKey> bridged;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        bridged.push_back(keyOf({cells[i].x + dx, cells[i].y + dy}));
+  const CellSet strips(std::move(bridged));
+  const CellRegions regions = labelRegions(strips);
+  std::vector<std::size_t> length(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    ++length[regions.label[strips.find(cells[i])]];
+  return length.empty() ? 0 : *std::max_element(length.begin(), length.end());
+}
+
+/** @brief Whether the frontier is open: one room, not two. It must be a good part of
+ * the outline of the smaller side, else it is a passage.
+ * @param around cell edges around the smaller side */
+bool
+isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& parameters)
+{
+  const std::size_t open = frontier.plain + frontier.below_lintel.size();
+  const std::size_t total = frontier.wall + open;
+  // What furniture hides is as open as the rest.
+  const double extent = static_cast<double>(open) *
+                        (1 + static_cast<double>(frontier.hidden) /
+                                 static_cast<double>(std::max<std::size_t>(1, total)));
+  if (extent < parameters.minimum_open_share * static_cast<double>(around))
+    return false;
+  if (2 * frontier.plain >= total || 4 * open >= 3 * total)
+    return true; // a door is a small part of what is wall else
+  const double widest =
+      static_cast<double>(widestSpan(frontier.below_lintel)) * parameters.cell_size;
+  return widest > parameters.widest_door && 2 * open > total;
+}
+
+/** @brief The frontiers between groups of pieces, by the groups' numbers. */
+Frontiers
+betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
+{
+  Frontiers merged;
+  for (const auto& [pair, frontier] : frontiers) {
+    const std::size_t a = group[pair.first];
+    const std::size_t b = group[pair.second];
+    if (a == b)
+      continue;
+    Frontier& sum = merged[{std::min(a, b), std::max(a, b)}];
+    sum.wall += frontier.wall;
+    sum.plain += frontier.plain;
+    sum.hidden += frontier.hidden;
+    sum.below_lintel.insert(sum.below_lintel.end(), frontier.below_lintel.begin(),
+                            frontier.below_lintel.end());
+  }
+  return merged;
+}
+
+/** @brief Cell edges around each group, by its number. */
+std::vector<std::size_t>
+perimetersOf(const std::vector<Piece>& pieces, const std::vector<std::size_t>& group)
+{
+  std::map<std::size_t, CellMask> cells;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const auto [it, is_new] = cells.emplace(group[p], pieces[p].cells);
+    if (!is_new)
+      it->second = unite(it->second, pieces[p].cells);
+  }
+  std::vector<std::size_t> perimeters(pieces.size(), 0);
+  for (const auto& [number, mask] : cells)
+    perimeters[number] = perimeterOf(mask);
+  return perimeters;
+}
+
+/** @brief Joins the groups that `areOne(frontier, around)` says are one, until none is
+ * left. */
+template <typename AreOne>
+void
+joinGroups(const std::vector<Piece>& pieces,
+           const Frontiers& frontiers,
+           AreOne areOne,
+           std::vector<std::size_t>& group)
+{
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    const std::vector<std::size_t> perimeters = perimetersOf(pieces, group);
+    for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
+      if (!areOne(frontier, std::min(perimeters[pair.first], perimeters[pair.second])))
+        continue;
+      const std::size_t kept = std::min(group[pair.first], group[pair.second]);
+      const std::size_t gone = std::max(group[pair.first], group[pair.second]);
+      std::replace(group.begin(), group.end(), gone, kept);
+      has_changed = true;
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::size_t>
+groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
+{
+  const Frontiers frontiers = frontiersOf(storey, pieces);
+  std::vector<std::size_t> group(pieces.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto isOpenAbove = [&](const Frontier& frontier, std::size_t around) {
+    return 2 * frontier.plain >=
+               frontier.wall + frontier.plain + frontier.below_lintel.size() &&
+           isOpen(frontier, around, storey.parameters);
+  };
+  const auto isOpenBelow = [&](const Frontier& frontier, std::size_t around) {
+    return isOpen(frontier, around, storey.parameters);
+  };
+  joinGroups(pieces, frontiers, isOpenAbove, group);
+  joinGroups(pieces, frontiers, isOpenBelow, group);
+  return group;
+}
+
+} // namespace sedr
+} // namespace pcl

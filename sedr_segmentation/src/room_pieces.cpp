@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_pieces.h"
+
+#include <pcl/sedr_segmentation/cell_count.h>
+
+namespace pcl {
+namespace sedr {
+
+std::vector<Piece>
+piecesOf(const Storey& storey, std::size_t level)
+{
+  const CellMask seen(storey.levels[level].cells, storey.box);
+  // Closing bridges what was not hit; walls stay out.
+  const double size = storey.grid.size();
+  const int gap = cellsFor(0.1, size);
+  CellMask closed = eroded(dilated(seen, gap), gap);
+  for (std::size_t i = 0; i < closed.values().size(); ++i)
+    if (closed.values()[i] && !seen.values()[i]) {
+      const Cell cell = closed.cellAt(i);
+      closed.values()[i] =
+          storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
+    }
+  const double neck = 1.5 * cellsFor(0.05, size);
+  const CellMask core = eroded(closed, neck);
+  MaskRegions regions = labelRegions(core, true);
+  growLabels(closed, static_cast<int>(2 * neck), regions.label);
+
+  const double cell_area = size * size;
+  std::vector<Piece> pieces;
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    if (static_cast<double>(regions.sizes[r]) * cell_area <
+        0.25 * storey.parameters.minimum_area)
+      continue;
+    Piece piece;
+    piece.level = level;
+    piece.cells = regionMask(closed, regions, static_cast<std::int32_t>(r));
+    piece.size = piece.cells.count();
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+bool
+findFloor(const Storey& storey, Piece& piece)
+{
+  double best = 0;
+  for (std::size_t f = 0; f < storey.levels.size(); ++f) {
+    if (storey.levels[f].kind != LevelKind::Floor)
+      continue;
+    std::size_t covered = 0;
+    const CellSet& cells = storey.levels[f].cells;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (piece.cells.at(cells[i]) &&
+          storey.heightOf(f, cells[i]) <
+              storey.heightOf(piece.level, cells[i]) - storey.parameters.minimum_height)
+        ++covered;
+    const double share = static_cast<double>(covered) / static_cast<double>(piece.size);
+    if (share > best && best < storey.parameters.minimum_floor_share) {
+      best = share;
+      piece.floor = f;
+    }
+  }
+  return best >= storey.parameters.minimum_floor_share;
+}
+
+} // namespace sedr
+} // namespace pcl

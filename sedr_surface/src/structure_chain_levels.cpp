@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "label_values.h"
+
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <pcl/sedr_segmentation/cell_fill.h>
+#include <pcl/sedr_segmentation/room_territory.h>
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+pcl::IndicesPtr
+allIndices(std::size_t n)
+{
+  pcl::IndicesPtr indices(new pcl::Indices(n));
+  std::iota(indices->begin(), indices->end(), 0);
+  return indices;
+}
+
+const char*
+kindName(LevelKind kind)
+{
+  return kind == LevelKind::Ceiling ? "ceiling"
+         : kind == LevelKind::Floor ? "floor"
+                                    : "other";
+}
+
+/** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the
+ * largest six. */
+std::string
+listOf(std::vector<pcl::HorizontalPlane> planes)
+{
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  std::string list;
+  for (std::size_t i = 0; i < planes.size() && i < 6; ++i) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%s%.2f m %s %.1f m2", i == 0 ? "" : ", ",
+                  planes[i].height, kindName(planes[i].kind), planes[i].area);
+    list += text;
+  }
+  return list;
+}
+
+} // namespace
+
+bool
+StructureChain::checkScan()
+{
+  failed_stage = "input";
+  const std::string reason =
+      trust_up ? std::string()
+               : upProblem(PointView(*cloud), *allIndices(cloud->size()));
+  return reason.empty() || fail(reason);
+}
+
+bool
+StructureChain::detectPlanes()
+{
+  plane_detection.setInputCloud(cloud);
+  return plane_detection.segment(planes) || fail(plane_detection.getErrorMessage());
+}
+
+bool
+StructureChain::findPlanes(StageReport& report)
+{
+  if (!detectPlanes())
+    return false;
+  if (adapts_grid) {
+    const double size = plane_detection.getGridSize();
+    std::vector<CellSet> ceilings;
+    for (const auto& plane : planes)
+      if (plane.kind == LevelKind::Ceiling)
+        ceilings.emplace_back(CellGrid(size), PointView(*cloud), plane.inliers.indices);
+    const double wanted = cellSizeFor(ceilings, size);
+    if (wanted > size) {
+      char text[160];
+      std::snprintf(
+          text, sizeof text,
+          "the scan is too sparse for cells of %.2f m, its ceilings leave some "
+          "empty: cells of %.2f m are used",
+          size, wanted);
+      warnings.push_back(text);
+      enlargeCells(wanted);
+      if (!detectPlanes())
+        return false;
+    }
+  }
+  tellResult("HorizontalPlaneDetection");
+  std::size_t ceilings = 0;
+  std::size_t floors = 0;
+  for (const auto& plane : planes) {
+    ceilings += plane.kind == LevelKind::Ceiling ? 1 : 0;
+    floors += plane.kind == LevelKind::Floor ? 1 : 0;
+    if (plane.kind != LevelKind::Other)
+      report.points_out += plane.inliers.indices.size();
+  }
+  if (ceilings > 0 && floors > 0)
+    return true;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling "
+                "needs a floor "
+                "at least %.2f m below it; found: ",
+                planes.size(), ceilings, floors,
+                plane_detection.getMinimumRoomHeight());
+  const std::string turned =
+      upProblem(PointView(*cloud), *allIndices(cloud->size()), false);
+  return fail(text + listOf(planes) + (turned.empty() ? "" : "; " + turned));
+}
+
+bool
+StructureChain::removeOutliers(StageReport& report)
+{
+  pcl::IndicesPtr floors(new pcl::Indices);
+  for (const auto& plane : planes)
+    if (plane.kind == LevelKind::Floor)
+      floors->insert(floors->end(), plane.inliers.indices.begin(),
+                     plane.inliers.indices.end());
+  outlier_removal.setInputCloud(cloud);
+  outlier_removal.setSupportIndices(floors);
+  const CellGrid grid(outlier_removal.getGridSize());
+  const PointView points(*cloud);
+  for (const auto& plane : planes) {
+    Level level;
+    level.slab = plane.slab;
+    level.height = plane.height;
+    level.kind = plane.kind;
+    level.inliers = plane.inliers.indices;
+    if (level.kind == LevelKind::Ceiling) {
+      outlier_removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(level.inliers)));
+      outlier_removal.filter(level.inliers);
+      if (!outlier_removal.getErrorMessage().empty())
+        return fail(outlier_removal.getErrorMessage());
+      tellResult("GridRegionOutlierRemoval");
+    }
+    if (level.kind != LevelKind::Other) {
+      level.cells = CellSet(grid, points, level.inliers);
+      report.points_out += level.inliers.size();
+    }
+    levels_.push_back(std::move(level));
+  }
+  return true;
+}
+
+bool
+StructureChain::partRooms(StageReport& report)
+{
+  const RoomParameters& parameters = room_segmentation;
+  const PointView points(*cloud);
+  std::string reason;
+  regions_ =
+      segmentRooms(points, *allIndices(cloud->size()), levels_, parameters, reason);
+  if (!reason.empty())
+    return fail(reason);
+  if (regions_.empty()) {
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "no room of at least %.1f square metres with a floor below %.0f %% of its "
+        "ceiling and walls around it, along %.0f %% more of its outline than is open; "
+        "planes: ",
+        parameters.minimum_area, 100 * parameters.minimum_floor_share,
+        100 * parameters.minimum_enclosure);
+    return fail(text + listOf(planes));
+  }
+  const CellGrid grid(parameters.cell_size);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (const int i : levels_[regions_[r].ceiling_level].inliers) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+      if (!regions_[r].ceiling.contains(grid.at(p.x(), p.y())))
+        continue;
+      labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Ceiling);
+      rooms[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(r + 1);
+      ++report.points_out;
+    }
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    report.points_out += addHiddenCeiling(r);
+  territory_ = territories();
+  tellResult("RoomSegmentation");
+  return true;
+}
+
+std::size_t
+StructureChain::addHiddenCeiling(std::size_t region)
+{
+  const CellGrid grid(room_segmentation.cell_size);
+  const CellSet& hidden = regions_[region].hidden;
+  const PlanSlab& slab = levels_[regions_[region].ceiling_level].slab;
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    const Eigen::Vector2d place = grid.centre(hidden[i]);
+    cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
+                      static_cast<float>(slab.heightAt(place))});
+    labels.push_back(valueOf(StructureLabel::Ceiling));
+    rooms.push_back(static_cast<std::uint32_t>(region + 1));
+  }
+  return hidden.size();
+}
+
+std::vector<pcl::IndicesPtr>
+StructureChain::territories() const
+{
+  std::vector<CellSet> scopes;
+  for (const auto& region : regions_)
+    scopes.push_back(region.scope);
+  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes);
+  std::vector<pcl::IndicesPtr> result;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    result.emplace_back(new pcl::Indices);
+  const PointView points(*cloud);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t room = territory.roomAt(points[i]);
+    if (room >= 0)
+      result[static_cast<std::size_t>(room)]->push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "label_values.h"
+
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+pcl::IndicesPtr
+StructureChain::labelled(StructureLabel label, std::uint32_t room) const
+{
+  pcl::IndicesPtr indices(new pcl::Indices);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == valueOf(label) && (room == 0 || rooms[i] == room))
+      indices->push_back(static_cast<int>(i));
+  return indices;
+}
+
+bool
+StructureChain::findDetails(StageReport& report)
+{
+  slice_detail.setInputCloud(cloud);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    const Eigen::Vector2d middle =
+        CellGrid(outlier_removal.getGridSize())
+            .centre(regions_[r].scope[regions_[r].scope.size() / 2]);
+    slice_detail.setIndices(territory_[r]);
+    slice_detail.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    slice_detail.setFloorHeight(levels_[regions_[r].floor_level].slab.heightAt(middle));
+    pcl::PointIndices details;
+    if (!slice_detail.segment(details))
+      warn(room, slice_detail.getErrorMessage());
+    tellResult("GridSliceDetail", room);
+    slice_height_.push_back(slice_detail.getSliceHeight());
+    for (const int i : details.indices) {
+      labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
+      rooms[static_cast<std::size_t>(i)] = room;
+    }
+    report.points_out += details.indices.size() + labelLowerCeilings(r);
+  }
+  return true;
+}
+
+std::size_t
+StructureChain::labelLowerCeilings(std::size_t region)
+{
+  const CellGrid grid(outlier_removal.getGridSize());
+  const PointView points(*cloud);
+  std::size_t found = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Level& level : levels_) {
+    if (level.kind != LevelKind::Ceiling)
+      continue;
+    for (const int i : level.inliers) {
+      const auto at = static_cast<std::size_t>(i);
+      if (labels[at] != 0 ||
+          !regions_[region].scope.contains(grid.at(points[at].x(), points[at].y())))
+        continue;
+      labels[at] = valueOf(StructureLabel::Detail);
+      rooms[at] = static_cast<std::uint32_t>(region + 1);
+      ++found;
+      lowest = std::min<double>(lowest, points[at].z());
+    }
+  }
+  // Walls below a soffit grow from the floor's boundary, as below any detail.
+  double& slice = slice_height_[region];
+  if (found > 0 && !(slice < lowest))
+    slice = lowest - grid.size();
+  return found;
+}
+
+pcl::IndicesPtr
+StructureChain::floorPoints(std::size_t region) const
+{
+  const double main = levels_[regions_[region].floor_level].height;
+  const double ceiling = levels_[regions_[region].ceiling_level].height;
+  pcl::IndicesPtr seen(new pcl::Indices);
+  for (const Level& level : levels_)
+    if (level.kind == LevelKind::Floor && level.height > main - 1 &&
+        level.height < ceiling - plane_detection.getMinimumRoomHeight())
+      std::set_intersection(level.inliers.begin(), level.inliers.end(),
+                            territory_[region]->begin(), territory_[region]->end(),
+                            std::back_inserter(*seen));
+  std::sort(seen->begin(), seen->end());
+  return seen;
+}
+
+bool
+StructureChain::recoverFloors(StageReport& report)
+{
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    const Level& floor = levels_[regions_[r].floor_level];
+    const pcl::IndicesPtr seen = floorPoints(r);
+    pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
+    for (int k = 0; k < 4; ++k)
+      plane->values.push_back(static_cast<float>(floor.slab.plane[k]));
+    floor_recovery.setInputCloud(cloud);
+    floor_recovery.setIndices(seen);
+    floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    floor_recovery.setDetailIndices(labelled(StructureLabel::Detail, room));
+    floor_recovery.setFloorCoefficients(plane);
+    Cloud whole;
+    floor_recovery.filter(whole);
+    if (!floor_recovery.getErrorMessage().empty()) {
+      warn(room, floor_recovery.getErrorMessage());
+      continue;
+    }
+    tellResult("FloorProjectionRecovery", room);
+    const std::size_t kept = whole.size() - floor_recovery.getNumberOfProjected();
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      std::size_t at = cloud->size();
+      if (k < kept)
+        at = static_cast<std::size_t>(floor_recovery.getProjectedIndices()[k]);
+      else {
+        cloud->push_back(whole[k]);
+        labels.push_back(0);
+        rooms.push_back(0);
+      }
+      labels[at] = valueOf(StructureLabel::Floor);
+      rooms[at] = room;
+    }
+    report.points_out += whole.size();
+  }
+  return true;
+}
+
+bool
+StructureChain::growWalls(StageReport& report)
+{
+  wall_growing.setInputCloud(cloud);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto room = static_cast<std::uint32_t>(r + 1);
+    wall_growing.setIndices(territory_[r]);
+    wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    wall_growing.setFloorIndices(labelled(StructureLabel::Floor, room));
+    wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
+    wall_growing.setSliceHeight(slice_height_[r]);
+    pcl::PointIndices walls;
+    if (!wall_growing.segment(walls)) {
+      warn(room, wall_growing.getErrorMessage());
+      continue;
+    }
+    tellResult("CeilingBoundaryWallGrowing", room);
+    for (const int i : wall_growing.getWallIndices()) {
+      const auto at = static_cast<std::size_t>(i);
+      if (labels[at] != 0)
+        continue;
+      labels[at] = valueOf(StructureLabel::Wall);
+      rooms[at] = room;
+      ++report.points_out;
+    }
+  }
+  return report.points_out > 0 ||
+         fail("no point lies within " +
+              std::to_string(wall_growing.getDistanceThreshold()) +
+              " m in plan of the boundary of the ceilings");
+}
+
+bool
+StructureChain::fitPlan(StageReport& report)
+{
+  floorplan_fitting.setInputCloud(cloud);
+  floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling, 0));
+  floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor, 0));
+  floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail, 0));
+  floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall, 0));
+  floorplan_fitting.setRooms(rooms);
+  if (!floorplan_fitting.segment(*plan))
+    return fail(floorplan_fitting.getErrorMessage());
+  tellResult("FloorplanFitting");
+  warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
+                  floorplan_fitting.getWarnings().end());
+  for (const auto& room : plan->rooms) {
+    for (const auto& element : room.boundary.elements)
+      report.points_out += element.inliers;
+    labelNiches(room);
+  }
+  return true;
+}
+
+void
+StructureChain::labelNiches(const PlanRoom& room)
+{
+  const double reach = refinement.getMaximumDistance();
+  const std::vector<UprightSurface> uprights = uprightSurfaces(room);
+  for (const int i : *territory_[room.id - 1]) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3d p = (*cloud)[at].getVector3fMap().cast<double>();
+    const bool is_outside = !room.boundary.contains(p.head<2>());
+    SurfacePoint snapped;
+    if (is_outside && room.nicheAt(p.head<2>()) >= 0 &&
+        snapToRoom(room, uprights, p, StructureLabel::Detail, reach, snapped)) {
+      labels[at] = valueOf(StructureLabel::Detail);
+      rooms[at] = room.id;
+    }
+  }
+}
+
+bool
+StructureChain::refine(StageReport& report)
+{
+  StructureCloud::Ptr labelled_cloud(new StructureCloud);
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if (labels[i] == 0)
+      continue;
+    pcl::PointStructure p;
+    p.getVector3fMap() = (*cloud)[i].getVector3fMap();
+    p.label = labels[i];
+    p.room = rooms[i];
+    labelled_cloud->push_back(p);
+  }
+  refinement.setInputCloud(labelled_cloud);
+  refinement.setFloorplan(plan);
+  refinement.filter(*refined_);
+  tellResult("StructureRefinement");
+  report.points_out = refined_->size();
+  return !refined_->empty() || fail(refinement.getErrorMessage().empty()
+                                        ? "no labelled point lies on the floor plan"
+                                        : refinement.getErrorMessage());
+}
+
+bool
+StructureChain::repair(StageReport& report)
+{
+  hole_repair.setInputCloud(refined_);
+  hole_repair.setFloorplan(plan);
+  hole_repair.filter(*structure);
+  tellResult("VerticalHoleRepair");
+  report.points_out = structure->size();
+  return !structure->empty() || fail(hole_repair.getErrorMessage());
+}
+
+bool
+StructureChain::extrude(StageReport& report)
+{
+  extrusion.setFloorplan(plan);
+  pcl::PolygonMesh unused;
+  extrusion.reconstruct(unused);
+  tellResult("FloorplanExtrusion");
+  report.points_out = extrusion.getMesh().vertices.size();
+  warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
+                  extrusion.getWarnings().end());
+  // The mesh may do without: a room that has no solid is told, and the others go on.
+  if (!extrusion.getErrorMessage().empty())
+    warnings.push_back(extrusion.getErrorMessage());
+  return true;
+}
+
+} // namespace sedr
+} // namespace pcl
