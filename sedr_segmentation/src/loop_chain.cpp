@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_chain.h"
+#include "main_directions.h"
 
 #include <pcl/sedr_segmentation/curve_adjustment.h>
 
@@ -77,15 +78,32 @@ layBridges(LoopChain& chain)
   }
 }
 
-/** @brief Whether a line leaves the one that it was fitted to a short part of: points
- * in one place tell nothing of a direction. */
+/** @brief Sine of the angle between a line and the nearest of the directions of the
+ * other lines of a chain. */
+double
+askew(const LoopChain& chain, std::size_t link, const PlanCurve& line)
+{
+  std::vector<DirectedLine> others;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (i != link && !chain.links[i].curve.isCircle() && !chain.links[i].is_bridge)
+      others.push_back({chain.element(i).length(), chain.links[i].curve.direction});
+  double least = 1;
+  for (const auto& direction : mainDirections(std::move(others)))
+    least = std::min(least, std::abs(leftOf(direction).dot(line.direction)));
+  return least;
+}
+
+/** @brief Whether a fit to a short part of a line turns it away from where it was and
+ * from all other walls: points in one place tell little of a direction. */
 bool
-turnsAway(const PlanElement& was,
+turnsAway(const LoopChain& chain,
+          std::size_t link,
           const PlanCurve& line,
           const std::vector<WeightedPoint>& points,
           double tolerance)
 {
   constexpr double least_part = 0.4;
+  const PlanElement was = chain.element(link);
   if (was.isArc() || line.isCircle() ||
       std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
     return false;
@@ -96,7 +114,8 @@ turnsAway(const PlanElement& was,
     from = std::min(from, s);
     to = std::max(to, s);
   }
-  return to - from < least_part * was.length();
+  return to - from < least_part * was.length() &&
+         askew(chain, link, line) > askew(chain, link, chain.links[link].curve);
 }
 
 } // namespace
@@ -247,7 +266,7 @@ refitLinks(LoopChain& chain,
                 ? fitParallel(points, link.curve, parameters.tolerance)
                 : fitRobustly(points, link.curve, parameters.tolerance,
                               parameters.minimum_radius, parameters.maximum_radius);
-    if (turnsAway(chain.element(i), curve, points, parameters.tolerance))
+    if (turnsAway(chain, i, curve, points, parameters.tolerance))
       curve = fitParallel(points, link.curve, parameters.tolerance);
     if (curve.direction.dot(link.curve.direction) < 0)
       curve.direction = -curve.direction;
