@@ -35,6 +35,9 @@ public:
       : samples_(samples)
       , parameters_(parameters)
       , random_(parameters.seed)
+      , is_seen_(std::any_of(samples.begin(),
+                             samples.end(),
+                             [](const ContourSample& s) { return s.isSupported(); }))
   {}
 
   /** @brief The best line through open samples, refined. */
@@ -72,7 +75,7 @@ private:
   static constexpr int trials = 400;
 
   /** @brief How much of the open samples a curve explains. Where nothing was seen,
-   * walls are taken for straight. */
+   * walls are taken for straight, unless nothing was seen of the whole loop. */
   double scoreOf(const PlanCurve& curve, const std::vector<std::size_t>& open) const
   {
     double sum = 0;
@@ -117,7 +120,7 @@ private:
   const std::vector<ContourSample>& samples_;
   const LoopParameters& parameters_;
   std::mt19937_64 random_;
-  bool is_seen_;
+  bool is_seen_; ///< any sample shows a wall
 };
 
 void
