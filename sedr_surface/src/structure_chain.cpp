@@ -14,6 +14,7 @@ secondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
 }
+
 } // namespace
 
 StructureChain::StructureChain()
@@ -43,8 +44,9 @@ void
 StructureChain::enlargeCells(double size)
 {
   const double least = plane_detection.getGridSize();
+  const double repaired = hole_repair.getGridSize();
   setGridSize(size);
-  hole_repair.setGridSize(least);
+  hole_repair.setGridSize(repaired);
   wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
                                     2 * (size - least));
   enlarged_from_ = least;
