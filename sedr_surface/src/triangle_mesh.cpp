@@ -76,7 +76,6 @@ TriangleMesh::append(const TriangleMesh& other)
   appendAttribute(rooms, before, other.rooms, added);
   appendAttribute(elements, before, other.elements, added);
   vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
-  triangles.reserve(before + added);
   for (std::size_t t = 0; t < added; ++t) {
     const Triangle& triangle = other.triangles[t];
     triangles.push_back(
