@@ -7,6 +7,7 @@
 
 #include <pcl/surface/reconstruction.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -56,8 +57,8 @@ public:
   void setGridSize(double size);
   double getGridSize() const { return chain_.outlier_removal.getGridSize(); }
 
-  /** @brief Whether a scan too sparse to fill the cells of its ceilings gets larger ones,
-   * of at most 2.5 times the grid size; a warning tells. Default true. */
+  /** @brief Whether a scan too sparse to fill the cells of its ceilings gets larger
+   * ones, of at most 2.5 times the grid size; a warning tells. Default true. */
   void setAdaptiveGrid(bool is_adaptive) { chain_.adapts_grid = is_adaptive; }
   bool getAdaptiveGrid() const { return chain_.adapts_grid; }
 
@@ -91,7 +92,12 @@ public:
   }
 
   /** @brief Maximum tree depth of the Poisson reconstruction. Default 9. */
-  void setTreeDepth(int depth) { chain_.poisson.setDepth(depth); }
+  void setTreeDepth(int depth)
+  {
+    chain_.poisson.setDepth(depth);
+    chain_.poisson.setMinDepth(std::min(depth, chain_.poisson.getMinDepth()));
+  }
+
   int getTreeDepth() const { return chain_.poisson.getDepth(); }
 
   /** @brief Threads of all stages, 0 for all processors. Default 0. The result does not
