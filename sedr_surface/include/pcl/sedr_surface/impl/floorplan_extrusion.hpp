@@ -59,8 +59,10 @@ FloorplanExtrusion<PointT>::collectWarnings()
   for (const auto& [t, u] : sedr::findSelfIntersections(mesh_))
     crossing.insert({mesh_.rooms[t], mesh_.rooms[u]});
   for (const auto& [room, other] : crossing)
-    warnings_.push_back("rooms " + std::to_string(room) + " and " +
-                        std::to_string(other) + " run into each other");
+    warnings_.push_back(room == other
+                            ? "room " + std::to_string(room) + " meets itself"
+                            : "rooms " + std::to_string(room) + " and " +
+                                  std::to_string(other) + " run into each other");
 }
 
 template <typename PointT>
