@@ -53,8 +53,8 @@ join(const std::vector<Run>& runs,
   return joinLinks(links, places, parameters);
 }
 
-/** @brief Whether no segment runs backwards against the samples that it was made from.
- */
+/** @brief Whether no arc runs the wrong way round: nearly a whole turn to an end just
+ * behind its start. */
 bool
 runsForward(const PlanLoop& loop)
 {

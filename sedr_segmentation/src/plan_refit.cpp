@@ -6,8 +6,6 @@
 
 #include <pcl/sedr_filters/plane_fit.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -40,8 +38,6 @@ public:
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
   {}
-
-  bool isPossible() const { return targets_.problem().empty(); }
 
   void run()
   {
@@ -336,6 +332,17 @@ noteTangents(PlanCurves& curves, std::vector<CurveTie>& ties)
   }
 }
 
+/** @brief Why a plan cannot be fitted, a sentence: a loop of it is empty. */
+std::string
+loopProblem(Floorplan& plan)
+{
+  for (auto& room : plan.rooms)
+    for (const PlanLoop* loop : loopsOf(room))
+      if (loop->elements.empty())
+        return "room " + std::to_string(room.id) + " has a loop of 0 elements";
+  return {};
+}
+
 } // namespace
 
 RefitReport
@@ -345,6 +352,9 @@ refitToRaw(Floorplan& plan,
            const RefitParameters& parameters)
 {
   RefitReport report;
+  report.problem = loopProblem(plan);
+  if (!report.problem.empty())
+    return report;
   RawPoints points{raw, indices.empty() ? nullptr : &indices, 1, parameters.threads};
   points.step = points.size() / std::max<std::size_t>(parameters.most_points, 1) + 1;
   PlanCurves curves(plan);
@@ -358,7 +368,8 @@ refitToRaw(Floorplan& plan,
       slabs_were.push_back(*slab);
 
   Refit refit(plan, curves, points, parameters);
-  if (!refit.isPossible())
+  report.problem = refit.targets().problem();
+  if (!report.problem.empty())
     return report;
   refit.run();
 

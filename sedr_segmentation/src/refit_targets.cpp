@@ -243,8 +243,6 @@ void
 RefitTargets::addSlabs(PlanRoom& room)
 {
   constexpr double most_cells = 100000;
-  if (room.boundary.elements.empty())
-    return;
   const auto [low, high] = boundsOf(room.boundary);
   const Eigen::Vector2d extent = high - low;
   const auto add = [&](PlanSlab& slab, const PlanLoop& loop,

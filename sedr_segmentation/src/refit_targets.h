@@ -27,7 +27,8 @@ namespace sedr {
  * middle of its room; one that is parallel to another only its rise. */
 class RefitTargets {
 public:
-  /** @brief `plan` must stay where it is; moved curves and slabs are seen. */
+  /** @brief `plan` must stay where it is; moved curves and slabs are seen.
+   * @pre none of its loops is empty */
   RefitTargets(Floorplan& plan, const PlanCurves& curves, double reach);
 
   /** @brief Why there is nothing to look up, a sentence; empty otherwise. */

@@ -7,6 +7,7 @@
 #include <pcl/pcl_base.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,9 @@ public:
   void setRawCloud(const shared_ptr<const pcl::PointCloud<RawPointT>>& raw,
                    const IndicesConstPtr& indices = nullptr)
   {
-    raw_cloud_ = raw;
-    raw_ = raw ? sedr::PointView(*raw) : sedr::PointView();
+    raw_ = nullptr;
+    if (raw)
+      raw_ = [raw] { return sedr::PointView(*raw); };
     raw_indices_ = indices;
   }
 
@@ -118,7 +120,8 @@ public:
    * where no room could be fitted */
   bool segment(sedr::Floorplan& plan);
 
-  /** @brief A sentence for every room that could not be fitted while others could. */
+  /** @brief A sentence for every room that could not be fitted while others could, or
+   * of whose ceiling a part is left out, and one if the raw cloud could not be used. */
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
   /** @brief The boundary points that walls and columns were fitted to in the last run,
@@ -135,15 +138,14 @@ private:
 
   bool run(sedr::Floorplan& plan);
 
-  bool fitToRaw(sedr::Floorplan& plan);
+  void fitToRaw(sedr::Floorplan& plan);
 
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
   IndicesConstPtr details_;
   IndicesConstPtr walls_;
   std::vector<std::uint32_t> rooms_;
-  std::shared_ptr<const void> raw_cloud_; ///< keeps what raw_ sees
-  sedr::PointView raw_;
+  std::function<sedr::PointView()> raw_; ///< the raw cloud as it is then
   IndicesConstPtr raw_indices_;
   unsigned threads_ = 0;
   sedr::RoomFitParameters parameters_;

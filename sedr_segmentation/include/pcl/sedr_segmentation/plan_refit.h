@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/point_view.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -23,6 +24,7 @@ struct RefitParameters {
 struct RefitReport {
   std::size_t curves = 0; ///< lines and circles that were fitted to the scan
   std::size_t slabs = 0;
+  std::string problem; ///< why nothing was fitted, a sentence; empty otherwise
 };
 
 /** @brief The last fit: every line, circle and slab of a plan to the points of the raw
@@ -42,6 +44,8 @@ struct RefitReport {
  * O(n) for n points, in four passes; the same for any number of threads. It copies no
  * points: 20 million of 20 rooms take some 40 MiB and, as every third point is taken,
  * about 5 s of processor time.
+ * A plan with an empty loop, or one larger than a table of its cells may be, stays as
+ * it is, and the report says why.
  * @param raw the scan; points that are not finite are left out
  * @param indices those of its points that count; empty: all */
 RefitReport refitToRaw(Floorplan& plan,

@@ -58,26 +58,28 @@ FloorplanFitting<PointT>::validate()
     return fail(name, "the cloud has " + std::to_string(input_->size()) +
                           " points, but rooms of " + std::to_string(rooms_.size()) +
                           " were set");
+  if (raw_ && raw_indices_) {
+    const std::string raw_problem = sedr::indicesProblem(*raw_indices_, raw_().size());
+    if (!raw_problem.empty())
+      return fail(name, "raw cloud: " + raw_problem);
+  }
   return checkPart("ceiling", ceiling_, true) && checkPart("floor", floor_, true) &&
          checkPart("detail", details_, false) && checkPart("wall", walls_, false);
 }
 
 template <typename PointT>
-bool
+void
 FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
 {
-  if (raw_.size() == 0)
-    return true;
-  if (raw_indices_) {
-    const std::string problem = sedr::indicesProblem(*raw_indices_, raw_.size());
-    if (!problem.empty())
-      return fail("FloorplanFitting", "raw cloud: " + problem);
-  }
+  if (!raw_ || raw_().size() == 0 || (raw_indices_ && raw_indices_->empty()))
+    return;
   sedr::RefitParameters parameters;
   parameters.threads = threads_;
-  sedr::refitToRaw(plan, raw_, raw_indices_ ? *raw_indices_ : Indices(), parameters);
+  const sedr::RefitReport report = sedr::refitToRaw(
+      plan, raw_(), raw_indices_ ? *raw_indices_ : Indices(), parameters);
+  if (!report.problem.empty())
+    warnings_.push_back("the plan is not fitted to the raw cloud: " + report.problem);
   sedr::regularisePlan(plan);
-  return true;
 }
 
 template <typename PointT>
@@ -100,8 +102,7 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
                        warnings_, &boundaries_);
   if (!problem.empty())
     return fail("FloorplanFitting", problem);
-  if (!fitToRaw(plan))
-    return false;
+  fitToRaw(plan);
   sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_);
   return true;
 }
