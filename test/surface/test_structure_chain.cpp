@@ -80,6 +80,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 
   ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
   EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
+  EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
   EXPECT_TRUE(chain.warnings.empty());
 }
