@@ -421,6 +421,63 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.left), 0.001);
 }
 
+/** A fitting to thinned points that are 4 mm off the room of the raw cloud. */
+class OffRaw : public ::testing::Test {
+protected:
+  OffRaw()
+  {
+    RoomPoints thinned;
+    const RoomParts parts = thinned.room(rectangle(0.004, 0.004, 4.004, 3.004), 0, 2.5);
+    fitting_.setInputCloud(thinned.cloud());
+    fitting_.setCeilingIndices(shared(parts.ceiling));
+    fitting_.setFloorIndices(shared(parts.floor));
+    fitting_.setWallIndices(shared(parts.walls));
+    RoomPoints dense(0.02);
+    dense.room(room_, 0, 2.5);
+    scan_ = dense.cloud();
+  }
+
+  double errorOfPlan()
+  {
+    Floorplan plan;
+    EXPECT_TRUE(fitting_.segment(plan)) << fitting_.getErrorMessage();
+    return plan.rooms.size() == 1 ? cornerError(plan.rooms[0].boundary, room_) : 1;
+  }
+
+  PlanLoop room_ = rectangle(0, 0, 4, 3);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr scan_;
+  Fitting fitting_;
+};
+
+TEST_F(OffRaw, IsMetByThePlan)
+{
+  EXPECT_GT(errorOfPlan(), 0.003);
+  fitting_.setRawCloud<pcl::PointXYZ>(scan_);
+  EXPECT_LT(errorOfPlan(), 0.0005);
+  fitting_.setRawCloud<pcl::PointXYZ>(nullptr);
+  EXPECT_GT(errorOfPlan(), 0.003);
+}
+
+TEST_F(OffRaw, IsSeenAsItIsWhenThePlanIsFitted)
+{
+  const auto filled_later = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  fitting_.setRawCloud<pcl::PointXYZ>(filled_later);
+  *filled_later = *scan_;
+  EXPECT_LT(errorOfPlan(), 0.0005);
+}
+
+TEST_F(OffRaw, CountsByItsIndices)
+{
+  fitting_.setRawCloud<pcl::PointXYZ>(scan_, shared({}));
+  EXPECT_GT(errorOfPlan(), 0.003) << "none of them";
+  Floorplan plan;
+  plan.rooms.resize(1);
+  fitting_.setRawCloud<pcl::PointXYZ>(scan_, shared({-1}));
+  EXPECT_FALSE(fitting_.segment(plan));
+  EXPECT_TRUE(plan.rooms.empty());
+  EXPECT_NE(fitting_.getErrorMessage().find("raw cloud"), std::string::npos);
+}
+
 TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.5);

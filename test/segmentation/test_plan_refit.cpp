@@ -335,6 +335,17 @@ TEST(RefitToRaw, NoPointsOrPointsElsewhereLeaveThePlanAsItIs)
   EXPECT_EQ(refitToRaw(empty, far.view()).curves, 0u);
 }
 
+TEST(RefitToRaw, APlanWithAnEmptyLoopStaysAsItIs)
+{
+  RoomPoints raw(0.02);
+  raw.room(plainRoom());
+  Floorplan plan = offPlan();
+  plan.rooms[0].details.emplace_back();
+  const std::string was = floorplanToJson(plan);
+  EXPECT_EQ(refitToRaw(plan, raw.view()).problem, "room 1 has a loop of 0 elements");
+  EXPECT_TRUE(floorplanToJson(plan) == was);
+}
+
 TEST(RefitToRaw, PointsThatAreNotFiniteOrNotIndexedDoNotCount)
 {
   RoomPoints raw(0.02);
