@@ -75,8 +75,9 @@ FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
     return;
   sedr::RefitParameters parameters;
   parameters.threads = threads_;
-  const sedr::RefitReport report = sedr::refitToRaw(
-      plan, raw_(), raw_indices_ ? *raw_indices_ : Indices(), parameters);
+  const Indices all; // by none are all meant there; a temporary would copy the others
+  const sedr::RefitReport report =
+      sedr::refitToRaw(plan, raw_(), raw_indices_ ? *raw_indices_ : all, parameters);
   if (!report.problem.empty())
     warnings_.push_back("the plan is not fitted to the raw cloud: " + report.problem);
   sedr::regularisePlan(plan);
