@@ -128,13 +128,14 @@ upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_r
   constexpr double lowest_room = 1.8;
   constexpr double highest_usual_room = 4.5;
   constexpr double highest_room = 100;
+  constexpr std::size_t least_wall = 200; // cells of 10 cm, 2 square metres
   const PlanePair up = bestPair(points, indices, 2, lowest_room, highest_room);
   if (z_has_rooms && (up.cells == 0 || up.distance <= highest_usual_room))
     return {};
   for (const int axis : {1, 0}) {
     const PlanePair other =
         bestPair(points, indices, axis, lowest_room, highest_usual_room);
-    if (2 * other.cells > 3 * up.cells)
+    if (other.cells >= least_wall && 2 * other.cells > 3 * up.cells)
       return std::string(axis == 1 ? "y" : "x") +
              text(" seems to be up, not z: across it two planes of %.0f square metres "
                   "are %.1f m "

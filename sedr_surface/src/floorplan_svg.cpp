@@ -299,7 +299,7 @@ double
 drawingScale(const Floorplan& plan)
 {
   const Eigen::AlignedBox2d bounds = boundsOf(plan);
-  if (bounds.isEmpty())
+  if (bounds.isEmpty() || !bounds.sizes().allFinite())
     return 100;
   const double width = 1000 * bounds.sizes().x() + 1e-6;
   const double height = 1000 * bounds.sizes().y() + 1e-6;
