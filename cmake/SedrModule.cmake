@@ -69,15 +69,17 @@ function(sedr_add_test name)
   gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
 endfunction()
 
+# The files lie in a folder of their own: CMake looks for packages beside every bin/ of
+# PATH, and a build tree has no targets to import.
 function(sedr_install_package)
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/SEDR)
   foreach(name IN ITEMS filters segmentation surface)
     get_property(SEDR_PCL_COMPONENTS_OF_${name} GLOBAL PROPERTY SEDR_PCL_COMPONENTS_OF_${name})
   endforeach()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SEDRConfig.cmake.in
-    ${PROJECT_BINARY_DIR}/SEDRConfig.cmake INSTALL_DESTINATION ${destination})
-  write_basic_package_version_file(${PROJECT_BINARY_DIR}/SEDRConfigVersion.cmake
+    ${PROJECT_BINARY_DIR}/package/SEDRConfig.cmake INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/SEDRConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/SEDRConfig.cmake
-    ${PROJECT_BINARY_DIR}/SEDRConfigVersion.cmake DESTINATION ${destination})
+  install(FILES ${PROJECT_BINARY_DIR}/package/SEDRConfig.cmake
+    ${PROJECT_BINARY_DIR}/package/SEDRConfigVersion.cmake DESTINATION ${destination})
 endfunction()

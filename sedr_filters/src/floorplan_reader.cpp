@@ -127,12 +127,20 @@ outerLoopFrom(const Json& json)
   return loop;
 }
 
+/** @brief Loops of what is not the room's, columns or holes, which must run clockwise.
+ */
 std::vector<PlanLoop>
-loopsFrom(const Json& json)
+innerLoopsFrom(const Json& json)
 {
   std::vector<PlanLoop> loops;
-  for (const auto& loop : json)
-    loops.push_back(loopFrom(loop));
+  for (const auto& inner : json) {
+    loops.push_back(loopFrom(inner));
+    const double area = loops.back().area();
+    if (!(area < 0))
+      throw std::invalid_argument(
+          "a column or hole must run clockwise around an area, it is " +
+          numberText(area) + " m2");
+  }
   return loops;
 }
 
@@ -179,7 +187,7 @@ detailsFrom(const Json& json)
     PlanDetail detail;
     detail.slab = slabFrom(d.at("slab"));
     detail.boundary = outerLoopFrom(d.at("boundary"));
-    detail.holes = loopsFrom(d.at("holes"));
+    detail.holes = innerLoopsFrom(d.at("holes"));
     details.push_back(std::move(detail));
   }
   return details;
@@ -209,7 +217,7 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
   room.floor = slabFrom(json.at("floor"));
   room.ceiling = slabFrom(json.at("ceiling"));
   room.boundary = outerLoopFrom(json.at("boundary"));
-  room.columns = loopsFrom(json.at("columns"));
+  room.columns = innerLoopsFrom(json.at("columns"));
   room.details = detailsFrom(json.at("details"));
   // Files of before there were these do not have them.
   if (json.contains("floor_details"))

@@ -109,11 +109,16 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
   const double x = extentAlong(sample, 0);
   const double y = extentAlong(sample, 1);
   const double z = extentAlong(sample, 2);
-  if (z > 200 || std::min(x, y) > 20000)
-    return text("the scan is %.0f x %.0f x %.0f m large: if its unit is the "
-                "millimetre, scale it "
-                "by 0.001",
+  if (z > 200 || std::min(x, y) > 20000) {
+    // The unit in which the scan would be up to a few storeys high.
+    const bool is_centimetre = z < 2000 && std::min(x, y) < 20000;
+    return text(is_centimetre
+                    ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                      "the centimetre, scale it by 0.01"
+                    : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                      "the millimetre, scale it by 0.001",
                 x, y, z);
+  }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
     return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
                 "unit must be "

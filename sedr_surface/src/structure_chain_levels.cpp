@@ -68,30 +68,38 @@ StructureChain::detectPlanes()
   return plane_detection.segment(planes) || fail(plane_detection.getErrorMessage());
 }
 
+double
+StructureChain::cellSizeThatFills() const
+{
+  const double size = plane_detection.getGridSize();
+  std::vector<CellSet> ceilings;
+  for (const auto& plane : planes)
+    if (plane.kind == LevelKind::Ceiling)
+      ceilings.emplace_back(CellGrid(size), PointView(*cloud), plane.inliers.indices);
+  return cellSizeFor(ceilings, size);
+}
+
 bool
 StructureChain::findPlanes(StageReport& report)
 {
   if (!detectPlanes())
     return false;
-  if (adapts_grid) {
-    const double size = plane_detection.getGridSize();
-    std::vector<CellSet> ceilings;
-    for (const auto& plane : planes)
-      if (plane.kind == LevelKind::Ceiling)
-        ceilings.emplace_back(CellGrid(size), PointView(*cloud), plane.inliers.indices);
-    const double wanted = cellSizeFor(ceilings, size);
-    if (wanted > size) {
-      char text[160];
-      std::snprintf(
-          text, sizeof text,
-          "the scan is too sparse for cells of %.2f m, its ceilings leave some "
-          "empty: cells of %.2f m are used",
-          size, wanted);
-      warnings.push_back(text);
-      enlargeCells(wanted);
-      if (!detectPlanes())
-        return false;
-    }
+  const double size = plane_detection.getGridSize();
+  const double wanted = adapts_grid ? cellSizeThatFills() : size;
+  if (wanted > size) {
+    enlargeCells(wanted);
+    if (!detectPlanes())
+      return false;
+    constexpr double uneven = 1.2; // what fills at random fills no square quite alike
+    const bool is_filled = cellSizeThatFills() < uneven * wanted;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the scan is too sparse for cells of %.2f m, its ceilings leave some "
+                  "empty: cells of %.2f m are used%s",
+                  size, wanted,
+                  is_filled ? ""
+                            : ", of which some are still empty: walls may be guesses");
+    warnings.push_back(text);
   }
   tellResult("HorizontalPlaneDetection");
   std::size_t ceilings = 0;

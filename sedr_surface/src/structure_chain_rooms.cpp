@@ -4,6 +4,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <limits>
 
@@ -233,7 +234,41 @@ StructureChain::repair(StageReport& report)
   hole_repair.filter(*structure);
   tellResult("VerticalHoleRepair");
   report.points_out = structure->size();
-  return !structure->empty() || fail(hole_repair.getErrorMessage());
+  if (structure->empty())
+    return fail(hole_repair.getErrorMessage());
+  warnOfGuesses();
+  return true;
+}
+
+std::map<std::uint32_t, double>
+StructureChain::repairedShares() const
+{
+  std::map<std::uint32_t, std::size_t> all;
+  std::map<std::uint32_t, std::size_t> repaired;
+  for (const auto& p : *structure)
+    ++all[p.room];
+  for (const int i : hole_repair.getRepairedIndices())
+    ++repaired[(*structure)[static_cast<std::size_t>(i)].room];
+  std::map<std::uint32_t, double> shares;
+  for (const auto& [room, points] : all)
+    shares[room] = static_cast<double>(repaired[room]) / static_cast<double>(points);
+  return shares;
+}
+
+void
+StructureChain::warnOfGuesses()
+{
+  // Larger cells leave the smaller ones of the repair empty, however good the scan.
+  const double most = enlarged_from_ > 0 ? 0.7 : 0.45;
+  for (const auto& [room, share] : repairedShares())
+    if (share > most) {
+      char text[120];
+      std::snprintf(text, sizeof text,
+                    "%.0f %% of its surface were filled in, not seen: its walls may be "
+                    "elsewhere",
+                    100 * share);
+      warn(room, text);
+    }
 }
 
 bool

@@ -232,6 +232,16 @@ TEST(FloorplanJson, AnOpenLoopOfAColumnOrDetailIsRefusedToo)
   EXPECT_NE(problemOf(floorplanToJson(plan)), "");
 }
 
+TEST(FloorplanJson, AColumnOrHoleThatRunsTheWrongWayIsRefused)
+{
+  Floorplan plan = samplePlan();
+  plan.rooms[0].columns[1] = reversed(plan.rooms[0].columns[1]);
+  EXPECT_NE(problemOf(floorplanToJson(plan)).find("clockwise"), std::string::npos);
+  plan = samplePlan();
+  plan.rooms[0].details[0].holes[0] = reversed(plan.rooms[0].details[0].holes[0]);
+  EXPECT_NE(problemOf(floorplanToJson(plan)).find("clockwise"), std::string::npos);
+}
+
 TEST(FloorplanJson, BadNumbersAreRefusedWithThem)
 {
   Floorplan plan = samplePlan();

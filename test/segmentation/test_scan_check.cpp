@@ -64,6 +64,14 @@ TEST(ScanProblem, MillimetresAreNamedWithTheirExtent)
   EXPECT_TRUE(mentions(problem, " 24") || mentions(problem, " 25")) << problem;
 }
 
+TEST(ScanProblem, CentimetresAreNamedToo)
+{
+  const std::string problem =
+      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 100; }));
+  EXPECT_TRUE(mentions(problem, "centimetre")) << problem;
+  EXPECT_TRUE(mentions(problem, "0.01")) << problem;
+}
+
 TEST(ScanProblem, AStrayPointKilometresAwayIsNoReason)
 {
   RoomPoints points = changed([](auto p) { return p; });

@@ -106,22 +106,6 @@ stagesOf(const RunRecord& run)
   return stages;
 }
 
-/** @brief Share of each room's points that hole repair had to add. */
-std::map<std::uint32_t, double>
-repairedShares(const StructureChain& chain)
-{
-  std::map<std::uint32_t, std::size_t> all;
-  std::map<std::uint32_t, std::size_t> repaired;
-  for (const auto& p : *chain.structure)
-    ++all[p.room];
-  for (const int i : chain.hole_repair.getRepairedIndices())
-    ++repaired[(*chain.structure)[i].room];
-  std::map<std::uint32_t, double> shares;
-  for (const auto& [room, points] : all)
-    shares[room] = static_cast<double>(repaired[room]) / static_cast<double>(points);
-  return shares;
-}
-
 Json
 meshOf(const StructureChain& chain, std::uint32_t room)
 {
@@ -154,7 +138,7 @@ Json
 roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
-  std::map<std::uint32_t, double> repaired = repairedShares(chain.getChain());
+  std::map<std::uint32_t, double> repaired = chain.getChain().repairedShares();
   for (const auto& room : chain.getFloorplan()->rooms) {
     const double height = meanHeight(room);
     rooms.push_back({{"id", room.id},

@@ -71,6 +71,12 @@ public:
     plan_ = plan;
   }
 
+  /** @brief As above; the plan is copied. */
+  void setFloorplan(const sedr::Floorplan& plan)
+  {
+    plan_ = std::make_shared<const sedr::Floorplan>(plan);
+  }
+
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
   /** @brief How far facets may be off their arc, metres, 1e-6 to 1 (default 0.0005: of

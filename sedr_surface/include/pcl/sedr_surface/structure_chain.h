@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,7 +67,8 @@ public:
    */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
-  /** @brief Whether a scan too sparse for its cells gets larger ones, see cellSizeFor().
+  /** @brief Whether a scan too sparse for its cells gets larger ones, see
+   * cellSizeFor().
    */
   bool adapts_grid = true;
 
@@ -93,7 +95,7 @@ public:
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
-  Cloud::Ptr cloud;                  ///< thinned points, then those recovered of ceilings and floors
+  Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
   std::vector<pcl::HorizontalPlane> planes;
@@ -107,6 +109,9 @@ public:
   /** @brief The rooms as segmentRooms() parted them, on cells of its size: room r + 1
    * is the r-th. */
   const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
+
+  /** @brief Share of each room's points that hole repair added in the last run. */
+  std::map<std::uint32_t, double> repairedShares() const;
 
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
@@ -122,6 +127,7 @@ private:
 
   bool checkScan();
   bool detectPlanes();
+  double cellSizeThatFills() const;
   void enlargeCells(double size);
   bool findPlanes(StageReport& report);
   bool removeOutliers(StageReport& report);
@@ -132,6 +138,7 @@ private:
   bool fitPlan(StageReport& report);
   bool refine(StageReport& report);
   bool repair(StageReport& report);
+  void warnOfGuesses();
   bool extrude(StageReport& report);
 
   /** @brief Points of a label, of one room or (0) of all. */

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detail_risers.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/cell_count.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Lowest and highest slab within two cells of a cell; false where there is one
+ * only. */
+bool
+stepBeside(const HeightMap& map,
+           const CellGrid& grid,
+           Cell cell,
+           double& low,
+           double& high)
+{
+  low = std::numeric_limits<double>::infinity();
+  high = -low;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t label =
+          map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (label < 0)
+        continue;
+      const double height = map.slabOf(label).heightAt(grid.centre(cell));
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  return high - low >= least_step;
+}
+
+/** @brief Whether what shows at a point goes on beyond the riser between two heights: a
+ * shelf that stands before it, or hangs from it. */
+bool
+goesOn(const ColumnTable& columns,
+       Cell cell,
+       double z,
+       double low,
+       double high,
+       bool is_floor)
+{
+  constexpr double gap = 0.12;
+  constexpr double beyond = 0.15;
+  const std::vector<ColumnRun> runs = columns.runs(cell, gap);
+  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
+    return run.low <= z && z <= run.high &&
+           (is_floor ? run.high > high + beyond : run.low < low - beyond);
+  });
+}
+
+/** @brief Whether a point is at the height of any slab, such as the tread of a step
+ * between floor and platform. */
+bool
+isOnSlab(const HeightMap& map, const Eigen::Vector3f& p, double margin)
+{
+  return std::abs(distanceAbove(map.main, p)) <= margin ||
+         std::any_of(map.details.begin(), map.details.end(), [&](const PlanSlab& slab) {
+           return std::abs(distanceAbove(slab, p)) <= margin;
+         });
+}
+
+/** @brief Whether something closes the step along most of the edge between a detail and
+ * what is beside it. A shelf below a soffit has no riser: it is furniture. */
+bool
+hasRisers(const HeightMap& map,
+          const ColumnTable& columns,
+          const CellGrid& grid,
+          std::int32_t label)
+{
+  std::size_t edges = 0;
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i < map.label.size(); ++i) {
+    if (map.label[i] != label)
+      continue;
+    const Cell cell = map.room.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      const std::int32_t other =
+          map.room.at(to) ? map.label[map.room.indexOf(to)] : std::int32_t{-1};
+      if (other < 0 || other == label)
+        continue;
+      const Eigen::Vector2d p = grid.centre(cell);
+      const double a = map.slabOf(label).heightAt(p);
+      const double b = map.slabOf(other).heightAt(p);
+      ++edges;
+      const double low = std::min(a, b) + 0.02;
+      const double high = std::max(a, b) - 0.02;
+      // Bins that hold a voxel each, at most four.
+      const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
+      if (high - low < 0.06 || columns.share(cell, low, high, bins, 2) >= 0.5)
+        ++closed;
+    }
+  }
+  return 2 * closed >= edges;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d>
+riserPoints(const PointView& points,
+            const SlabEvidence& evidence,
+            const HeightMap& map,
+            const ColumnTable& columns,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  std::vector<Eigen::Vector2d> risers;
+  for (const int i : evidence.around) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const Cell cell = grid.at(p.x(), p.y());
+    double low = 0;
+    double high = 0;
+    if (!map.room.isInside(cell) || !stepBeside(map, grid, cell, low, high))
+      continue;
+    const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
+    if (p.z() > low + margin && p.z() < high - margin && !isOnSlab(map, p, margin) &&
+        !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
+      risers.push_back(p.head<2>().cast<double>());
+  }
+  return risers;
+}
+
+void
+fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
+{
+  CellMask rest = map.room;
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] > 0)
+      rest.values()[i] = 0;
+  const MaskRegions parts = labelRegions(rest, false);
+  const auto largest =
+      std::max_element(parts.sizes.begin(), parts.sizes.end()) - parts.sizes.begin();
+  map.details.push_back(map.main);
+  const auto tried = static_cast<std::int32_t>(map.details.size());
+  const auto relabel = [&](std::int32_t part, std::int32_t label) {
+    for (std::size_t i = 0; i < map.label.size(); ++i)
+      if (parts.label[i] == part)
+        map.label[i] = label;
+  };
+  for (std::size_t r = 0; r < parts.sizes.size(); ++r) {
+    const auto part = static_cast<std::int32_t>(r);
+    if (part == largest)
+      continue;
+    relabel(part, tried);
+    relabel(part, hasRisers(map, columns, grid, tried) ? 0 : -1);
+  }
+  map.details.pop_back();
+  fillHeights(map);
+}
+
+void
+dropUnsupported(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
+{
+  for (std::size_t k = map.details.size(); k >= 1; --k) {
+    const auto label = static_cast<std::int32_t>(k);
+    if (hasRisers(map, columns, grid, label))
+      continue;
+    for (auto& l : map.label)
+      l = l == label ? -1 : l;
+    fillHeights(map);
+  }
+}
+
+} // namespace sedr
+} // namespace pcl

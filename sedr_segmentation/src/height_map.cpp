@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_map.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/cell_count.h>
+#include <pcl/sedr_segmentation/horizontal_levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Smallest part of a floor at a height of its own, square metres. */
+constexpr double least_floor_area = 1.0;
+
+/** @brief The levels among the detail points. */
+std::vector<Level>
+detailLevels(const PointView& points,
+             const SlabEvidence& evidence,
+             const RoomFitParameters& parameters)
+{
+  LevelParameters p;
+  p.tolerance = parameters.slab_tolerance;
+  p.cell_size = parameters.cell_size;
+  p.minimum_area = parameters.minimum_detail_area;
+  p.seed = parameters.loop.seed;
+  return findLevels(points, evidence.details, p);
+}
+
+/** @brief The plane of the detail over some cells: parallel to the main slab, unless it
+ * is wide enough for its points to say clearly otherwise. */
+PlanSlab
+detailSlab(const PointView& points,
+           const SlabEvidence& evidence,
+           const PlanSlab& main,
+           const Level& level,
+           const CellMask& cells,
+           const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  std::vector<int> own;
+  for (const int i : evidence.details) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cells.at(grid.at(p.x(), p.y())) &&
+        std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
+      own.push_back(i);
+  }
+  const PlanSlab leaning =
+      fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
+  const PlanSlab parallel =
+      fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
+  constexpr double least_width = 1.0;
+  const bool is_wide =
+      eroded(cells, cellsFor(least_width / 2, grid.size())).count() > 0;
+  const bool is_clear =
+      leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
+  return is_wide && is_clear ? leaning : parallel;
+}
+
+} // namespace
+
+double
+heightOverMain(const PlanSlab& main,
+               const PlanSlab& slab,
+               const CellMask& cells,
+               const CellGrid& grid)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
+    sum += slab.heightAt(p) - main.heightAt(p);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+HeightMap
+seenHeights(const PointView& points,
+            const SlabEvidence& evidence,
+            const PlanSlab& main_slab,
+            const CellMask& room,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  // Furniture leaves small and thin pieces at the heights of a floor.
+  const double least_area =
+      evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
+  const double opening = evidence.is_floor ? 2 : 1;
+  const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
+  HeightMap map{room,
+                std::vector<std::int32_t>(room.values().size(), -1),
+                {},
+                main_slab,
+                {}};
+  const CellMask main =
+      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (main.values()[i])
+      map.label[i] = 0;
+  for (const Level& level : detailLevels(points, evidence, parameters)) {
+    CellMask cells = intersect(CellMask(level.cells, room.box()), room);
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < least_step)
+      continue;
+    cells = subtract(eroded(dilated(cells, 2), 2), main);
+    cells = intersect(cells, dilated(eroded(cells, opening), opening + 1));
+    const MaskRegions regions = labelRegions(cells, true);
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (regions.sizes[r] < least)
+        continue;
+      map.details.push_back(detailSlab(
+          points, evidence, main_slab, level,
+          regionMask(cells, regions, static_cast<std::int32_t>(r)), parameters));
+      for (std::size_t i = 0; i < map.label.size(); ++i)
+        if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
+          map.label[i] = static_cast<std::int32_t>(map.details.size());
+    }
+  }
+  map.seen = map.label;
+  return map;
+}
+
+void
+fillHeights(HeightMap& map)
+{
+  growLabels(map.room, std::numeric_limits<int>::max(), map.label);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_segmentation/detail_fit.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The height of every cell of a room: 0 the main slab, k the k-th detail, -1
+ * none. */
+struct HeightMap {
+  CellMask room;
+  std::vector<std::int32_t> label;
+  std::vector<std::int32_t> seen; ///< the labels of what was seen, -1 where filled
+  PlanSlab main;
+  std::vector<PlanSlab> details; ///< of labels 1, 2, ...
+
+  const PlanSlab& slabOf(std::int32_t of) const
+  {
+    return of == 0 ? main : details[static_cast<std::size_t>(of - 1)];
+  }
+};
+
+/** @brief A step of less than this between two heights is unevenness, metres. */
+constexpr double least_step = 0.06;
+
+/** @brief Mean height of a slab over the main one, above the cells of a mask. */
+double heightOverMain(const PlanSlab& main,
+                      const PlanSlab& slab,
+                      const CellMask& cells,
+                      const CellGrid& grid);
+
+/** @brief Labels the cells of the main slab and of each connected detail. */
+HeightMap seenHeights(const PointView& points,
+                      const SlabEvidence& evidence,
+                      const PlanSlab& main_slab,
+                      const CellMask& room,
+                      const RoomFitParameters& parameters);
+
+/** @brief Gives every other cell of the room the label that is nearest by steps. */
+void fillHeights(HeightMap& map);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refit_sums.h"
+#include "weighted_values.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief How much more a patch at the top of a wall counts for where the wall is. */
+constexpr double top_weight = 3;
+
+/** @brief What the mean of a patch is not known better than: no wall is quite plane,
+ * metres. */
+constexpr double least_patch_deviation = 0.0003;
+
+/** @brief Scatter of the points of any patch that shows one surface, metres. */
+constexpr double least_scatter = 0.002;
+
+double
+biweight(double share)
+{
+  return std::abs(share) < 1 ? std::pow(1 - share * share, 2) : 0;
+}
+
+/** @brief The patches of one surface that hold enough points. */
+class PatchSolver {
+public:
+  PatchSolver(std::vector<const PatchSums*> patches,
+              std::vector<bool> is_top,
+              double noise)
+      : patches_(std::move(patches))
+      , is_top_(std::move(is_top))
+      , weight_(patches_.size(), 1)
+      , noise_(noise)
+      , usual_variance_(usualVariance())
+  {}
+
+  PatchFit run(Eigen::Index parameters)
+  {
+    constexpr int rounds = 12;
+    PatchFit fit;
+    fit.step = start(parameters);
+    for (int round = 0; round < rounds; ++round) {
+      weigh(fit.step);
+      if (!solve(parameters, fit.step))
+        return {};
+    }
+    judge(fit);
+    return fit;
+  }
+
+private:
+  /** @brief Where most patches are: the best of some steps through as many of them as
+   * are needed, as what is turned or bent against the wall crosses it in few (Fischler
+   * and Bolles 1981). */
+  Eigen::Vector3d start(Eigen::Index parameters)
+  {
+    constexpr std::size_t tries = 60;
+    std::vector<Weighted> means;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      means.push_back({patches_[i]->mean(), voteOf(i)});
+    Eigen::Vector3d best(shortestHalf(std::move(means)).middle, 0, 0);
+    double most = agreement(best);
+    std::mt19937_64 random(1);
+    for (std::size_t k = 0; parameters > 1 && k < tries; ++k) {
+      std::fill(weight_.begin(), weight_.end(), k == 0 ? 1.0 : 0.0);
+      for (Eigen::Index n = 0; k > 0 && n < parameters; ++n)
+        weight_[random() % weight_.size()] = 1;
+      Eigen::Vector3d step;
+      if (!solve(parameters, step))
+        continue;
+      const double agreed = agreement(step);
+      if (agreed <= most)
+        continue;
+      most = agreed;
+      best = step;
+    }
+    std::fill(weight_.begin(), weight_.end(), 1);
+    return best;
+  }
+
+  /** @brief How many patches a step explains. */
+  double agreement(const Eigen::Vector3d& step) const
+  {
+    constexpr double sigmas = 4;
+    constexpr double unevenness = 0.001; // of walls, metres
+    double sum = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      sum += voteOf(i) * biweight(residual(i, step) /
+                                  (sigmas * std::hypot(deviationOf(i), unevenness)));
+    return sum;
+  }
+
+  double voteOf(std::size_t i) const
+  {
+    // A patch near the scanner holds a hundred times as many points as a far one.
+    return std::sqrt(patches_[i]->count) * (is_top_[i] ? top_weight : 1);
+  }
+
+  /** @brief Mean distance that a step leaves of a patch. */
+  double residual(std::size_t i, const Eigen::Vector3d& step) const
+  {
+    const PatchSums& p = *patches_[i];
+    return p.mean() - p.rows.dot(step) / p.count;
+  }
+
+  /** @brief Variance of the points within a patch, as these say. */
+  double ownVariance(std::size_t i) const
+  {
+    const PatchSums& p = *patches_[i];
+    return std::max(0.0, p.squares - p.count * p.mean() * p.mean()) /
+           std::max(1.0, p.count - 1);
+  }
+
+  /** @brief Variance within most of the patches that tell any. */
+  double usualVariance() const
+  {
+    constexpr double least_points = 4;
+    std::vector<Weighted> variances{{noise_ * noise_, 1}};
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      if (patches_[i]->count >= least_points)
+        variances.push_back({ownVariance(i), voteOf(i)});
+    return medianOf(std::move(variances));
+  }
+
+  /** @brief Variance of the points within a patch: few say little of it, so that the
+   * usual one counts with them. */
+  double variance(std::size_t i) const
+  {
+    constexpr double points_of_usual = 20;
+    const double own = patches_[i]->count - 1;
+    return (points_of_usual * usual_variance_ + own * ownVariance(i)) /
+           (points_of_usual + own);
+  }
+
+  /** @brief Weighs the patches by how far they are from where a step leads. A patch
+   * that holds two surfaces scatters more than others. */
+  void weigh(const Eigen::Vector3d& step)
+  {
+    constexpr double sigmas = 4;
+    constexpr double most_scatter = 1.4;
+    constexpr double least_points = 8; // that tell a scatter
+    std::vector<Weighted> scaled;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      if (weight_[i] > 0)
+        scaled.push_back({std::abs(residual(i, step)) / deviationOf(i), voteOf(i)});
+    // Walls are less even than noise alone would make them.
+    const double scale = std::max(1.0, 1.4826 * medianOf(std::move(scaled)));
+    const double scatter =
+        std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      weight_[i] =
+          patches_[i]->count >= least_points && ownVariance(i) > scatter * scatter
+              ? 0
+              : biweight(residual(i, step) / (sigmas * scale * deviationOf(i)));
+  }
+
+  double deviationOf(std::size_t i) const
+  {
+    return std::hypot(std::sqrt(variance(i) / patches_[i]->count),
+                      least_patch_deviation);
+  }
+
+  bool solve(Eigen::Index parameters, Eigen::Vector3d& step) const
+  {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      const PatchSums& p = *patches_[i];
+      const Eigen::Vector3d row = p.rows / p.count;
+      const double weight = weight_[i] * std::min(p.count, most_points);
+      normal.noalias() += weight * row * row.transpose();
+      right += weight * p.mean() * row;
+    }
+    if (!(normal(0, 0) > 0))
+      return false;
+    Eigen::Vector3d solved = Eigen::Vector3d::Zero();
+    solved.head(parameters) = normal.topLeftCorner(parameters, parameters)
+                                  .ldlt()
+                                  .solve(right.head(parameters));
+    if (!solved.allFinite())
+      return false;
+    step = solved;
+    return true;
+  }
+
+  void judge(PatchFit& fit) const
+  {
+    double all = 0;
+    double squares = 0;
+    double freedom = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      all += patches_[i]->count;
+      if (weight_[i] < 0.25)
+        continue;
+      fit.count += patches_[i]->count;
+      squares += ownVariance(i) * (patches_[i]->count - 1);
+      freedom += patches_[i]->count - 1;
+    }
+    fit.share = all > 0 ? fit.count / all : 0;
+    fit.deviation = freedom > 0 ? std::sqrt(squares / freedom) : 0;
+  }
+
+  /** @brief A patch counts for no more points than this, however near the scanner. */
+  static constexpr double most_points = 300;
+
+  std::vector<const PatchSums*> patches_;
+  std::vector<bool> is_top_;
+  std::vector<double> weight_;
+  double noise_;
+  double usual_variance_;
+};
+
+} // namespace
+
+PatchFit
+fitPatches(const std::vector<PatchSums>& patches,
+           std::size_t first,
+           std::size_t last,
+           const std::vector<bool>& is_top,
+           Eigen::Index parameters,
+           double noise)
+{
+  // Where a wall is open, a few points of something else are seen.
+  constexpr double least_share = 0.05;
+  std::vector<Weighted> counts;
+  for (std::size_t p = first; p < last; ++p)
+    if (patches[p].count > 0)
+      counts.push_back({patches[p].count, std::sqrt(patches[p].count)});
+  const double least_points = std::max(1.0, least_share * medianOf(std::move(counts)));
+  std::vector<const PatchSums*> own;
+  std::vector<bool> tops;
+  for (std::size_t p = first; p < last; ++p)
+    if (patches[p].count >= least_points) {
+      own.push_back(&patches[p]);
+      tops.push_back(is_top[p - first]);
+    }
+  if (own.empty())
+    return {};
+  return PatchSolver(std::move(own), std::move(tops), noise).run(parameters);
+}
+
+} // namespace sedr
+} // namespace pcl

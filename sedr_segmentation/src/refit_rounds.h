@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refit_sums.h"
+#include "refit_targets.h"
+
+#include <pcl/sedr_segmentation/plan_refit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The surfaces of a plan while they are fitted. */
+class Refit {
+public:
+  Refit(Floorplan& plan,
+        PlanCurves& curves,
+        const RawPoints& raw,
+        const RefitParameters& parameters)
+      : curves_(curves)
+      , parameters_(parameters)
+      , raw_(raw)
+      , targets_(plan, curves, parameters.reach)
+      , is_fitted_(targets_.size(), false)
+      , noise_(targets_.size(), 0)
+  {}
+
+  void run()
+  {
+    constexpr int rounds = 3;
+    std::vector<double> centre;
+    std::vector<double> band;
+    scatters_ = scatterOf(raw_, targets_, parameters_.reach);
+    settleScatters();
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      centre.push_back(scatters_[t].centre);
+      band.push_back(bandOf(t, scatters_[t].deviation));
+    }
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<PatchSums> sums = patchSums(raw_, targets_, centre, band);
+      for (std::size_t t = 0; t < targets_.size(); ++t) {
+        if (isSparse(t) && round > 0)
+          continue;
+        PatchFit fit = isSparse(t) ? shiftTo(scatters_[t]) : fitOf(sums, t);
+        if (fit.count < static_cast<double>(parameters_.least_points))
+          continue;
+        if (!isSparse(t) && isBesideAnother(t, scatters_[t].deviation))
+          undoCut(centre[t], band[t], scatters_[t].deviation, fit);
+        move(t, fit);
+        noise_[t] = fit.deviation;
+        centre[t] = 0;
+        band[t] = bandOf(t, fit.deviation);
+      }
+      followParents();
+    }
+  }
+
+  bool isFitted(std::size_t t) const { return is_fitted_[t]; }
+  double noise(std::size_t t) const { return noise_[t]; }
+  const RefitTargets& targets() const { return targets_; }
+
+private:
+  /** @brief Lines whose points tell their direction no better are shifted only,
+   * radians.
+   */
+  static constexpr double largest_deviation_of_turn = 0.005;
+
+  /** @brief Half width of the band of points that count, in standard deviations. */
+  static constexpr double band_sigmas = 3;
+
+  /** @brief Half width of the narrowest band, metres. */
+  static constexpr double least_band = 0.0015;
+
+  /** @brief The scatter of few points is known by that of others better. */
+  void settleScatters()
+  {
+    constexpr double points_of_usual = 100;
+    std::vector<double> deviations;
+    for (const Scatter& s : scatters_)
+      if (s.count >= points_of_usual)
+        deviations.push_back(s.deviation);
+    if (deviations.empty())
+      return;
+    const auto middle =
+        deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+    std::nth_element(deviations.begin(), middle, deviations.end());
+    const double usual = *middle;
+    for (Scatter& s : scatters_) {
+      const double share = s.count / (s.count + points_of_usual);
+      s.deviation = share * s.deviation + (1 - share) * usual;
+    }
+  }
+
+  /** @brief Whether a line is shown by too few points for patches. */
+  bool isSparse(std::size_t t) const
+  {
+    constexpr double few = 150;
+    return t < curves_.curves.size() && !curves_.curves[t].curve.isCircle() &&
+           scatters_[t].count < few;
+  }
+
+  /** @brief A shift to where most of the points are. */
+  static PatchFit shiftTo(const Scatter& scatter)
+  {
+    PatchFit fit;
+    fit.step[0] = scatter.centre;
+    fit.count = scatter.count;
+    fit.deviation = scatter.deviation;
+    return fit;
+  }
+
+  /** @brief Whether the points of another surface reach into the band of this one. */
+  bool isBesideAnother(std::size_t t, double deviation) const
+  {
+    return targets_.gap(t) < 2 * band_sigmas * deviation;
+  }
+
+  /** @brief Half width of the band of points that count: narrower where those of
+   * another surface are beside it. */
+  double bandOf(std::size_t t, double deviation) const
+  {
+    const double band =
+        std::clamp(band_sigmas * deviation, least_band, parameters_.reach);
+    return std::min(band, std::max({least_band, deviation,
+                                    targets_.gap(t) - band_sigmas * deviation}));
+  }
+
+  /** @brief Points cut off at a band draw its centre after them by a part of the way
+   * only: the whole way, as it is for the normal distribution. */
+  static void undoCut(double centre, double band, double deviation, PatchFit& fit)
+  {
+    constexpr double least_part = 0.2;
+    const double z = band / deviation;
+    const double kept = std::erf(z / std::sqrt(2.0));
+    const double part = 1 - 2 * z * std::exp(-z * z / 2) / std::sqrt(2 * M_PI) / kept;
+    fit.step[0] -= centre;
+    fit.step /= std::max(least_part, part);
+    fit.step[0] += centre;
+    fit.deviation = deviation;
+  }
+
+  /** @brief How many parameters of a surface are fitted. */
+  Eigen::Index parametersOf(std::size_t t) const
+  {
+    if (t >= curves_.curves.size()) {
+      const std::size_t k = t - curves_.curves.size();
+      return targets_.parent(k) == k ? 3 : 1;
+    }
+    if (curves_.curves[t].curve.isCircle())
+      return 3;
+    const double deviation = scatters_[t].deviation *
+                             std::sqrt(12.0 / std::max(1.0, scatters_[t].count)) /
+                             targets_.lengthOf(t);
+    return deviation <= largest_deviation_of_turn ? 2 : 1;
+  }
+
+  PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const
+  {
+    const std::size_t first = targets_.firstPatch(t);
+    const std::size_t last = targets_.firstPatch(t + 1);
+    std::vector<bool> is_top;
+    for (std::size_t p = first; p < last; ++p)
+      is_top.push_back(targets_.isTop(t, p));
+    return fitPatches(sums, first, last, is_top, parametersOf(t),
+                      scatters_[t].deviation);
+  }
+
+  void move(std::size_t t, const PatchFit& fit)
+  {
+    const std::size_t curves = curves_.curves.size();
+    if (t >= curves)
+      moveSlab(targets_.slab(t - curves), targets_.middle(t - curves), fit);
+    else if (curves_.curves[t].curve.isCircle())
+      moveCircle(curves_.curves[t].curve, fit);
+    else
+      moveLine(curves_.curves[t], fit);
+    is_fitted_[t] = true;
+  }
+
+  static void moveCircle(PlanCurve& circle, const PatchFit& fit)
+  {
+    if (circle.radius + fit.step[2] <= 0)
+      return;
+    circle.point += fit.step.head<2>();
+    circle.radius += fit.step[2];
+    circle.inliers = static_cast<std::size_t>(fit.count);
+    circle.residual = fit.deviation;
+  }
+
+  static void moveLine(MeasuredCurve& m, const PatchFit& fit)
+  {
+    PlanCurve& line = m.curve;
+    const Eigen::Vector2d left = leftOf(line.direction);
+    line.point = line.project(m.pivot) + fit.step[0] * left;
+    line.direction = (line.direction + fit.step[1] * left).normalized();
+    line.inliers = static_cast<std::size_t>(fit.count);
+    line.residual = fit.deviation;
+  }
+
+  static void
+  moveSlab(PlanSlab& slab, const Eigen::Vector2d& middle, const PatchFit& fit)
+  {
+    // Its height falls by the distance of what is above it.
+    const double height = slab.heightAt(middle) + fit.step[0] / slab.plane[2];
+    Eigen::Vector3d normal = slab.plane.head<3>();
+    normal.head<2>() -= fit.step.tail<2>();
+    setPlane(normal, middle, height, slab);
+    slab.inliers = static_cast<std::size_t>(fit.count);
+    slab.residual = fit.deviation;
+  }
+
+  static void setPlane(Eigen::Vector3d normal,
+                       const Eigen::Vector2d& place,
+                       double height,
+                       PlanSlab& slab)
+  {
+    normal.normalize();
+    slab.plane.head<3>() = normal;
+    slab.plane[3] = -normal.dot(Eigen::Vector3d(place.x(), place.y(), height));
+  }
+
+  /** @brief Slabs that are parallel to another stay so. */
+  void followParents()
+  {
+    for (std::size_t k = 0; k < targets_.slabCount(); ++k) {
+      const std::size_t parent = targets_.parent(k);
+      if (parent == k)
+        continue;
+      PlanSlab& slab = targets_.slab(k);
+      setPlane(targets_.slab(parent).plane.head<3>(), targets_.middle(k),
+               slab.heightAt(targets_.middle(k)), slab);
+    }
+  }
+
+  PlanCurves& curves_;
+  const RefitParameters& parameters_;
+  RawPoints raw_;
+  RefitTargets targets_;
+  std::vector<bool> is_fitted_;
+  std::vector<double> noise_;
+  std::vector<Scatter> scatters_;
+};
+
+} // namespace sedr
+} // namespace pcl
