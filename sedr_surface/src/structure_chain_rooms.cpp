@@ -259,7 +259,7 @@ void
 StructureChain::warnOfGuesses()
 {
   // Larger cells leave the smaller ones of the repair empty, however good the scan.
-  const double most = enlarged_from_ > 0 ? 0.7 : 0.45;
+  const double most = enlarged_from_ > 0 ? 0.8 : 0.45;
   for (const auto& [room, share] : repairedShares())
     if (share > most) {
       char text[120];
