@@ -116,6 +116,15 @@ PlanElement::project(const Eigen::Vector2d& p) const
   return (p - start).norm() < (p - end).norm() ? 0 : total;
 }
 
+PlanElement
+PlanElement::part(double from, double to) const
+{
+  PlanElement result = *this;
+  result.start = pointAt(from);
+  result.end = pointAt(to);
+  return result;
+}
+
 double
 PlanElement::areaUnder() const
 {

@@ -12,16 +12,6 @@ namespace {
 /** @brief How much of the links before and after a window is looked at, metres. */
 constexpr double lead = 0.4;
 
-/** @brief The part of an element between two distances from its start. */
-PlanElement
-part(const PlanElement& e, double from, double to)
-{
-  PlanElement result = e;
-  result.start = e.pointAt(from);
-  result.end = e.pointAt(to);
-  return result;
-}
-
 bool
 crosses(const LoopChain& chain)
 {
@@ -45,14 +35,14 @@ windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
   const PlanElement b = chain.element(w.after);
   const double led_in = std::min(lead, a.length());
   const double led_out = std::min(lead, b.length());
-  w.lead_in = part(a, a.length() - led_in, a.length());
-  w.lead_out = part(b, 0, led_out);
+  w.lead_in = a.part(a.length() - led_in, a.length());
+  w.lead_out = b.part(0, led_out);
   for (std::size_t i = chain.after(w.after); i != w.before; i = chain.after(i))
     w.rest.push_back(chain.element(i));
   if (led_in < a.length())
-    w.rest.push_back(part(a, 0, a.length() - led_in));
+    w.rest.push_back(a.part(0, a.length() - led_in));
   if (led_out < b.length())
-    w.rest.push_back(part(b, led_out, b.length()));
+    w.rest.push_back(b.part(led_out, b.length()));
   w.path.push_back(w.lead_in);
   for (const std::size_t i : w.inner)
     w.path.push_back(chain.element(i));

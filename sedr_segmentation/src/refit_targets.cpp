@@ -22,16 +22,6 @@ constexpr double upright_patch = 0.1;
 constexpr double least_patch = 0.02;
 constexpr double slab_patch = 0.25;
 
-/** @brief A part of an element. */
-PlanElement
-part(const PlanElement& e, double from, double to)
-{
-  PlanElement result = e;
-  result.start = e.pointAt(from);
-  result.end = e.pointAt(to);
-  return result;
-}
-
 /** @brief The heights at which a surface shows its own points: of walls the upper half,
  * as furniture hides the lower. */
 UprightSpan
@@ -190,7 +180,7 @@ RefitTargets::addStretch(const UprightSurface& surface,
   const PlanElement& e = *surface.element;
   const bool is_whole = from <= 0 && to >= e.length();
   stretches_.push_back(
-      {curve, is_whole ? e : part(e, from, to), heights.low, heights.high});
+      {curve, is_whole ? e : e.part(from, to), heights.low, heights.high});
   length_[curve] += to - from;
   depth_[curve] = std::max(depth_[curve], heights.high - heights.low);
 }

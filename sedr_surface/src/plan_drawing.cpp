@@ -27,16 +27,6 @@ liesOn(const PlanElement& element, const PlanRoom& room)
   return isOn(0) && isOn(0.25) && isOn(0.5) && isOn(0.75) && isOn(1);
 }
 
-/** @brief The part of an element between two distances from its start. */
-PlanElement
-pieceOf(const PlanElement& element, double from, double to)
-{
-  PlanElement piece = element;
-  piece.start = element.pointAt(from);
-  piece.end = element.pointAt(to);
-  return piece;
-}
-
 /** @brief Where, between two distances along an element, it enters or leaves a room. */
 double
 crossingOf(const PlanElement& element, const PlanRoom& room, double from, double to)
@@ -70,7 +60,7 @@ piecesInside(const PlanElement& element, const PlanRoom& room)
   const auto close = [&](double to) {
     if (is_inside && (to - from >= step || to - from == length))
       pieces.push_back(from == 0 && to == length ? element
-                                                 : pieceOf(element, from, to));
+                                                 : element.part(from, to));
     from = to;
   };
   for (std::size_t i = 1; i < steps; ++i) {

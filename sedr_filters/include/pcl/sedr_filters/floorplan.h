@@ -63,6 +63,9 @@ struct PlanElement {
     return (pointAt(project(p)) - p).norm();
   }
 
+  /** @brief The part of the element between two distances from its start. */
+  PlanElement part(double from, double to) const;
+
   /** @brief Signed area between the element and the chords from the origin, so that
    * those of a closed loop add up to its area. */
   double areaUnder() const;
