@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_evidence.h"
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+
+TEST(FitRoom, ABoxIsExactToTheMillimetre)
+{
+  for (const double degrees : {0.0, 28.0}) {
+    const PlanLoop truth = placed(rectangle(0, 0, 4, 3), degrees, {0.013, 0.017});
+    RoomPoints points;
+    const RoomParts parts = points.room(truth, -0.1, 2.4);
+    const PlanRoom room = fitted(points, parts);
+    ASSERT_EQ(room.boundary.elements.size(), 4u) << degrees;
+    EXPECT_LT(cornerError(room.boundary, truth), 0.001) << degrees;
+    EXPECT_NEAR(room.floor.heightAt({1, 1}), -0.1, 1e-5);
+    EXPECT_NEAR(room.ceiling.heightAt({1, 1}), 2.4, 1e-5);
+    EXPECT_GT(room.area(), 0);
+    EXPECT_TRUE(room.columns.empty());
+    EXPECT_TRUE(room.details.empty());
+    for (const auto& e : room.boundary.elements) {
+      EXPECT_GT(e.inliers, 500u);
+      EXPECT_LT(e.residual, 0.001);
+    }
+  }
+}
+
+TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
+{
+  const PlanLoop truth = placed(rectangle(0, 0, 5, 4), 12, {0.013, 0.017});
+  RoomPoints points(0.05, 0.02);
+  const RoomParts parts = points.room(truth, 0, 2.5);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(room.boundary, truth), 0.008);
+  EXPECT_NEAR(room.ceiling.heightAt({2, 2}), 2.5, 0.002);
+  for (const auto& e : room.boundary.elements)
+    EXPECT_NEAR(e.residual, 0.02, 0.005);
+}
+
+TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
+{
+  const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
+  RoomPoints points(0.05, 0.005);
+  RoomParts parts = points.room(truth, 0, 2.5);
+  // A cupboard 5 cm before the wall up to 1.2 m, which the growing took for wall, too.
+  parts.walls =
+      joined(parts.walls, points.wall(segment({0.5, 0.06}, {3.5, 0.06}), 0, 1.2));
+  EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
+}
+
+TEST(FitRoom, CurvedWallsAreArcs)
+{
+  const PlanLoop truth = placed(bittenRectangle(6, 4, 1.3), 0, {0.01, 0.01});
+  RoomPoints points(0.05, 0.003);
+  const RoomParts parts = points.room(truth, 0, 2.5);
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_EQ(std::count_if(room.boundary.elements.begin(), room.boundary.elements.end(),
+                          [](const auto& e) { return e.isArc(); }),
+            1);
+  EXPECT_LT(outlineError(room.boundary, truth), 0.008);
+}
+
+TEST(FitRoom, ColumnsAreLoopsThatRunClockwise)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.5);
+  truth.columns = {reversed(circle({2, 2}, 0.3)),
+                   reversed(placed(rectangle(-0.25, -0.25, 0.25, 0.25), 20, {4, 3}))};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.columns.size(), 2u);
+  for (const auto& column : room.columns)
+    EXPECT_LT(column.area(), 0);
+  ASSERT_EQ(room.columns[0].elements.size(), 1u);
+  EXPECT_TRUE(room.columns[0].elements[0].isArc());
+  EXPECT_NEAR(room.columns[0].elements[0].radius, 0.3, 0.01);
+  EXPECT_NEAR((room.columns[0].elements[0].centre - Vector2d(2, 2)).norm(), 0, 0.01);
+  ASSERT_EQ(room.columns[1].elements.size(), 4u);
+  EXPECT_LT(cornerError(room.columns[1], truth.columns[1]), 0.02);
+  EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.002);
+  EXPECT_NEAR(room.area(), truth.area(), 0.05);
+}
+
+TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.2)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.details.size(), 1u);
+  const PlanDetail& soffit = room.details[0];
+  EXPECT_NEAR(soffit.slab.heightAt({4, 2}), 2.2, 0.002);
+  EXPECT_TRUE(soffit.holes.empty());
+  ASSERT_EQ(soffit.boundary.elements.size(), 4u);
+  EXPECT_GT(soffit.boundary.area(), 0);
+  for (const auto& e : soffit.boundary.elements) {
+    const Vector2d middle = e.pointAt(e.length() / 2);
+    if (std::abs(middle.x() - 3.91) < 0.1) {
+      EXPECT_NEAR(middle.x(), 3.91, 0.01) << "the riser";
+    }
+    else {
+      EXPECT_NEAR(room.boundary.distance(middle), 0, 1e-6) << "a wall";
+    }
+  }
+  EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.003);
+}
+
+TEST(FitRoom, ASoffitAllAroundHasAHole)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
+  truth.details = {detailOf(truth.boundary, 2.3)};
+  truth.details[0].holes = {reversed(rectangle(0.81, 0.81, 5.21, 4.21))};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.details.size(), 1u);
+  ASSERT_EQ(room.details[0].holes.size(), 1u);
+  EXPECT_LT(room.details[0].holes[0].area(), 0);
+  EXPECT_LT(cornerError(room.details[0].holes[0], truth.details[0].holes[0]), 0.03);
+  EXPECT_NEAR(room.ceilingAt({3, 2}), 2.6, 0.002);
+  EXPECT_NEAR(room.ceilingAt({0.3, 2}), 2.3, 0.002);
+}
+
+TEST(FitRoom, ARecessIsADetailAboveTheCeiling)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(1.51, 1.01, 3.51, 2.51), 2.75)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_NEAR(room.details[0].slab.heightAt({2, 2}), 2.75, 0.002);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
+  EXPECT_NEAR(room.details[0].boundary.area(), 3, 0.05);
+}
+
+/** The plan of a room of which nothing was seen where `isHidden` says so. */
+PlanRoom
+fittedWithout(const RoomPoints& points,
+              const RoomParts& parts,
+              const RoomPoints::InSpace& isHidden)
+{
+  RoomEvidence evidence = evidenceOf(points, parts);
+  for (auto* indices : {&evidence.around, &evidence.ceiling, &evidence.details,
+                        &evidence.floor, &evidence.walls})
+    indices->erase(
+        std::remove_if(indices->begin(), indices->end(),
+                       [&](int i) { return isHidden(points[i].cast<double>()); }),
+        indices->end());
+  std::string problem;
+  return fitRoom(points.view(), evidence, {}, problem);
+}
+
+/** 6 m x 4 m, with a beam of 0.4 m across. */
+PlanRoom
+roomWithABeam()
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  room.details = {detailOf(rectangle(2.81, 0.01, 3.21, 4.01), 2.4)};
+  return room;
+}
+
+TEST(FitRoom, ABeamWhoseEndWasNotSeenGoesOnToTheWall)
+{
+  const PlanRoom truth = roomWithABeam();
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  // A shadow that reaches farther on one side.
+  const PlanRoom room = fittedWithout(points, parts, [](const Eigen::Vector3d& p) {
+    return p.z() > 2.3 && p.x() > 2.6 && p.x() < 3.5 && p.y() > 4.4 - 0.4 * p.x();
+  });
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_EQ(room.details[0].boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
+}
+
+TEST(FitRoom, PiecesOfABeamAreOneWhereNothingWasSeenBetween)
+{
+  const PlanRoom truth = roomWithABeam();
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fittedWithout(points, parts, [](const Eigen::Vector3d& p) {
+    return p.z() > 2.3 && p.x() > 2.6 && p.x() < 3.4 && p.y() > 1.6 && p.y() < 2.2;
+  });
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
+}
+
+TEST(FitRoom, BeamsOnOneLineAreTwoWhereTheCeilingIsSeenBetween)
+{
+  PlanRoom truth = roomWithABeam();
+  truth.details = {detailOf(rectangle(2.81, 0.01, 3.21, 1.51), 2.4),
+                   detailOf(rectangle(2.81, 2.31, 3.21, 4.01), 2.4)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  EXPECT_EQ(fitted(points, parts).details.size(), 2u);
+}
+
+TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  RoomPoints points(0.05, 0.002);
+  RoomParts parts = points.room(truth);
+  const PlanLoop shelf = rectangle(3.91, 0.01, 5.01, 4.01);
+  // The ceiling above it was not seen.
+  parts.ceiling.erase(std::remove_if(parts.ceiling.begin(), parts.ceiling.end(),
+                                     [&](int i) { return points[i].x() > 3.91f; }),
+                      parts.ceiling.end());
+  parts.details = points.slab(shelf, 1.9);
+  EXPECT_TRUE(fitted(points, parts).details.empty());
+}
+
+} // namespace
