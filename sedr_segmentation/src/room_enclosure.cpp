@@ -4,6 +4,8 @@
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -16,18 +18,41 @@ struct Surroundings {
   CellMask floor; ///< cells outside of the room where the floor goes on
 };
 
+/** @brief Which of some pieces is nearest by steps to each cell of `domain`; every cell
+ * is within `steps` of one. */
+std::vector<std::int32_t>
+nearestPieces(const std::vector<const Piece*>& pieces,
+              const CellMask& domain,
+              int steps)
+{
+  std::vector<std::int32_t> nearest(domain.values().size(), -1);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+      if (pieces[p]->cells.values()[i] && nearest[i] < 0)
+        nearest[i] = static_cast<std::int32_t>(p);
+  growLabels(domain, steps, nearest);
+  return nearest;
+}
+
 Surroundings
-surroundingsOf(const Storey& storey, const CellMask& solid, const Piece& main)
+surroundingsOf(const Storey& storey,
+               const CellMask& solid,
+               const std::vector<const Piece*>& members,
+               std::size_t floor_level)
 {
   Surroundings around{CellMask(solid.box()), CellMask(solid.box())};
   const int reach = cellsFor(0.7, storey.grid.size());
-  const CellMask rim = subtract(dilated(solid, reach), eroded(solid, reach));
+  const CellMask near = dilated(solid, reach);
+  const CellMask rim = subtract(near, eroded(solid, reach));
+  const std::vector<std::int32_t> nearest =
+      nearestPieces(members, near, std::numeric_limits<int>::max());
   for (std::size_t i = 0; i < rim.values().size(); ++i) {
-    if (!rim.values()[i])
+    if (!rim.values()[i] || nearest[i] < 0)
       continue;
     const Cell cell = rim.cellAt(i);
-    const double top = storey.heightOf(main.level, cell);
-    const double floor = storey.heightOf(main.floor, cell);
+    const Piece& above = *members[static_cast<std::size_t>(nearest[i])];
+    const double top = storey.heightOf(above.level, cell);
+    const double floor = storey.heightOf(floor_level, cell);
     around.walls.values()[i] =
         storey.columns.share(cell, (floor + top) / 2, top - 0.1, 8, 1) >= 0.6 ? 1 : 0;
     around.floor.values()[i] =
@@ -49,10 +74,13 @@ solidOf(const Storey& storey, const CellMask& scope)
 }
 
 double
-enclosureOf(const Storey& storey, const CellMask& solid, const Piece& main)
+enclosureOf(const Storey& storey,
+            const CellMask& solid,
+            const std::vector<const Piece*>& members,
+            std::size_t floor)
 {
   const double size = storey.grid.size();
-  const Surroundings around = surroundingsOf(storey, solid, main);
+  const Surroundings around = surroundingsOf(storey, solid, members, floor);
   const CellMask outline = subtract(dilated(solid, 1), solid);
   const CellMask walled = dilated(around.walls, cellsFor(0.6, size));
   const CellMask open = subtract(dilated(around.floor, cellsFor(0.15, size)),

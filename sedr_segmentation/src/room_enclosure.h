@@ -3,6 +3,8 @@
 
 #include "room_pieces.h"
 
+#include <vector>
+
 namespace pcl {
 namespace sedr {
 
@@ -11,10 +13,16 @@ CellMask solidOf(const Storey& storey, const CellMask& scope);
 
 /** @brief How much of a room's outline is closed rather than open: the share with a
  * wall within 0.6 m, for a cupboard may hide the ceiling that far, less the share
- * across which the floor goes on and no wall stands. What is seen through a door or a
+ * across which the floor goes on and no wall stands. A wall goes up to the ceiling
+ * beside it: below a soffit or a gallery to that. What is seen through a door or a
  * window only has no walls towards it, and less of its ceiling is seen than of its
- * floor. */
-double enclosureOf(const Storey& storey, const CellMask& solid, const Piece& main);
+ * floor.
+ * @param members the pieces of the room's ceilings
+ * @param floor the level of its floor */
+double enclosureOf(const Storey& storey,
+                   const CellMask& solid,
+                   const std::vector<const Piece*>& members,
+                   std::size_t floor);
 
 /** @brief Whether something goes on below the floor along most of the outline: then it
  * is a table or a shelf. */

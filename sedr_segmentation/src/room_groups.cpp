@@ -5,11 +5,20 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief Number of cell edges across which two pieces face each other. */
+std::size_t
+lengthOf(const Frontier& frontier)
+{
+  return frontier.wall + frontier.plain + frontier.below_lintel.size() +
+         frontier.hidden;
+}
 
 /** @brief Number of cell edges around a piece. */
 std::size_t
@@ -24,6 +33,23 @@ perimeterOf(const CellMask& cells)
       edges += cells.at({c.x + d.x, c.y + d.y}) ? 0 : 1;
   }
   return edges;
+}
+
+/** @brief Cell edges around each group of pieces, by its number, but for those between
+ * its own pieces. */
+std::vector<std::size_t>
+perimetersOf(const std::vector<std::size_t>& perimeters,
+             const Frontiers& frontiers,
+             const std::vector<std::size_t>& group)
+{
+  std::vector<std::size_t> all(group.size(), 0);
+  for (std::size_t p = 0; p < group.size(); ++p)
+    all[group[p]] += perimeters[p];
+  for (const auto& [pair, frontier] : frontiers)
+    if (group[pair.first] == group[pair.second])
+      all[group[pair.first]] -=
+          std::min(all[group[pair.first]], 2 * lengthOf(frontier));
+  return all;
 }
 
 /** @brief The longest stretch of a frontier below a lintel, in cells; a gap of a cell
@@ -86,42 +112,33 @@ betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
   return merged;
 }
 
-/** @brief Cell edges around each group, by its number. */
-std::vector<std::size_t>
-perimetersOf(const std::vector<Piece>& pieces, const std::vector<std::size_t>& group)
-{
-  std::map<std::size_t, CellMask> cells;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const auto [it, is_new] = cells.emplace(group[p], pieces[p].cells);
-    if (!is_new)
-      it->second = unite(it->second, pieces[p].cells);
-  }
-  std::vector<std::size_t> perimeters(pieces.size(), 0);
-  for (const auto& [number, mask] : cells)
-    perimeters[number] = perimeterOf(mask);
-  return perimeters;
-}
-
-/** @brief Joins the groups that `areOne(frontier, around)` says are one, until none is
- * left. */
+/** @brief Joins the groups that `areOne(frontier, around)` says are one, those that are
+ * open along most of the smaller side first, until none is left: what is measured of a
+ * group is that of all that has been joined to it. */
 template <typename AreOne>
 void
-joinGroups(const std::vector<Piece>& pieces,
+joinGroups(const std::vector<std::size_t>& perimeters,
            const Frontiers& frontiers,
            AreOne areOne,
            std::vector<std::size_t>& group)
 {
   for (bool has_changed = true; has_changed;) {
-    has_changed = false;
-    const std::vector<std::size_t> perimeters = perimetersOf(pieces, group);
+    const std::vector<std::size_t> around = perimetersOf(perimeters, frontiers, group);
+    std::pair<std::size_t, std::size_t> joined;
+    double most = 0;
     for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
-      if (!areOne(frontier, std::min(perimeters[pair.first], perimeters[pair.second])))
+      const std::size_t smaller = std::min(around[pair.first], around[pair.second]);
+      const double share =
+          static_cast<double>(frontier.plain + frontier.below_lintel.size()) /
+          static_cast<double>(std::max<std::size_t>(1, smaller));
+      if (share <= most || !areOne(frontier, smaller))
         continue;
-      const std::size_t kept = std::min(group[pair.first], group[pair.second]);
-      const std::size_t gone = std::max(group[pair.first], group[pair.second]);
-      std::replace(group.begin(), group.end(), gone, kept);
-      has_changed = true;
+      most = share;
+      joined = pair;
     }
+    has_changed = most > 0;
+    if (has_changed)
+      std::replace(group.begin(), group.end(), joined.second, joined.first);
   }
 }
 
@@ -132,6 +149,9 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
 {
   const Frontiers frontiers = frontiersOf(storey, pieces);
   std::vector<std::size_t> group(pieces.size());
+  std::vector<std::size_t> perimeters;
+  for (const auto& piece : pieces)
+    perimeters.push_back(perimeterOf(piece.cells));
   std::iota(group.begin(), group.end(), std::size_t{0});
   const auto isOpenAbove = [&](const Frontier& frontier, std::size_t around) {
     return 2 * frontier.plain >=
@@ -141,8 +161,8 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   const auto isOpenBelow = [&](const Frontier& frontier, std::size_t around) {
     return isOpen(frontier, around, storey.parameters);
   };
-  joinGroups(pieces, frontiers, isOpenAbove, group);
-  joinGroups(pieces, frontiers, isOpenBelow, group);
+  joinGroups(perimeters, frontiers, isOpenAbove, group);
+  joinGroups(perimeters, frontiers, isOpenBelow, group);
   return group;
 }
 

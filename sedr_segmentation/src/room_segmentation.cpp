@@ -71,7 +71,8 @@ makeRoom(const Storey& storey,
   if (area < storey.parameters.minimum_area)
     return false;
   const CellMask solid = solidOf(storey, scope);
-  if (enclosureOf(storey, solid, main) < storey.parameters.minimum_enclosure ||
+  if (enclosureOf(storey, solid, members, main.floor) <
+          storey.parameters.minimum_enclosure ||
       hasWallsBelow(storey, solid, main))
     return false;
   if (members.size() > 1) {

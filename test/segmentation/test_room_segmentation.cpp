@@ -189,6 +189,41 @@ TEST(SegmentRooms, RoomsOfOtherHeightsHaveTheirOwnCeilingAndFloor)
   EXPECT_NEAR(rooms.floorOf(1), -0.4, 1e-4);
 }
 
+TEST(SegmentRooms, BelowAGalleryAWallGoesUpToThatOnly)
+{
+  RoomPoints points;
+  PlanRoom hall = roomOf(rectangle(0.01, 0.01, 12.01, 6.01), 4.2);
+  hall.details = {detailOf(rectangle(0.01, 3.81, 12.01, 6.01), 3.0)};
+  // Two thirds of the other long wall are windows, but for 0.3 m at the top.
+  points.room(hall, [](const Vector3d& p) {
+    return p.y() > 0.1 || p.x() < 4 || p.z() < 0.8 || p.z() > 3.9;
+  });
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 1u) << rooms.problem;
+  EXPECT_NEAR(rooms.area(0), 72, 3);
+}
+
+TEST(SegmentRooms, APassageWithALowerCeilingBelongsToOneOfTheTwoRoomsItJoins)
+{
+  const PlanLoop passage = rectangle(4.01, 1.01, 4.61, 2.61);
+  const auto isSolid = [](const Vector3d& p) {
+    return p.x() < 3.9 || p.x() > 4.7 || p.y() < 1.01 || p.y() > 2.61 || p.z() > 2.5;
+  };
+  RoomPoints points;
+  points.room(roomOf(rectangle(0.01, 0.01, 4.01, 4.01), 2.9), isSolid);
+  PlanRoom other = roomOf(rectangle(4.61, 0.01, 8.61, 4.01), 2.9);
+  other.details = {detailOf(rectangle(7.41, 2.81, 8.61, 4.01), 2.5)}; // as high
+  points.room(other, isSolid);
+  points.slab(passage, 0);
+  points.slab(passage, 2.5);
+  points.wall(passage.elements[0], 0, 2.5);
+  points.wall(passage.elements[2], 0, 2.5);
+  const Rooms rooms(points);
+  ASSERT_EQ(rooms.regions.size(), 2u);
+  EXPECT_NE(rooms.at(2, 2), rooms.at(6.6, 2));
+  EXPECT_GE(rooms.at(4.3, 1.5), 0);
+}
+
 TEST(SegmentRooms, WithoutWallsAroundItIsNoRoom)
 {
   RoomPoints points;

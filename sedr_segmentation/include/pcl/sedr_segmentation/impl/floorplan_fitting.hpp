@@ -6,9 +6,11 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
+#include <pcl/sedr_segmentation/room_separation.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -104,6 +106,9 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   if (!problem.empty())
     return fail("FloorplanFitting", problem);
   fitToRaw(plan);
+  const std::vector<std::string> cuts =
+      sedr::separateRooms(plan, sedr::PointView(*input_), *indices_);
+  warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
   sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_);
   return true;
 }

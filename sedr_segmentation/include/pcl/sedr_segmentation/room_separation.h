@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Parts the rooms of a plan that run into each other, so that none do.
+ *
+ * Where a wall was hidden, a room may be closed beyond that of its neighbour. What two
+ * rooms of one storey have in common is left to the one whose walls were seen there;
+ * where none were, to the smaller one. The other is cut back to a centimetre from it,
+ * and its columns and details with it. Niches that reach into another room are dropped.
+ *
+ * @param points thinned to a point in 5 cm or denser: they tell which walls were seen
+ * @param indices those of them that count
+ * @return a sentence for every cut of more than a tenth of a square metre
+ *
+ * Nothing but O(r^2 n^2) for r rooms of n walls that lie close; for every overlap, the
+ * evidence of two rooms is measured. Deterministic. */
+std::vector<std::string> separateRooms(Floorplan& plan,
+                                       const PointView& points,
+                                       const std::vector<int>& indices);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/room_separation.h>
+
+#include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_segmentation/loop_difference.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Thickness of a partition of which nothing is known, metres. */
+constexpr double least_partition = 0.01;
+
+/** @brief A cut that is worth a word, square metres. */
+constexpr double worth_a_word = 0.1;
+
+/** @brief Smallest box around a loop. */
+struct Bounds {
+  Eigen::Vector2d low;
+  Eigen::Vector2d high;
+
+  explicit Bounds(const PlanLoop& loop)
+      : low(loop.elements.front().start)
+      , high(low)
+  {
+    for (const auto& p : loop.polygon(0.01)) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+
+  bool meets(const Bounds& other) const
+  {
+    constexpr double slack = 0.01; // the polygon is within its arcs
+    return (low.array() <= other.high.array() + slack).all() &&
+           (other.low.array() <= high.array() + slack).all();
+  }
+};
+
+bool
+overlap(const PlanLoop& a, const PlanLoop& b)
+{
+  if (a.elements.empty() || b.elements.empty() || !Bounds(a).meets(Bounds(b)))
+    return false;
+  const auto [of_a, of_b] = partsInside(a, b);
+  return !of_a.empty() || !of_b.empty();
+}
+
+/** @brief Whether two rooms are on one storey at some place: one is not above the other
+ * there. */
+bool
+areSideBySide(const PlanRoom& a, const PlanRoom& b, const Eigen::Vector2d& place)
+{
+  return a.floor.heightAt(place) < b.ceiling.heightAt(place) &&
+         b.floor.heightAt(place) < a.ceiling.heightAt(place);
+}
+
+/** @brief Length of those walls of a room that were seen inside of another one. */
+double
+seenInside(const PlanRoom& room,
+           const PlanLoop& other,
+           const PointView& points,
+           const std::vector<int>& indices)
+{
+  Floorplan plan;
+  plan.rooms.push_back(room);
+  plan.rooms.front().boundary.elements = partsInside(room.boundary, other).first;
+  measureEvidence(plan, points, indices);
+  double length = 0;
+  for (const auto& e : plan.rooms.front().boundary.elements)
+    length += e.evidence.seen * e.length();
+  return length;
+}
+
+/** @brief What is left of a loop within a room without `cutter`: its largest part. */
+PlanLoop
+largestPart(const PlanLoop& loop, const PlanLoop& cutter)
+{
+  const bool is_clockwise = loop.area() < 0;
+  const std::vector<PlanLoop> parts =
+      difference(is_clockwise ? reversed(loop) : loop, cutter);
+  if (parts.empty() || !(parts.front().area() > 0))
+    return {};
+  return is_clockwise ? reversed(parts.front()) : parts.front();
+}
+
+void
+cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
+{
+  for (auto& detail : details) {
+    if (!overlap(detail.boundary, cutter))
+      continue;
+    detail.boundary = largestPart(detail.boundary, cutter);
+    for (auto& hole : detail.holes)
+      hole = largestPart(hole, cutter);
+    detail.holes.erase(
+        std::remove_if(detail.holes.begin(), detail.holes.end(),
+                       [](const PlanLoop& h) { return h.elements.empty(); }),
+        detail.holes.end());
+  }
+  details.erase(
+      std::remove_if(details.begin(), details.end(),
+                     [](const PlanDetail& d) { return d.boundary.elements.empty(); }),
+      details.end());
+}
+
+/** @brief Takes the inside of `cutter` from a room.
+ * @return whether anything is left of it */
+bool
+cutRoom(PlanRoom& room, const PlanLoop& cutter)
+{
+  std::vector<PlanLoop> parts = difference(room.boundary, cutter);
+  if (parts.empty() || !(parts.front().area() > 0))
+    return false;
+  room.boundary = parts.front();
+  const auto isOutside = [&](const PlanLoop& column) {
+    return overlap(column, cutter) ||
+           !room.boundary.contains(column.elements.front().start);
+  };
+  room.columns.erase(
+      std::remove_if(room.columns.begin(), room.columns.end(), isOutside),
+      room.columns.end());
+  // The other room may stand free within this one.
+  for (std::size_t p = 1; p < parts.size(); ++p)
+    if (parts[p].area() < 0 && room.boundary.contains(parts[p].elements[0].start))
+      room.columns.push_back(parts[p]);
+  cutDetails(room.details, cutter);
+  cutDetails(room.floor_details, cutter);
+  const auto isLost = [&](const PlanNiche& niche) {
+    return std::none_of(niche.boundary.elements.begin(), niche.boundary.elements.end(),
+                        [&](const PlanElement& e) {
+                          return room.boundary.distance(e.pointAt(e.length() / 2)) <
+                                 1e-5;
+                        });
+  };
+  room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isLost),
+                    room.niches.end());
+  return true;
+}
+
+void
+dropNiches(Floorplan& plan)
+{
+  for (auto& room : plan.rooms) {
+    const auto isInOther = [&](const PlanNiche& niche) {
+      return std::any_of(
+          plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& other) {
+            return &other != &room &&
+                   areSideBySide(room, other, niche.boundary.elements[0].start) &&
+                   (overlap(niche.boundary, other.boundary) ||
+                    std::any_of(other.niches.begin(), other.niches.end(),
+                                [&](const PlanNiche& n) {
+                                  return overlap(niche.boundary, n.boundary);
+                                }));
+          });
+    };
+    room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isInOther),
+                      room.niches.end());
+  }
+}
+
+std::string
+sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
+{
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "room %u: %.2f m2 of it ran into room %u and are left to that", room.id,
+                area, other.id);
+  return text;
+}
+
+} // namespace
+
+std::vector<std::string>
+separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<std::string> sentences;
+  std::set<std::size_t> gone;
+  for (std::size_t a = 0; a < plan.rooms.size(); ++a)
+    for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
+      PlanRoom& first = plan.rooms[a];
+      PlanRoom& second = plan.rooms[b];
+      if (gone.count(a) + gone.count(b) > 0 ||
+          !areSideBySide(first, second, first.boundary.elements[0].start) ||
+          !overlap(first.boundary, second.boundary))
+        continue;
+      const double seen_first = seenInside(first, second.boundary, points, indices);
+      const double seen_second = seenInside(second, first.boundary, points, indices);
+      const bool is_first_cut = seen_first == seen_second ? first.area() > second.area()
+                                                          : seen_first < seen_second;
+      PlanRoom& loser = is_first_cut ? first : second;
+      const PlanRoom& winner = is_first_cut ? second : first;
+      const double area = loser.boundary.area();
+      if (!cutRoom(loser, widened(winner.boundary, least_partition)))
+        gone.insert(is_first_cut ? a : b);
+      const double lost =
+          area - (gone.count(is_first_cut ? a : b) > 0 ? 0 : loser.boundary.area());
+      if (lost > worth_a_word)
+        sentences.push_back(sentenceOf(loser, winner, lost));
+    }
+  for (auto it = gone.rbegin(); it != gone.rend(); ++it)
+    plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
+  dropNiches(plan);
+  return sentences;
+}
+
+} // namespace sedr
+} // namespace pcl

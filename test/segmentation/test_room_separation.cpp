@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/loop_difference.h>
+#include <pcl/sedr_segmentation/room_separation.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double partition = 0.01; // where nothing is known of it
+
+PlanRoom
+roomAt(std::uint32_t id, const PlanLoop& boundary, double floor = 0)
+{
+  PlanRoom room = roomOf(boundary, floor + 2.5);
+  room.floor = slabAt(floor);
+  room.id = id;
+  return room;
+}
+
+/** A room of 4 m x 3 m that was closed half a metre into one of 3 m x 3 m. */
+Floorplan
+overlappingRooms()
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(0, 0, 4, 3)),
+                roomAt(2, rectangle(3.5, 0.5, 7, 2.5))};
+  return plan;
+}
+
+std::vector<std::string>
+separate(Floorplan& plan, const RoomPoints& points)
+{
+  return separateRooms(plan, points.view(), points.all());
+}
+
+bool
+areApart(const Floorplan& plan)
+{
+  for (std::size_t a = 0; a < plan.rooms.size(); ++a)
+    for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
+      const auto [first, second] =
+          partsInside(plan.rooms[a].boundary, plan.rooms[b].boundary);
+      if (!first.empty() || !second.empty())
+        return false;
+    }
+  return true;
+}
+
+TEST(SeparateRooms, WhatTwoRoomsShareIsLeftToTheOneWhoseWallWasSeen)
+{
+  for (const std::size_t seen : {0u, 1u}) {
+    Floorplan plan = overlappingRooms();
+    RoomPoints points;
+    points.room(plan.rooms[seen]);
+    const double kept = plan.rooms[seen].boundary.area();
+    const auto sentences = separate(plan, points);
+    EXPECT_TRUE(areApart(plan));
+    EXPECT_NEAR(plan.rooms[seen].boundary.area(), kept, 1e-9);
+    // 0.5 m x 2 m in common, and the partition around it
+    const double left = seen == 0 ? 7 - 2 * (0.5 + partition)
+                                  : 12 - (0.5 + partition) * (2 + 2 * partition);
+    EXPECT_NEAR(plan.rooms[1 - seen].boundary.area(), left, 1e-9);
+    ASSERT_EQ(sentences.size(), 1u);
+    EXPECT_EQ(sentences[0], seen == 0
+                                ? "room 2: 1.02 m2 of it ran into room 1 and are left "
+                                  "to that"
+                                : "room 1: 1.03 m2 of it ran into room 2 and are left "
+                                  "to that");
+  }
+}
+
+TEST(SeparateRooms, WhatNobodySawIsLeftToTheSmallerRoom)
+{
+  Floorplan plan = overlappingRooms();
+  separate(plan, RoomPoints());
+  EXPECT_TRUE(areApart(plan));
+  EXPECT_NEAR(plan.rooms[1].boundary.area(), 7, 1e-9);
+}
+
+TEST(SeparateRooms, DetailsAndColumnsAreCutWithTheRoom)
+{
+  Floorplan plan = overlappingRooms();
+  plan.rooms[0].details = {detailOf(rectangle(3, 0, 4, 3), 2.2)};
+  plan.rooms[0].columns = {reversed(rectangle(3.6, 1, 3.8, 1.2)),
+                           reversed(rectangle(1, 1, 1.2, 1.2))};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(),
+              3 - (0.5 + partition) * (2 + 2 * partition), 1e-9);
+  ASSERT_EQ(plan.rooms[0].columns.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].columns[0].elements[0].start.x(), 1, 1e-9);
+}
+
+TEST(SeparateRooms, ARoomWithinAnotherStandsFreeInIt)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(0, 0, 6, 6)), roomAt(2, rectangle(2, 2, 4, 4))};
+  RoomPoints points;
+  points.room(plan.rooms[1]);
+  separate(plan, points);
+  ASSERT_EQ(plan.rooms[0].columns.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].columns[0].area(), -std::pow(2 + 2 * partition, 2), 1e-9);
+  EXPECT_NEAR(plan.rooms[0].boundary.area(), 36, 1e-9);
+}
+
+TEST(SeparateRooms, ANicheThatReachesIntoAnotherRoomIsDropped)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(0, 0, 4, 3)), roomAt(2, rectangle(4.1, 0, 7, 3))};
+  PlanNiche niche;
+  niche.boundary = rectangle(4, 1, 4.3, 2);
+  niche.bottom = slabAt(1);
+  niche.top = slabAt(2);
+  plan.rooms[0].niches = {niche};
+  niche.boundary = rectangle(-0.3, 1, 0, 2);
+  plan.rooms[0].niches.push_back(niche);
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_LT(plan.rooms[0].niches[0].boundary.elements[0].start.x(), 0);
+}
+
+TEST(SeparateRooms, RoomsThatAreApartOrOneAboveTheOtherStay)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(0, 0, 4, 3)), roomAt(2, rectangle(4.1, 0, 7, 3)),
+                roomAt(3, rectangle(1, 1, 6, 2), 3)};
+  EXPECT_TRUE(separate(plan, RoomPoints()).empty());
+  EXPECT_NEAR(plan.rooms[0].boundary.area(), 12, 1e-12);
+  EXPECT_NEAR(plan.rooms[1].boundary.area(), 8.7, 1e-12);
+  EXPECT_NEAR(plan.rooms[2].boundary.area(), 5, 1e-12);
+}
+
+} // namespace
