@@ -10,6 +10,7 @@
 
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <nlohmann/json.hpp>
 
@@ -62,15 +63,18 @@ allOf(const ToolCloud& cloud)
   return all;
 }
 
-/** @brief Whether another axis than z seems to be up, a sentence; empty if not, or if z
- * is to be trusted. */
+/** @brief Whether another axis than z seems to be up, or the scan leans, a sentence;
+ * empty if not, or if z is to be trusted. */
 std::string
 turned(const Settings& settings, const ToolCloud& cloud, bool z_has_rooms)
 {
   if (settings.trust_up)
     return "";
-  const std::string problem = pcl::sedr::upProblem(pcl::sedr::PointView(*cloud.points),
-                                                   allOf(cloud), z_has_rooms);
+  const pcl::sedr::PointView points(*cloud.points);
+  const pcl::Indices all = allOf(cloud);
+  std::string problem = pcl::sedr::upProblem(points, all, z_has_rooms);
+  if (problem.empty())
+    problem = pcl::sedr::leanProblem(points, all);
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
@@ -250,7 +254,7 @@ main(int argc, char** argv)
   options.text("planes", settings.planes, "JSON file for the list of planes");
   addPictureOption(options, settings.picture);
   options.flag("z-up", settings.trust_up,
-               "take z as up even if another axis seems to be");
+               "take z as up even if another axis seems to be, or the scan leans");
   options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {

@@ -187,7 +187,8 @@ addOptions(Options& options, Settings& s)
   options.number("unit", s.unit, "m",
                  "length of one unit of the scan: 0.001 for millimetres",
                  Range::between(1e-6, 1e6));
-  options.flag("z-up", s.z_up, "take z as up even if another axis seems to be");
+  options.flag("z-up", s.z_up,
+               "take z as up even if another axis seems to be, or the scan leans");
   options.flag("mesh-from-plan", s.mesh_from_plan,
                "sample the floor plan for mesh.ply, not the points: sharper edges");
   options.flag("pictures", s.pictures,

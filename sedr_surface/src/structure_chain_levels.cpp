@@ -6,6 +6,7 @@
 #include <pcl/sedr_segmentation/cell_fill.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -55,9 +56,13 @@ bool
 StructureChain::checkScan()
 {
   failed_stage = "input";
-  const std::string reason =
-      trust_up ? std::string()
-               : upProblem(PointView(*cloud), *allIndices(cloud->size()));
+  if (trust_up)
+    return true;
+  const PointView points(*cloud);
+  const pcl::IndicesPtr all = allIndices(cloud->size());
+  std::string reason = upProblem(points, *all);
+  if (reason.empty())
+    reason = leanProblem(points, *all);
   return reason.empty() || fail(reason);
 }
 

@@ -76,7 +76,8 @@ public:
    * points: its edges round off less. */
   bool mesh_from_plan = false;
 
-  /** @brief Whether a scan in which z seems not to be up is taken as it is. */
+  /** @brief Whether a scan in which z seems not to be up, or that leans, is taken as it
+   * is. */
   bool trust_up = false;
 
   /** @brief The cells of all stages, metres. */
