@@ -16,7 +16,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Edge of a patch, metres. */
+/** @brief Edge of a patch, metres; twice that once the scan is put right, as thinning
+ * makes a plane that leans uneven over half a metre. */
 constexpr double patch_size = 0.5;
 
 /** @brief Directions that are nearer to each other agree, radians. */
@@ -36,9 +37,12 @@ struct PatchMoments {
   }
 };
 
-/** @brief The normals of the patches that are planes, z not below 0. */
+/** @brief The normals of the patches that are planes, z not below 0, all turned. */
 std::vector<Eigen::Vector3d>
-normalsOf(const PointView& points, const std::vector<int>& indices)
+normalsOf(const PointView& points,
+          const std::vector<int>& indices,
+          const Eigen::Matrix3d& turn,
+          double patch)
 {
   constexpr double fewest = 20;
   constexpr double most_scatter = 0.02; // across a plane, metres
@@ -46,17 +50,17 @@ normalsOf(const PointView& points, const std::vector<int>& indices)
   constexpr double farthest = 1e5;
   std::map<std::array<std::int64_t, 3>, PatchMoments> patches;
   for (const int i : indices) {
-    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+    const Eigen::Vector3d p = turn * points[static_cast<std::size_t>(i)].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
     std::array<std::int64_t, 3> key{};
     for (std::size_t k = 0; k < 3; ++k)
       key[k] = static_cast<std::int64_t>(
-          std::floor(p[static_cast<Eigen::Index>(k)] / patch_size));
+          std::floor(p[static_cast<Eigen::Index>(k)] / patch));
     // About the patch's corner: squares of large coordinates leave no digits.
-    patches[key].add(p - patch_size * Eigen::Vector3d(static_cast<double>(key[0]),
-                                                      static_cast<double>(key[1]),
-                                                      static_cast<double>(key[2])));
+    patches[key].add(p - patch * Eigen::Vector3d(static_cast<double>(key[0]),
+                                                 static_cast<double>(key[1]),
+                                                 static_cast<double>(key[2])));
   }
   std::vector<Eigen::Vector3d> normals;
   for (const auto& [key, m] : patches) {
@@ -74,22 +78,28 @@ normalsOf(const PointView& points, const std::vector<int>& indices)
   return normals;
 }
 
-/** @brief How many normals stand along a direction, and how many across it. */
-struct Votes {
-  double along = 0;
-  double across = 0;
-};
-
-Votes
-votesFor(const Eigen::Vector3d& direction, const std::vector<Eigen::Vector3d>& normals)
+/** @brief How many normals stand along a direction. */
+double
+countAlong(const Eigen::Vector3d& direction,
+           const std::vector<Eigen::Vector3d>& normals)
 {
-  Votes votes;
-  for (const auto& n : normals) {
-    const double cosine = std::abs(n.dot(direction));
-    votes.along += cosine > std::cos(agreement) ? 1 : 0;
-    votes.across += cosine < std::sin(agreement) ? 1 : 0;
-  }
-  return votes;
+  return static_cast<double>(
+      std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
+        return std::abs(n.dot(direction)) > std::cos(agreement);
+      }));
+}
+
+/** @brief How many normals are square to one direction but not to another one. */
+double
+countSquareTo(const Eigen::Vector3d& direction,
+              const Eigen::Vector3d& other,
+              const std::vector<Eigen::Vector3d>& normals)
+{
+  return static_cast<double>(
+      std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
+        return std::abs(n.dot(direction)) < std::sin(agreement) &&
+               std::abs(n.dot(other)) >= std::sin(agreement);
+      }));
 }
 
 /** @brief The direction, more upright than level, along which most normals stand. */
@@ -106,7 +116,7 @@ commonUp(const std::vector<Eigen::Vector3d>& normals)
   double most = 0;
   const std::size_t step = level.size() / most_tried + 1;
   for (std::size_t k = 0; k < level.size(); k += step)
-    if (const double along = votesFor(level[k], level).along; along > most) {
+    if (const double along = countAlong(level[k], level); along > most) {
       most = along;
       best = level[k];
     }
@@ -128,22 +138,35 @@ leanOf(const PointView& points, const std::vector<int>& indices)
 {
   constexpr double least_area = 4; // square metres
   constexpr double times_more_level = 3;
-  constexpr double times_more_upright = 1.5;
-  const std::vector<Eigen::Vector3d> normals = normalsOf(points, indices);
+  constexpr double times_more_upright = 2;
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  std::vector<Eigen::Vector3d> normals;
+  const auto turnUp = [&](double patch) {
+    normals = normalsOf(points, indices, turn, patch);
+    turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals), z) * turn;
+  };
+  const auto isUpright = [&] {
+    return std::acos(std::clamp(turn(2, 2), -1.0, 1.0)) < 2 * agreement;
+  };
   ScanLean lean;
-  const Eigen::Vector3d up = commonUp(normals);
-  const double angle = std::acos(std::min(1.0, up.z()));
-  if (angle < 2 * agreement)
+  turnUp(patch_size);
+  if (isUpright())
     return lean; // what agrees with it agrees with z
-  const Votes of_up = votesFor(up, normals);
-  const Votes of_z = votesFor(Eigen::Vector3d::UnitZ(), normals);
-  const double area = of_up.along * patch_size * patch_size;
-  if (area < least_area || of_up.along < times_more_level * of_z.along ||
-      of_up.across < times_more_upright * of_z.across)
+  turnUp(patch_size);
+  const double level = countAlong(z, normals);
+  const Eigen::Vector3d was_z = turn * z;
+  if (level * patch_size * patch_size < least_area ||
+      level < times_more_level * countAlong(was_z, normals) ||
+      countSquareTo(z, was_z, normals) <
+          times_more_upright * countSquareTo(was_z, z, normals))
     return lean;
-  lean.up = up;
-  lean.angle = angle;
-  lean.area = area;
+  turnUp(2 * patch_size);
+  if (isUpright())
+    return lean;
+  lean.up = turn.transpose() * z;
+  lean.angle = std::acos(std::clamp(lean.up.z(), -1.0, 1.0));
+  lean.area = level * patch_size * patch_size;
   return lean;
 }
 
