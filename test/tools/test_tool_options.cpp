@@ -69,6 +69,20 @@ TEST(ToolOptions, ReadNumbersTextsFlagsAndFilesAnywhere)
   EXPECT_TRUE(sample.fast);
 }
 
+TEST(ToolOptions, MayBeginWithOneDash)
+{
+  SampleOptions sample;
+  ASSERT_TRUE(sample.parse(
+      {"-leaf", "0.1", "in.pcd", "-steps=-4", "-height", "-1.5", "-fast"}));
+  EXPECT_EQ(sample.leaf, 0.1f);
+  EXPECT_EQ(sample.steps, -4);
+  EXPECT_EQ(sample.height, -1.5);
+  EXPECT_TRUE(sample.fast);
+  EXPECT_FALSE(SampleOptions().parse({"-h"}));
+  EXPECT_FALSE(SampleOptions().parse({"-help"}));
+  EXPECT_NE(SampleOptions().refusal({"in.pcd", "-slow"}), "");
+}
+
 TEST(ToolOptions, HelpShowsUnitsRangesAndTheDefaultsOfTheVariables)
 {
   SampleOptions sample;

@@ -193,8 +193,10 @@ Options::parse(int argc, const char* const* argv)
 
   po::variables_map given;
   try {
-    const int style =
-        po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    // -leaf for --leaf, as PCL's own programs have it.
+    const int style = (po::command_line_style::default_style |
+                       po::command_line_style::allow_long_disguise) &
+                      ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv)
                   .options(description)
                   .positional(positions)

@@ -51,7 +51,8 @@ struct Range {
  * options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
  * return runTool(options, argc, argv, [&] { ... return Done; });
  * @endcode
- * What is wrong with a command line is thrown as a ToolError of one sentence. */
+ * An option may begin with one dash, as those of PCL's programs do. What is wrong with a
+ * command line is thrown as a ToolError of one sentence. */
 class Options {
 public:
   Options(std::string tool, std::string purpose);
