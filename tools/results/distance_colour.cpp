@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance_colour.h"
+
+#include "scale.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+Colour
+distanceColour(double distance, double range)
+{
+  static constexpr std::array<Colour, 5> stops{
+      {{44, 90, 200}, {40, 170, 90}, {240, 214, 50}, {240, 140, 30}, {200, 30, 30}}};
+  if (std::isnan(distance))
+    return colours::other;
+  const double place =
+      std::clamp(distance / range, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  return mixed(stops[i], stops[i + 1], place - static_cast<double>(i));
+}
+
+std::string
+distanceText(double metres)
+{
+  if (metres >= 1)
+    return fixedText(metres, 1) + " m";
+  const double centimetres = 100 * metres;
+  const bool is_whole = std::abs(centimetres - std::round(centimetres)) < 1e-9;
+  return fixedText(centimetres, is_whole ? 0 : centimetres < 0.1 ? 2 : 1) + " cm";
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief The names of a solid's elements, "room_1_wall_3", by the number that its
+ * triangles carry: the comments that elementComments() makes, out of the header of a
+ * PLY file. Empty where there are none. */
+std::map<std::uint32_t, std::string> solidNames(const std::string& path);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
