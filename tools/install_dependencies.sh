@@ -16,14 +16,16 @@ needed=(
   "g++                 compiles; brings the C compiler that VTK's CMake files ask for"
   "cmake               configures the build"
   "ninja-build         runs it"
-  "libpcl-dev          the Point Cloud Library; brings Eigen, FLANN, Boost and VTK"
+  "libpcl-dev          the Point Cloud Library and its visualizer; brings Eigen, FLANN, Boost and VTK"
   "nlohmann-json3-dev  reads and writes JSON"
 )
 if [ "$with_tests" = yes ]; then
   needed+=(
     "libgtest-dev        GoogleTest, for the tests"
     "pkg-config          a test builds a program by the installed .pc files"
-    "python3             a test reads solids and drawings back"
+    "xvfb                tests look at the viewer's window without a screen"
+    "xauth               xvfb-run needs it"
+    "python3             tests read solids and drawings back"
     "python3-ezdxf       reads the DXF there"
     "librsvg2-bin        draws the SVG there"
   )

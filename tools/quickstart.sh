@@ -35,5 +35,6 @@ cat <<TEXT
   $scene/model/floorplan.json  walls, columns, details and heights as numbers
   $scene/model/report.json     what was done, with figures
   $scene/truth.ply             what was simulated
+All of it together: $bin/pcl_sedr_viewer $scene/model   (needs a screen; key h tells all keys)
 Your own scan: $bin/pcl_sedr SCAN.pcd OUTPUT_DIR   (metres, z up; -h tells all options)
 TEXT

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tools/box_room.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/solid_obj.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace programs {
+
+/** Two box rooms side by side, 0.2 m of wall between, with all that a run leaves of
+ * them: known in closed form. */
+struct SampleResult {
+  BoxRoom first;
+  BoxRoom second;
+  RoomScan scan;
+  pcl::sedr::Floorplan plan;
+  pcl::sedr::TriangleMesh solid; ///< faces out of the rooms
+  std::vector<pcl::sedr::SolidElement> elements;
+  pcl::sedr::TriangleMesh mesh; ///< the same, faces into the rooms
+
+  SampleResult()
+  {
+    second.x = first.x + first.width + 0.2;
+    second.width = 3.5;
+    second.id = 2;
+    for (const auto& room : {first, second}) {
+      scan.addRoom(room);
+      plan.rooms.push_back(planOf(room));
+    }
+    pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
+    extrusion.setFloorplan(plan);
+    pcl::PolygonMesh unused;
+    extrusion.reconstruct(unused);
+    solid = extrusion.getMesh();
+    elements = extrusion.getElements();
+    mesh = solid;
+    mesh.elements.clear();
+    mesh.flip();
+  }
+
+  /** A file of `folder` with these bytes. */
+  static void write(const std::filesystem::path& path, const std::string& bytes)
+  {
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+
+  /** Leaves the files of a run in `folder`, and the scan beside it. */
+  void writeTo(const std::filesystem::path& folder) const
+  {
+    std::filesystem::create_directories(folder);
+    write(folder / "../scan.pcd", scan.pcd(false));
+    write(folder / "structure.pcd", scan.withoutLabel(Label::Other).pcd(true));
+    write(folder / "floorplan.json", pcl::sedr::floorplanToJson(plan));
+    ASSERT_EQ(pcl::sedr::savePly((folder / "mesh.ply").string(), mesh), "");
+    ASSERT_EQ(pcl::sedr::savePly((folder / "solid.ply").string(), solid,
+                                 pcl::sedr::elementComments(solid, elements)),
+              "");
+    write(folder / "report.json",
+          R"({"format": "sedr-report", "version": 1, "input": {"path": "scan.pcd",
+ "points": 1, "unit": 1}, "parameters": {"voxel_size": 0.1}, "stages": [], "rooms": [],
+ "warnings": []})");
+  }
+};
+
+} // namespace programs

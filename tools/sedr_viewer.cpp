@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
+#include "run_tool.h"
+#include "tool_error.h"
+#include "viewer/display.h"
+#include "viewer/keys.h"
+#include "viewer/window.h"
+
+#include <cstdio>
+#include <string>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+/** @brief What the command line sets. */
+struct Settings {
+  std::string path;
+  std::string screenshot;
+  std::string size = "1200x800";
+  std::string layers;
+  std::string colour = "label";
+  std::string view = "iso";
+  bool no_ceiling = false;
+  bool no_edges = false;
+  bool no_legend = false;
+  double clip = 0; ///< metres
+  bool has_clip = false;
+  double range = 0.05; ///< metres
+  ReadSettings reading;
+  ViewState state;
+};
+
+void
+addOptions(Options& options, Settings& s)
+{
+  options.file("INPUT", s.path,
+               "folder that pcl_sedr has left, or a PCD or PLY cloud: with label or "
+               "room as a stage leaves it, or raw");
+  options.text("layers", s.layers,
+               "what is shown, of raw, thinned, structure, plan, mesh, solid: one or "
+               "more, with commas between; none given: mesh, or the next best");
+  options.text("colour", s.colour, "what colours mean", colouringNames());
+  options.text("view", s.view, "where the camera stands", viewPointNames());
+  options.flag("no-ceiling", s.no_ceiling, "look inside: leave the ceilings out");
+  options.optionalNumber("clip", s.clip, s.has_clip, "m",
+                         "height above which nothing is shown", "none");
+  options.flag("two-views", s.state.two_views, "scan at the left, model at the right");
+  options.flag("no-edges", s.no_edges, "no edges on the solid");
+  options.flag("no-legend", s.no_legend, "no legend");
+  options.number("point-size", s.state.point_size, "pixels", "size of points",
+                 Range::between(1, 20));
+  options.number("range", s.range, "m", "distance of the last colour",
+                 Range::between(1e-4, 100));
+  options.text("scan", s.reading.scan,
+               "raw scan, where it is not where report.json says");
+  options.number("most-points", s.reading.most_points, "points",
+                 "of a cloud that are shown, 0 for all", Range::atLeast(0));
+  options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");
+  options.text("size", s.size, "width and height of window or screenshot, pixels");
+}
+
+WindowSettings
+windowSettings(const Settings& settings)
+{
+  constexpr int least = 100; // pixels
+  constexpr int most = 8000;
+  WindowSettings window;
+  char rest = 0;
+  if (std::sscanf(settings.size.c_str(), "%dx%d%c", &window.width, &window.height,
+                  &rest) != 2 ||
+      std::min(window.width, window.height) < least ||
+      std::max(window.width, window.height) > most)
+    throw ToolError("--size takes width and height as in 1200x800, each from 100 to "
+                    "8000 pixels, not '" +
+                    settings.size + "'");
+  window.is_visible = settings.screenshot.empty();
+  return window;
+}
+
+/** @brief The state to begin with, checked before anything is read. */
+ViewState
+stateOf(const Settings& settings)
+{
+  ViewState state = settings.state;
+  state.layers = layersOf(settings.layers);
+  state.colouring = colouringOf(settings.colour);
+  state.view_point = viewPointOf(settings.view);
+  state.ceiling = !settings.no_ceiling;
+  state.edges = !settings.no_edges;
+  state.legend = !settings.no_legend;
+  if (settings.has_clip)
+    state.clip_height = settings.clip;
+  return state;
+}
+
+int
+run(const Settings& settings)
+{
+  const WindowSettings window_settings = windowSettings(settings);
+  ViewState state = stateOf(settings);
+  if (!settings.screenshot.empty())
+    checkPictureOutput(settings.screenshot);
+  requireDisplay();
+  const ViewedResult result = readResult(settings.path, settings.reading);
+  for (const auto& note : result.notes)
+    say("pcl_sedr_viewer: " + note);
+  if (state.layers.empty())
+    state.layers = result.firstLayers();
+  const Painter painter(result, settings.range);
+  Window window(result, painter, state, window_settings);
+  if (settings.screenshot.empty()) {
+    say(keyHelp());
+    window.run();
+  }
+  else
+    window.saveScreenshot(settings.screenshot);
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  Options options(
+      "pcl_sedr_viewer",
+      "Shows what pcl_sedr has left, or a cloud of one of its stages: from "
+      "all sides, from inside, by\nlabel, room or distance. Key h tells all "
+      "keys.");
+  addOptions(options, settings);
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "image.h"
+#include "viewer/camera.h"
+#include "viewer/painter.h"
+
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <map>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief One view of a window: the layers in it, a legend over it. What a state leaves
+ * as it was is not built again. */
+class View {
+public:
+  /** @param renderer where it draws */
+  explicit View(vtkRenderer* renderer);
+
+  /** @brief Shows a layer in a state. */
+  void showLayer(const ViewedResult& result,
+                 const Painter& painter,
+                 Layer layer,
+                 const ViewState& state);
+
+  void hideLayer(Layer layer);
+
+  /** @brief Lays an image over the top left corner. */
+  void showLegend(const Image& image);
+
+  void place(const CameraPose& pose);
+
+  vtkRenderer* renderer() { return renderer_; }
+
+private:
+  /** @brief The shapes of a layer, and the state that they were made for. */
+  struct Shapes {
+    std::string made_for;
+    vtkSmartPointer<vtkActor> body;
+    vtkSmartPointer<vtkActor> edges; ///< null where the layer has none
+  };
+
+  void addShapes(const ViewedResult& result,
+                 const Painter& painter,
+                 Layer layer,
+                 const ViewState& state);
+
+  vtkSmartPointer<vtkRenderer> renderer_;
+  std::map<Layer, Shapes> shapes_;
+  vtkSmartPointer<vtkActor2D> legend_;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
