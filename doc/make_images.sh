@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes the pictures of README.md and of the class pages anew: simulates the scenes, and runs every
-# stage on them with --picture. The three renderings in perspective are made where their packages are.
+# stage on them with --picture. What the viewer shows, and the three renderings in perspective, are made
+# where their packages are.
 #   doc/make_images.sh [BIN [OUTPUT]]
 # BIN     folder of the built programs (build/release/bin)
 # OUTPUT  folder for the pictures (doc/images)
-# Debian packages of the renderings: python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth
+# Debian packages of the viewer's pictures: xvfb xauth; of the renderings also: python3-numpy
+# python3-matplotlib python3-vtk9 python3-pil
 set -euo pipefail
 
 fail() { echo "$0: $*" >&2; exit 1; }
@@ -63,6 +65,35 @@ for scene in bls_room hls_hall syn_flat; do
   fi
 done
 
+# look NAME SCENE OPTIONS...: what the viewer shows of a scene's model, for its page.
+look() {
+  xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2/$input" --size "${size-640x440}" \
+    --screenshot "$output/sedr_viewer_$1.png" "${@:3}"
+}
+
+if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
+  echo "== the viewer"
+  for scene in bls_room hls_hall syn_flat; do
+    "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
+  done
+  input=model
+  look raw       bls_room --layers raw --no-ceiling
+  look thinned   bls_room --layers thinned --no-ceiling
+  look label     bls_room --layers structure --no-ceiling --point-size 3
+  look room      syn_flat --layers structure --no-ceiling --colour room
+  look distance  bls_room --layers thinned --no-ceiling --colour distance --point-size 3
+  look plan      hls_hall --layers plan
+  look mesh      hls_hall --layers mesh
+  look open      hls_hall --layers mesh --no-ceiling
+  look solid     syn_flat --layers solid --no-ceiling --colour room
+  look clip      hls_hall --layers solid --clip 1.2
+  look top       syn_flat --layers mesh,plan --no-ceiling --view top
+  look inside    hls_hall --layers solid --view inside
+  size=960x400 look two_views syn_flat --layers mesh --no-ceiling --two-views
+  input=walls.pcd
+  look stage     hls_hall --colour label --point-size 3
+fi
+
 missing=()
 for package in python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
@@ -75,7 +106,7 @@ fi
 
 echo "== rendering"
 for scene in bls_room hls_hall syn_flat; do
-  "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
+  [ -d "$data/$scene/model" ] || "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
 done
 cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"
 xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"
