@@ -149,6 +149,22 @@ PlanCurves::measure(std::size_t curve, const PlanElement& e)
   m.information = informationOf(best, high - low);
 }
 
+void
+PlanCurves::remeasure(std::size_t c)
+{
+  MeasuredCurve& m = curves[c];
+  PlanElement shown;
+  shown.end = {2 * reach_[c], 0};
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.curves.size() && m.curve.isCircle(); ++i)
+      if (const PlanElement& e = loop.loop->elements[i];
+          loop.curves[i] == c && (!shown.isArc() || e.length() > shown.length()))
+        shown = e;
+  shown.inliers = m.curve.inliers;
+  shown.residual = m.curve.residual;
+  m.information = informationOf(shown, shown.length());
+}
+
 bool
 PlanCurves::meetSmoothly(const PlanElement& e, const PlanElement& next, double angle)
 {

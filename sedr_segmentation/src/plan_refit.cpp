@@ -78,27 +78,36 @@ slabsOf(PlanRoom& room)
   return slabs;
 }
 
-/** @brief Notes the joints that are smooth, to be kept so. */
-void
-noteTangents(PlanCurves& curves, std::vector<CurveTie>& ties)
+/** @brief Ties the joints that are smooth, to be kept so, and those that are nearly so
+ * and agree with the scan: corners of curves that hardly differ in direction run away
+ * along them. */
+std::vector<CurveTie>
+tangentTies(PlanCurves& curves)
 {
-  constexpr double smooth = 1e-4; // radians
+  constexpr double smooth = 1e-4;       // radians
+  constexpr double nearly_smooth = 0.2; // as RegularisationParameters has it
+  constexpr double most_sigmas = 3;
+  std::vector<CurveTie> ties;
   for (const auto& loop : curves.loops) {
     const auto& elements = loop.loop->elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::size_t j = (i + 1) % elements.size();
       std::size_t a = loop.curves[i];
       std::size_t b = loop.curves[j];
-      if (a == b || !PlanCurves::meetSmoothly(elements[i], elements[j], smooth))
+      if (a == b || !PlanCurves::meetSmoothly(elements[i], elements[j], nearly_smooth))
         continue;
       if (curves.curves[a].curve.isCircle())
         std::swap(a, b);
-      if (!curves.curves[b].curve.isCircle())
+      if (!curves.curves[b].curve.isCircle() ||
+          (!PlanCurves::meetSmoothly(elements[i], elements[j], smooth) &&
+           contradiction(curves.curves[a], curves.curves[b], TieKind::Tangent) >
+               most_sigmas * most_sigmas))
         continue;
       ties.push_back({TieKind::Tangent, a, b});
       curves.tangents.insert({std::min(a, b), std::max(a, b)});
     }
   }
+  return ties;
 }
 
 /** @brief Why a plan cannot be fitted, a sentence: a loop of it is empty. */
@@ -127,8 +136,6 @@ refitToRaw(Floorplan& plan,
   RawPoints points{raw, indices.empty() ? nullptr : &indices, 1, parameters.threads};
   points.step = points.size() / std::max<std::size_t>(parameters.most_points, 1) + 1;
   PlanCurves curves(plan);
-  std::vector<CurveTie> ties;
-  noteTangents(curves, ties);
   const std::vector<MeasuredCurve> was = curves.curves;
   const std::vector<std::vector<Eigen::Vector2d>> places = placesAlong(curves);
   std::vector<PlanSlab> slabs_were;
@@ -165,9 +172,11 @@ refitToRaw(Floorplan& plan,
         refit.isFitted(c) && moveOf(places[c], curves.curves[c].curve) <= limit;
     if (!is_fitted[c])
       curves.curves[c] = was[c];
+    curves.remeasure(c);
   }
   if (std::none_of(is_fitted.begin(), is_fitted.end(), [](bool b) { return b; }))
     return report;
+  const std::vector<CurveTie> ties = tangentTies(curves);
   const auto restore = [&](const PlanCurves::Loop& loop) {
     for (const std::size_t c : loop.curves) {
       curves.curves[c] = was[c];

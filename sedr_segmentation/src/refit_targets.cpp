@@ -23,13 +23,17 @@ constexpr double least_patch = 0.02;
 constexpr double slab_patch = 0.25;
 
 /** @brief The heights at which a surface shows its own points: of walls the upper half,
- * as furniture hides the lower. */
+ * as furniture hides the lower. Of a narrow one, such as the side of a pilaster, so
+ * little is seen that all of it counts. */
 UprightSpan
-heightsOf(UprightKind kind, UprightSpan span)
+heightsOf(const UprightSurface& surface, UprightSpan span)
 {
+  constexpr double narrow = 0.3;
   const double height = span.high - span.low;
   const double margin = std::min(height_margin, height / 4);
-  const bool is_wall = kind == UprightKind::Wall || kind == UprightKind::ColumnFace;
+  const bool is_wall =
+      (surface.kind == UprightKind::Wall || surface.kind == UprightKind::ColumnFace) &&
+      surface.element->length() > narrow;
   return {span.low + (is_wall ? std::max(margin, height / 2) : margin),
           span.high - margin, true};
 }
@@ -174,7 +178,7 @@ RefitTargets::addStretch(const UprightSurface& surface,
                          const UprightSpan& span)
 {
   constexpr double least_height = 0.04;
-  const UprightSpan heights = heightsOf(surface.kind, span);
+  const UprightSpan heights = heightsOf(surface, span);
   if (heights.high - heights.low < least_height || to <= from)
     return;
   const PlanElement& e = *surface.element;

@@ -241,6 +241,52 @@ TEST(RefitToRaw, SmoothJointsStaySmooth)
   }
 }
 
+TEST(RefitToRaw, AJointThatIsSmoothInTheScanBecomesSo)
+{
+  // Found with an arc 2 cm larger that meets its walls at 3 degrees, 23 cm away.
+  const auto hall = [](const Vector2d& centre, double angle) {
+    const double radius = (8 - centre.x()) / std::cos(angle);
+    const double degrees = angle * 180 / M_PI;
+    PlanLoop loop;
+    loop.elements = {segment({0, 0}, {8, 0}), segment({8, 0}, {8, 2}),
+                     arc(centre, radius, degrees, 90 - degrees),
+                     segment({3, 7}, {0, 7}), segment({0, 7}, {0, 0})};
+    loop.elements[1].end = loop.elements[2].start;
+    loop.elements[3].start = loop.elements[2].end;
+    return loop;
+  };
+  RoomPoints raw(0.03, 0.005);
+  raw.room(roomOf(hall({3, 2}, 0), 2.8));
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(hall({2.98, 1.98}, 0.05), 2.8));
+  setSeen(plan.rooms[0].boundary, 0.01);
+  ASSERT_GT((plan.rooms[0].boundary.elements[2].start - Vector2d(8, 2)).norm(), 0.2);
+  EXPECT_EQ(refitToRaw(plan, raw.view()).curves, 5u);
+  const PlanElement& e = plan.rooms[0].boundary.elements[2];
+  EXPECT_NEAR(e.radius, 5, 0.003);
+  EXPECT_LT((e.start - Vector2d(8, 2)).norm(), 0.01);
+  EXPECT_LT((e.end - Vector2d(3, 7)).norm(), 0.01);
+}
+
+TEST(RefitToRaw, OfANarrowFaceAllThatWasSeenCounts)
+{
+  // The far side of a pilaster, seen below 1.2 m only and found 4 mm off.
+  const Corners corners{{0, 0},     {1.5, 0}, {1.5, 0.15}, {1.8, 0.15},
+                        {1.8, 0.0}, {4, 0},   {4, 3},      {0, 3}};
+  RoomPoints raw(0.02, 0.001);
+  raw.room(roomOf(polygon(corners), 2.6), [](const Vector3d& p) {
+    return std::abs(p.x() - 1.8) > 0.01 || p.y() > 0.14 || p.z() < 1.2;
+  });
+  Corners found = corners;
+  found[3].x() += 0.004;
+  found[4].x() += 0.004;
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(polygon(found), 2.6));
+  setSeen(plan.rooms[0].boundary, 0.003);
+  refitToRaw(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, polygon(corners)), 0.0005);
+}
+
 TEST(RefitToRaw, TheFacesOfAThinPartitionKeepApart)
 {
   // 8 cm between the faces, noise of 2 cm: each face's points reach to the other's.

@@ -39,6 +39,9 @@ public:
   /** @brief Half of the length along which a curve was measured, metres. */
   double reach(std::size_t curve) const { return reach_[curve]; }
 
+  /** @brief What curve `c` is worth now, as its inliers and their residual say. */
+  void remeasure(std::size_t c);
+
   /** @brief Whether neighbours meet smoothly where they do: at less than `angle`
    * radians. */
   static bool meetSmoothly(const PlanElement& e, const PlanElement& next, double angle);

@@ -33,11 +33,12 @@ struct RefitReport {
  * A plan is found on the means of voxels, each of which counts the same whether a
  * thousand points are behind it or one, and of which those on a small column are
  * biased. Here, each surface takes the points of the scan within `reach` of it, of
- * walls in the upper half and away from the ceiling, away from corners and other
- * surfaces; finds where most of them are and how far they scatter there; and is fitted
- * to those by robust least squares (Tukey's biweight), which leaves furniture before it
- * out. Corners are where the moved curves meet, smooth joints stay so. What would move
- * farther than its noise explains, or break a loop, stays.
+ * walls in the upper half (of narrow ones at all heights) and away from the ceiling,
+ * away from corners and other surfaces; finds where most of them are and how far they
+ * scatter there; and is fitted to those by robust least squares (Tukey's biweight),
+ * which leaves furniture before it out. Corners are where the moved curves meet; smooth
+ * joints stay so, and nearly smooth ones that the scan does not contradict become so.
+ * What would move farther than its noise explains, or break a loop, stays.
  *
  * Where the other face of a partition is near, points between the faces are left to it.
  *
