@@ -364,6 +364,26 @@ TEST(FitLoop, AWallHiddenBehindACupboardIsBridged)
   expectLoop(loop, truth, 0.006);
 }
 
+TEST(FitLoop, AWallThatNobodySawIsSquareAndWhereTheCeilingReaches)
+{
+  // Before the wall at x = 5 a wardrobe as wide as the room hides it, and the ceiling
+  // before it in a shadow that runs askew or bends.
+  const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
+  const Where shadows[] = {
+      [](const Vector2d& p) { return p.x() < 5.01 - 0.1 * p.y(); },
+      [](const Vector2d& p) { return p.x() < 5.01 - 0.1 * p.y() * (3.02 - p.y()); }};
+  for (const auto& isLit : shadows) {
+    const PlanLoop loop =
+        fitted(contourIn(rectangle(0.01, 0.02, 5.11, 3.02), isLit),
+               wallPoints(truth, 0.005, [](const Vector2d& p) { return p.x() < 4.4; }));
+    expectLoop(loop, truth, 0.07);
+    for (const auto& e : loop.elements)
+      if (const Vector2d d = (e.end - e.start).normalized(); std::abs(d.y()) > 0.5) {
+        EXPECT_NEAR(std::abs(d.y()), 1, 1e-5);
+      }
+  }
+}
+
 TEST(FitLoop, PointsInOnePlaceDoNotTurnAWall)
 {
   // Of the window wall at x = 6 only a curtain was seen, askew.
@@ -429,6 +449,39 @@ TEST(FitLoop, KnownCurvesStayExactlyAsTheyAre)
                 std::abs(e.start.y() - 3.017) < 1e-9)
         << e.start.transpose();
   }
+}
+
+TEST(FitLoop, AShortPieceOfAnArcDoesNotRunAroundItsCircle)
+{
+  // A soffit beside an apse, whose edge meets the apse 10 cm behind its begin.
+  PlanElement apse = segment({16, 2.5}, {16, 9.5});
+  apse.radius = 3.5;
+  apse.centre = {16, 6};
+  PlanLoop hall;
+  hall.elements = {segment({0, 0}, {16, 0}),
+                   segment({16, 0}, {16, 2.5}),
+                   apse,
+                   segment({16, 9.5}, {16, 12}),
+                   segment({16, 12}, {0, 12}),
+                   segment({0, 12}, {0, 0})};
+  LoopParameters soffit;
+  soffit.expected_offset = cell / 2;
+  soffit.reach = 2 * cell;
+  soffit.evidence_span = 2 * cell;
+  soffit.corner_reach = 3 * cell;
+  for (const double degrees : {0.0, 19.0})
+    for (const double y : {9.4, 9.43}) {
+      const PlanLoop room = placed(hall, degrees, {5, 5});
+      const PlanLoop edge = placed(rectangle(0, y, 16, 12), degrees, {5, 5});
+      const Contour contour =
+          contourIn(room, [&](const Vector2d& p) { return edge.contains(p); });
+      PlanLoop seen;
+      seen.elements = {edge.elements[0]};
+      const PlanLoop loop = fitLoop(contour, PlanPoints(wallPoints(seen, 0.003), 0.1),
+                                    room.elements, soffit);
+      EXPECT_LE(loop.elements.size(), 6u) << degrees << " " << y;
+      EXPECT_NEAR(loop.area(), 16 * (12 - y), 0.2) << degrees << " " << y;
+    }
 }
 
 TEST(FitLoop, NeverCrossesItself)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "loop_chain.h"
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What hardly any point shows was led along the edge of the ceiling that was
+ * seen, which says little of its shape: it becomes straight, gets the direction of a
+ * wall that was seen, or square to it, if that is within 20 degrees, and lies where the
+ * ceiling reaches farthest, as what is below it is inside. */
+void squareUnseenLinks(LoopChain& chain,
+                       const std::vector<ContourSample>& samples,
+                       const PlanPoints& evidence,
+                       const LoopParameters& parameters);
+
+} // namespace sedr
+} // namespace pcl
