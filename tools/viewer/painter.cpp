@@ -2,6 +2,7 @@
 #include "viewer/painter.h"
 
 #include "map_cells.h"
+#include "progress.h"
 #include "results/distance_colour.h"
 #include "results/shown_mesh.h"
 
@@ -79,6 +80,7 @@ Painter::distances(Layer layer) const
   const auto* cloud = result_.cloudOf(layer);
   if (!cloud || result_.mesh.empty())
     return distances;
+  const Progress progress("measuring distances");
   std::vector<Eigen::Vector3d> points;
   points.reserve(cloud->size());
   for (const auto& p : cloud->points)
