@@ -22,7 +22,7 @@ step "Simulating the scan of a study with a soffit and a recess"
 "$bin/pcl_simulate_indoor_scan" bls_room "$scene"
 
 step "Reconstructing it"
-"$bin/pcl_sedr" "$scene/scan.pcd" "$scene/model"
+"$bin/pcl_sedr" "$scene/scan.pcd" "$scene/model" --report
 
 step "Comparing the model with the truth"
 "$bin/pcl_mesh_evaluation" "$scene/model/mesh.ply" --truth "$scene/truth.ply"
@@ -34,6 +34,7 @@ cat <<TEXT
   $scene/model/structure.pcd   the points of the structure, label and room of each
   $scene/model/floorplan.json  walls, columns, details and heights as numbers
   $scene/model/report.json     what was done, with figures
+  $scene/model/report.html     all of it on one page, for a browser
   $scene/truth.ply             what was simulated
 All of it together: $bin/pcl_sedr_viewer $scene/model   (needs a screen; key h tells all keys)
 Your own scan: $bin/pcl_sedr SCAN.pcd OUTPUT_DIR   (metres, z up; -h tells all options)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.h"
+#include "report/report_page.h"
 #include "run_tool.h"
 #include "sedr/chain_pictures.h"
 #include "sedr/output_folder.h"
@@ -155,6 +156,7 @@ struct Settings {
   bool fixed_grid = false;
   bool mesh_from_plan;
   bool pictures = false;
+  bool report = false;
 };
 
 void
@@ -193,6 +195,8 @@ addOptions(Options& options, Settings& s)
                "sample the floor plan for mesh.ply, not the points: sharper edges");
   options.flag("pictures", s.pictures,
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
+  options.flag("report", s.report,
+               "write report.html, one page on all of it, as pcl_sedr_report does");
 }
 
 void
@@ -212,11 +216,24 @@ apply(const Settings& s, Reconstruction& chain)
   chain.getChain().mesh_from_plan = s.mesh_from_plan;
 }
 
+/** @brief Writes report.html from the files of the model, which are there by now. */
+void
+writeReportPage(const Settings& settings)
+{
+  const Progress progress("writing the page");
+  PageSettings page;
+  page.scan = settings.input;
+  writePage(settings.folder, page);
+}
+
 /** @brief Reads, reconstructs, measures and writes. */
 int
 run(const Settings& settings, Reconstruction& chain)
 {
-  const OutputFolder folder(settings.folder, output_names);
+  std::vector<std::string> names = output_names;
+  if (settings.report)
+    names.emplace_back("report.html");
+  const OutputFolder folder(settings.folder, names);
   std::optional<OutputFolder> picture_folder;
   std::optional<ChainPictures> pictures;
   if (settings.pictures) {
@@ -250,6 +267,8 @@ run(const Settings& settings, Reconstruction& chain)
                [&](std::ostream& stream) { stream << makeReport(record, chain); });
     if (picture_folder)
       writePictures(*picture_folder, drawn);
+    if (settings.report)
+      writeReportPage(settings);
   });
   for (const auto& warning : chain.getChain().warnings)
     std::cerr << "pcl_sedr: warning: " << warning << '\n';

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/advice.h"
+
+#include "results/distance_colour.h"
+#include "scale.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+using Advices = std::vector<Advice>;
+
+constexpr double much_repaired = 0.25; // of a room's points
+constexpr double hardly_seen = 0.2;    // of a wall
+constexpr double much_hidden = 0.5;    // of a wall
+constexpr double long_wall = 0.5;      // metres: shorter ones are not told
+
+std::string
+percent(double share)
+{
+  return fixedText(100 * share, 0) + " %";
+}
+
+std::string
+named(std::uint32_t room)
+{
+  return "Room " + std::to_string(room);
+}
+
+/** @brief "wall 3 (2.4 m, 85 % hidden)" of the walls that were hardly seen. */
+void
+addUnseenWalls(const Floorplan& plan, Advices& advices)
+{
+  constexpr std::size_t most_named = 6;
+  for (const auto& room : plan.rooms) {
+    std::vector<std::string> unseen;
+    for (std::size_t k = 0; k < room.boundary.elements.size(); ++k) {
+      const auto& wall = room.boundary.elements[k];
+      if (wall.length() >= long_wall && wall.evidence.isKnown() &&
+          wall.evidence.seen < hardly_seen && wall.evidence.hidden > much_hidden)
+        unseen.push_back("wall " + std::to_string(k + 1) + " (" +
+                         fixedText(wall.length(), 1) + " m, " +
+                         percent(wall.evidence.hidden) + " hidden)");
+    }
+    if (unseen.empty())
+      continue;
+    std::string list;
+    for (std::size_t k = 0; k < std::min(unseen.size(), most_named); ++k)
+      list += (k == 0 ? "" : ", ") + unseen[k];
+    if (unseen.size() > most_named)
+      list += " and " + std::to_string(unseen.size() - most_named) + " more";
+    advices.push_back({named(room.id) + ": hardly seen was " + list + ".",
+                       "Their places follow their neighbours and what little was "
+                       "seen. If they matter, scan again from another place."});
+  }
+}
+
+void
+addRepairs(const ReportData& data, Advices& advices)
+{
+  for (const auto& room : data.rooms)
+    if (room.repaired_share && *room.repaired_share >= much_repaired)
+      advices.push_back(
+          {named(room.id) + ": " + percent(*room.repaired_share) +
+               " of its surface was not seen and is filled in: doors, windows, what "
+               "furniture hides, or ceilings and walls out of the scanner's sight.",
+           "Compare the pictures of scan and model below. Where too much of the "
+           "ceiling is missing, --plane-tolerance 0.1 takes in noisier planes."});
+}
+
+void
+addOpenModels(const ReportData& data, Advices& advices)
+{
+  for (const auto& room : data.rooms) {
+    if (room.mesh_closed == false)
+      advices.push_back(
+          {named(room.id) + ": its mesh is not closed" +
+               (room.mesh_problem.empty() ? "" : ": " + room.mesh_problem) + ".",
+           "Take the solid, solid.ply, or make the mesh of the plan by "
+           "--mesh-from-plan."});
+    if (room.solid_closed == false)
+      advices.push_back(
+          {named(room.id) + ": its solid is not closed" +
+               (room.solid_problem.empty() ? "" : ": " + room.solid_problem) + ".",
+           "Look at its walls in the plan: lines that cross or miss each other."});
+  }
+}
+
+void
+addDistances(const ReportData& data, Advices& advices)
+{
+  if (!data.distances)
+    return;
+  constexpr double far_median = 0.02;  // metres
+  constexpr double much_beyond = 0.15; // of the points
+  const DistanceStatistics& d = *data.distances;
+  const double beyond = 1 - d.within_5cm;
+  if (d.median > far_median)
+    advices.push_back({"Half of the structure's points lie more than " +
+                           distanceText(d.median) + " off the model.",
+                       "A scan so noisy needs --plane-tolerance 0.1 and "
+                       "--boundary-tolerance 0.1; one in other units --unit."});
+  else if (beyond > much_beyond)
+    advices.push_back(
+        {percent(beyond) + " of the structure's points lie more than 5 cm off the "
+                           "model.",
+         "Often that is furniture at the walls: see where it is in the picture of "
+         "distances. If whole walls are red there, a smaller --minimum-cells finds "
+         "smaller details, and a smaller --grid-size finer ones."});
+}
+
+/** @brief Whether the run's own sentence tells of a repaired share, as we do. */
+bool
+isToldAlready(const std::string& warning)
+{
+  return warning.find("were filled in, not seen") != std::string::npos;
+}
+
+std::string
+remedyOf(const std::string& warning)
+{
+  const auto tells = [&](const char* words) {
+    return warning.find(words) != std::string::npos;
+  };
+  if (tells("too sparse"))
+    return "A denser scan, or scans from more places, would show more. "
+           "--fixed-grid keeps the small cells.";
+  if (tells("left out") && tells("ceiling"))
+    return "--pictures shows what each stage decided, and why.";
+  return "";
+}
+
+} // namespace
+
+std::vector<Advice>
+adviceOn(const ReportData& data)
+{
+  Advices advices;
+  addOpenModels(data, advices);
+  addRepairs(data, advices);
+  addUnseenWalls(data.plan, advices);
+  addDistances(data, advices);
+  const bool tells_repairs =
+      std::any_of(data.rooms.begin(), data.rooms.end(), [](const RoomFacts& room) {
+        return room.repaired_share.has_value();
+      });
+  for (const auto& warning : data.warnings)
+    if (!tells_repairs || !isToldAlready(warning))
+      advices.push_back({warning, remedyOf(warning)});
+  return advices;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/report_data.h"
+
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+// The parts of the page that need numbers only, as HTML; each empty where nothing is
+// known.
+
+/** @brief Rooms, area, volume, accuracy, at a glance. */
+std::string figuresPart(const ReportData& data);
+
+/** @brief What to know before the model is trusted. */
+std::string advicePart(const ReportData& data);
+
+/** @brief The plan as a drawing to scale. */
+std::string planPart(const ReportData& data);
+
+std::string roomsPart(const ReportData& data);
+
+/** @brief Histogram and figures of the distances.
+ * @param range distance that has the last colour, metres */
+std::string histogramPart(const ReportData& data, double range);
+
+std::string stagesPart(const ReportData& data);
+
+std::string parametersPart(const ReportData& data);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

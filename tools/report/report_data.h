@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "results/result_folder.h"
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_surface/mesh_distance.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief A room as the page tells it; what is not known is empty. */
+struct RoomFacts {
+  std::uint32_t id = 0;
+  double area = 0;      ///< of the floor, square metres
+  double perimeter = 0; ///< metres
+  double height = 0;    ///< mean, metres
+  double volume = 0;    ///< cubic metres
+  std::size_t walls = 0;
+  std::size_t columns = 0;
+  std::size_t details = 0;
+  std::optional<double> wall_area;      ///< of the solid, square metres
+  std::optional<double> repaired_share; ///< of its points, filled in and not seen
+  std::optional<bool> mesh_closed;
+  std::optional<bool> solid_closed;
+  std::string mesh_problem;
+  std::string solid_problem;
+};
+
+struct StageFacts {
+  std::string name;
+  std::size_t points_in = 0;
+  std::size_t points_out = 0;
+  double seconds = 0;
+};
+
+/** @brief What report.json and floorplan.json say, as far as they are there. */
+struct ReportData {
+  std::string scan; ///< path as it was given
+  std::size_t points = 0;
+  double unit = 1; ///< metres
+  std::vector<RoomFacts> rooms;
+  std::vector<StageFacts> stages;
+  std::vector<std::pair<std::string, std::string>> parameters; ///< name, value
+  std::vector<std::string> warnings;
+  std::optional<DistanceStatistics> distances; ///< of the labelled scan from the mesh
+  std::size_t mesh_triangles = 0;
+  Floorplan plan;
+
+  double area() const;
+  double volume() const;
+};
+
+/** @brief Reads both; members that are missing or of another type count as not there.
+ */
+ReportData readReportData(const ResultFolder& folder);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
