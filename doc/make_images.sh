@@ -6,7 +6,8 @@
 #   doc/make_images.sh [BIN [OUTPUT]]
 # BIN     folder of the built programs (build/release/bin)
 # OUTPUT  folder for the pictures (doc/images)
-# Debian packages of the viewer's pictures: xvfb xauth; of the renderings also: python3-numpy
+# Debian packages of the viewer's pictures: xvfb xauth; of those of report.html: chromium libjs-three
+# python3-pil; of the renderings: xvfb xauth python3-numpy
 # python3-matplotlib python3-vtk9 python3-pil
 set -euo pipefail
 
@@ -92,6 +93,15 @@ if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
   size=960x400 look two_views syn_flat --layers mesh --no-ceiling --two-views
   input=walls.pcd
   look stage     hls_hall --colour label --point-size 3
+fi
+
+if command -v chromium >/dev/null; then
+  echo "== report.html in a browser"
+  for scene in bls_room hls_hall syn_flat; do
+    [ -d "$data/$scene/model" ] || "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
+    "$bin/pcl_sedr_report" "$data/$scene/model"
+  done
+  python3 "$root/doc/report_images.py" "$data" "$output"
 fi
 
 missing=()
