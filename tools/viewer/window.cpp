@@ -118,7 +118,7 @@ Window::onKey(const std::string& key)
     std::cout << "written: " << screenshot_name << std::endl;
     return;
   case KeyCommand::Quit:
-    visualizer_->close();
+    wants_to_quit_ = true; // to close the window here would take it from under VTK
     return;
   case KeyCommand::MoveCamera:
     moveCamera();
@@ -148,7 +148,7 @@ void
 Window::run()
 {
   constexpr int pause = 30; // milliseconds
-  while (!visualizer_->wasStopped())
+  while (!visualizer_->wasStopped() && !wants_to_quit_)
     visualizer_->spinOnce(pause);
 }
 

@@ -56,6 +56,7 @@ private:
   std::unique_ptr<pcl::visualization::PCLVisualizer> visualizer_;
   std::unique_ptr<View> left_;
   std::unique_ptr<View> right_; ///< or the only one
+  bool wants_to_quit_ = false;
 };
 
 } // namespace tools
