@@ -97,9 +97,9 @@ fi
 
 if command -v chromium >/dev/null; then
   echo "== report.html in a browser"
-  for scene in bls_room hls_hall syn_flat; do
-    [ -d "$data/$scene/model" ] || "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
-    "$bin/pcl_sedr_report" "$data/$scene/model"
+  "$bin/pcl_simulate_indoor_scan" cluttered_room "$data/cluttered_room" --noise 0.01
+  for scene in bls_room hls_hall syn_flat cluttered_room; do # the pages show the scan's path
+    (cd "$data/$scene" && "$bin/pcl_sedr" scan.pcd model --report)
   done
   python3 "$root/doc/report_images.py" "$data" "$output"
 fi

@@ -19,6 +19,7 @@ import chromium
 # name, scene, first and last element of the part, what is done before
 PARTS = [
     ("top", "syn_flat", "header", "#rooms", ""),
+    ("advice", "cluttered_room", "#check", "#check", ""),
     ("model", "hls_hall", "#model h2", "#model .key", ""),
     ("cut", "hls_hall", "#view-controls", "#view",
      "const c = document.getElementById('clip'); c.value = 1.5; c.dispatchEvent(new Event('input'))"),

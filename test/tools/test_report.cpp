@@ -123,8 +123,10 @@ TEST(Advice, NamesUnseenWallsRepairsAndFarPoints)
   const auto advices = adviceOn(data);
   ASSERT_EQ(advices.size(), 4u)
       << "the run's own sentence of the share is not repeated";
-  EXPECT_EQ(advices[0].finding.find("Room 3: 50 % of its surface"), 0u);
-  EXPECT_EQ(advices[1].finding, "Room 3: hardly seen was wall 2 (3.0 m, 80 % hidden).");
+  EXPECT_NE(advices[0].finding.find("filled in: room 3 50 %."), std::string::npos);
+  EXPECT_EQ(advices[1].finding,
+            "Walls of which hardly anything was seen: room 3: wall 2 "
+            "(3.0 m, 80 % hidden).");
   EXPECT_NE(advices[2].finding.find("more than 3 cm"), std::string::npos);
   EXPECT_NE(advices[2].remedy.find("--plane-tolerance"), std::string::npos);
   EXPECT_NE(advices[3].remedy.find("--fixed-grid"), std::string::npos);

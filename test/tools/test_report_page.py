@@ -268,9 +268,9 @@ class ReportPage(ReportCase):
     def test_what_is_amiss_is_told_with_a_remedy(self):
         words = " ".join(self.page().words.split())
         self.assertIn("Room 1: its mesh is not closed: 2 edges are open.", words)
-        self.assertIn("Room 1: 62 % of its surface was not seen and is filled in", words)
+        self.assertIn("was not seen and is filled in: room 1 62 %.", words)
         self.assertIn("--mesh-from-plan", words)
-        self.assertNotIn("Room 2:", words)
+        self.assertNotIn("room 2 4 %", words)
 
     def test_nothing_amiss_is_told_too(self):
         report = sample_report()

@@ -31,45 +31,68 @@ named(std::uint32_t room)
   return "Room " + std::to_string(room);
 }
 
-/** @brief "wall 3 (2.4 m, 85 % hidden)" of the walls that were hardly seen. */
+std::string
+joined(const std::vector<std::string>& parts, const char* between)
+{
+  std::string text;
+  for (const auto& part : parts)
+    text += (text.empty() ? "" : between) + part;
+  return text;
+}
+
+/** @brief "wall 3 (2.4 m, 85 % hidden)" of the walls of a room that were hardly seen.
+ */
+std::vector<std::string>
+unseenWalls(const PlanRoom& room)
+{
+  std::vector<std::string> unseen;
+  for (std::size_t k = 0; k < room.boundary.elements.size(); ++k) {
+    const auto& wall = room.boundary.elements[k];
+    if (wall.length() >= long_wall && wall.evidence.isKnown() &&
+        wall.evidence.seen < hardly_seen && wall.evidence.hidden > much_hidden)
+      unseen.push_back("wall " + std::to_string(k + 1) + " (" +
+                       fixedText(wall.length(), 1) + " m, " +
+                       percent(wall.evidence.hidden) + " hidden)");
+  }
+  return unseen;
+}
+
 void
 addUnseenWalls(const Floorplan& plan, Advices& advices)
 {
-  constexpr std::size_t most_named = 6;
+  constexpr std::size_t most_named = 6; // walls of a room
+  std::vector<std::string> rooms;
   for (const auto& room : plan.rooms) {
-    std::vector<std::string> unseen;
-    for (std::size_t k = 0; k < room.boundary.elements.size(); ++k) {
-      const auto& wall = room.boundary.elements[k];
-      if (wall.length() >= long_wall && wall.evidence.isKnown() &&
-          wall.evidence.seen < hardly_seen && wall.evidence.hidden > much_hidden)
-        unseen.push_back("wall " + std::to_string(k + 1) + " (" +
-                         fixedText(wall.length(), 1) + " m, " +
-                         percent(wall.evidence.hidden) + " hidden)");
-    }
+    std::vector<std::string> unseen = unseenWalls(room);
     if (unseen.empty())
       continue;
-    std::string list;
-    for (std::size_t k = 0; k < std::min(unseen.size(), most_named); ++k)
-      list += (k == 0 ? "" : ", ") + unseen[k];
-    if (unseen.size() > most_named)
-      list += " and " + std::to_string(unseen.size() - most_named) + " more";
-    advices.push_back({named(room.id) + ": hardly seen was " + list + ".",
-                       "Their places follow their neighbours and what little was "
-                       "seen. If they matter, scan again from another place."});
+    const std::size_t more = unseen.size() - std::min(unseen.size(), most_named);
+    unseen.resize(unseen.size() - more);
+    rooms.push_back("room " + std::to_string(room.id) + ": " + joined(unseen, ", ") +
+                    (more == 0 ? "" : " and " + std::to_string(more) + " more"));
   }
+  if (!rooms.empty())
+    advices.push_back(
+        {"Walls of which hardly anything was seen: " + joined(rooms, "; ") + ".",
+         "Their places follow their neighbours and what little was "
+         "seen. If they matter, scan again from another place."});
 }
 
 void
 addRepairs(const ReportData& data, Advices& advices)
 {
+  std::vector<std::string> rooms;
   for (const auto& room : data.rooms)
     if (room.repaired_share && *room.repaired_share >= much_repaired)
-      advices.push_back(
-          {named(room.id) + ": " + percent(*room.repaired_share) +
-               " of its surface was not seen and is filled in: doors, windows, what "
-               "furniture hides, or ceilings and walls out of the scanner's sight.",
-           "Compare the pictures of scan and model below. Where too much of the "
-           "ceiling is missing, --plane-tolerance 0.1 takes in noisier planes."});
+      rooms.push_back("room " + std::to_string(room.id) + " " +
+                      percent(*room.repaired_share));
+  if (!rooms.empty())
+    advices.push_back(
+        {"Much of the surface was not seen and is filled in: " + joined(rooms, ", ") +
+             ". That is doors, windows, what furniture hides, or what was out of the "
+             "scanner's sight.",
+         "Compare the pictures of scan and model below. Where too much of a ceiling is "
+         "missing, --plane-tolerance 0.1 takes in noisier planes."});
 }
 
 void
