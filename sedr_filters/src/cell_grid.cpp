@@ -66,28 +66,54 @@ joinNeighbours(const CellSet& cells, DisjointSets& sets)
   }
 }
 
+/** @brief Sorts `keys` and leaves out repetitions: by a bit for every cell of the
+ * rectangle around them, where that is no larger than the keys themselves. */
+void
+sortOnce(std::vector<CellKey>& keys)
+{
+  if (keys.empty())
+    return;
+  Cell low = cellOf(keys.front());
+  Cell high = low;
+  for (const CellKey key : keys) {
+    const Cell cell = cellOf(key);
+    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+  }
+  constexpr std::uint64_t bits = 64;
+  const auto width = static_cast<std::uint64_t>(std::int64_t{high.x} - low.x + 1);
+  const auto height = static_cast<std::uint64_t>(std::int64_t{high.y} - low.y + 1);
+  const std::uint64_t words = width / bits + 1; // a row
+  if (words > keys.size() || height > keys.size() / words) {
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    return;
+  }
+  std::vector<std::uint64_t> marked(words * height, 0);
+  for (const CellKey key : keys) {
+    const Cell cell = cellOf(key);
+    const auto x = static_cast<std::uint64_t>(std::int64_t{cell.x} - low.x);
+    const auto y = static_cast<std::uint64_t>(std::int64_t{cell.y} - low.y);
+    marked[y * words + x / bits] |= std::uint64_t{1} << (x % bits);
+  }
+  keys.clear();
+  for (std::uint64_t w = 0; w < marked.size(); ++w)
+    for (std::uint64_t rest = marked[w]; rest != 0; rest &= rest - 1) {
+      const auto bit = static_cast<std::uint64_t>(__builtin_ctzll(rest));
+      const auto x = static_cast<std::int64_t>(w % words * bits + bit);
+      keys.push_back(keyOf({static_cast<std::int32_t>(low.x + x),
+                            static_cast<std::int32_t>(
+                                low.y + static_cast<std::int64_t>(w / words))}));
+    }
+}
+
 } // namespace
-
-bool
-CellGrid::holds(double x, double y) const
-{
-  constexpr double limit = std::numeric_limits<std::int32_t>::max() - 16.0;
-  return std::abs(x / size_) < limit && std::abs(y / size_) < limit;
-}
-
-Cell
-CellGrid::at(double x, double y) const
-{
-  assert(holds(x, y));
-  return {static_cast<std::int32_t>(std::floor(x / size_)),
-          static_cast<std::int32_t>(std::floor(y / size_))};
-}
 
 CellSet::CellSet(std::vector<CellKey> keys)
     : keys_(std::move(keys))
 {
-  std::sort(keys_.begin(), keys_.end());
-  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  sortOnce(keys_);
+  indexRows();
 }
 
 CellSet
@@ -97,16 +123,50 @@ CellSet::fromSorted(std::vector<CellKey> keys)
          keys.end());
   CellSet set;
   set.keys_ = std::move(keys);
+  set.indexRows();
   return set;
+}
+
+/** @brief Notes where rows begin, unless there are few cells a row. */
+void
+CellSet::indexRows()
+{
+  row_.clear();
+  if (keys_.empty())
+    return;
+  first_row_ = cellOf(keys_.front()).y;
+  const std::int64_t rows = std::int64_t{cellOf(keys_.back()).y} - first_row_ + 1;
+  if (static_cast<std::uint64_t>(rows) > keys_.size())
+    return;
+  row_.assign(static_cast<std::size_t>(rows) + 1, 0);
+  for (const CellKey key : keys_)
+    ++row_[static_cast<std::size_t>(cellOf(key).y - first_row_) + 1];
+  std::partial_sum(row_.begin(), row_.end(), row_.begin());
 }
 
 std::size_t
 CellSet::find(Cell cell) const
 {
   const CellKey key = keyOf(cell);
-  const auto it = std::lower_bound(keys_.begin(), keys_.end(), key);
-  return it != keys_.end() && *it == key ? static_cast<std::size_t>(it - keys_.begin())
-                                         : npos;
+  auto first = keys_.begin();
+  auto last = keys_.end();
+  if (!row_.empty()) {
+    const std::int64_t row = std::int64_t{cell.y} - first_row_;
+    if (row < 0 || row + 1 >= static_cast<std::int64_t>(row_.size()))
+      return npos;
+    last = first + static_cast<std::ptrdiff_t>(row_[static_cast<std::size_t>(row) + 1]);
+    first += static_cast<std::ptrdiff_t>(row_[static_cast<std::size_t>(row)]);
+    if (first == last || key < *first)
+      return npos;
+    // No cell is farther along its row than its distance from the first.
+    const auto farthest = static_cast<std::ptrdiff_t>(
+        std::min<CellKey>(key - *first, static_cast<CellKey>(last - first - 1)));
+    if (first[farthest] == key)
+      return static_cast<std::size_t>(first - keys_.begin() + farthest);
+    last = first + farthest;
+  }
+  const auto it = std::lower_bound(first, last, key);
+  return it != last && *it == key ? static_cast<std::size_t>(it - keys_.begin()) : npos;
 }
 
 CellSet

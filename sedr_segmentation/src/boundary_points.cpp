@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 
+#include "surrounded_points.h"
+
 #include <pcl/sedr_filters/parallel.h>
 
 #include <pcl/point_cloud.h>
@@ -56,6 +58,60 @@ private:
   pcl::Indices neighbours_;
   std::vector<float> directions_;
 };
+
+/** @brief Cells of which about five by five, at most, hold as many points as there are
+ * neighbours, metres: from the distances to the last neighbours of some points. */
+double
+cellSizeFor(const pcl::PointCloud<pcl::PointXYZ>& slab,
+            const NeighbourSearch& search,
+            unsigned int neighbours)
+{
+  constexpr std::size_t samples = 64;
+  std::vector<float> radii;
+  pcl::Indices nearest;
+  for (std::size_t i = 0; i < slab.size(); i += slab.size() / samples + 1) {
+    search(static_cast<pcl::index_t>(i), neighbours, nearest);
+    float farthest = 0;
+    for (const auto k : nearest)
+      farthest = std::max(farthest, (slab[static_cast<std::size_t>(k)].getVector3fMap() -
+                                     slab[i].getVector3fMap())
+                                        .norm());
+    radii.push_back(farthest);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  // A circle as large as the block, less a fifth of the points.
+  return *middle * std::sqrt(0.8 * M_PI) / 5;
+}
+
+/** @brief The points that are not surrounded at first sight. */
+pcl::Indices
+perhapsBoundary(const pcl::PointCloud<pcl::PointXYZ>& slab,
+                const NeighbourSearch& search,
+                const BoundaryOptions& options)
+{
+  const double cell_size = cellSizeFor(slab, search, options.neighbours);
+  pcl::Indices rim(slab.size());
+  std::iota(rim.begin(), rim.end(), 0);
+  if (!(cell_size > 0))
+    return rim;
+  std::vector<Eigen::Vector2f> places;
+  places.reserve(slab.size());
+  for (const auto& p : slab)
+    places.emplace_back(p.x, p.y);
+  const SurroundedPoints surrounded(std::move(places), cell_size, options.neighbours,
+                                    options.angle);
+  std::vector<std::uint8_t> is_inner(slab.size());
+  parallelBlocks(slab.size(), 4096, options.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     is_inner[i] = surrounded.contains(i);
+                 });
+  rim.erase(std::remove_if(rim.begin(), rim.end(),
+                           [&](int i) { return is_inner[static_cast<std::size_t>(i)]; }),
+            rim.end());
+  return rim;
+}
 
 } // namespace
 
@@ -152,9 +208,8 @@ boundaryPoints(const PointView& points,
                         nearest, square_distances);
   };
 
-  pcl::Indices all(finite.size());
-  std::iota(all.begin(), all.end(), 0);
-  pcl::Indices boundary = boundaryPoints(PointView(*slab), all, search, options);
+  const pcl::Indices rim = perhapsBoundary(*slab, search, options);
+  pcl::Indices boundary = boundaryPoints(PointView(*slab), rim, search, options);
   for (auto& i : boundary)
     i = finite[static_cast<std::size_t>(i)];
   return boundary;

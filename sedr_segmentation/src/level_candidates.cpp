@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -20,37 +21,70 @@ public:
   {
     for (const Candidate& c : sorted)
       ++first_[c.cell + 1];
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      first_[i + 1] += first_[i];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  /** @brief Whether a column holds a point from height `low` to `high`. */
-  bool holds(std::size_t cell, float low, float high) const
-  {
-    const auto begin = sorted_.begin() + static_cast<std::ptrdiff_t>(first_[cell]);
-    const auto end = sorted_.begin() + static_cast<std::ptrdiff_t>(first_[cell + 1]);
-    const auto it = std::lower_bound(
-        begin, end, low, [](const Candidate& c, float z) { return c.z < z; });
-    return it != end && it->z <= high;
-  }
+  std::size_t first(std::size_t cell) const { return first_[cell]; }
+  std::size_t last(std::size_t cell) const { return first_[cell + 1]; }
+
+  const Candidate& operator[](std::size_t i) const { return sorted_[i]; }
 
 private:
   const std::vector<Candidate>& sorted_;
   std::vector<std::size_t> first_; ///< of each cell, and the end
 };
 
+/** @brief Whether any of some columns holds a point within a window of height that
+ * only ever rises. */
+class RisingWindow {
+public:
+  RisingWindow(const Columns& columns, const CellBlock& block)
+      : columns_(columns)
+      , block_(block)
+  {
+    std::size_t* next = next_.data();
+    for (const std::size_t cell : block)
+      *next++ = columns.first(cell);
+  }
+
+  bool holds(float low, float high)
+  {
+    bool is_seen = false;
+    std::size_t* next = next_.data();
+    for (const std::size_t cell : block_) {
+      const std::size_t last = columns_.last(cell);
+      while (*next < last && columns_[*next].z < low)
+        ++*next;
+      is_seen = is_seen || (*next < last && columns_[*next].z <= high);
+      ++next;
+    }
+    return is_seen;
+  }
+
+private:
+  const Columns& columns_;
+  const CellBlock& block_;
+  std::array<std::size_t, 9> next_{}; ///< first point of each column not below it
+};
+
+bool
+isLower(const Candidate& a, const Candidate& b)
+{
+  return a.z != b.z ? a.z < b.z : a.index < b.index;
+}
+
 } // namespace
 
-std::vector<std::size_t>
+CellBlock
 blockAround(const CellSet& cells, std::size_t at)
 {
-  std::vector<std::size_t> block;
+  CellBlock block;
   const Cell middle = cells[at];
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const std::size_t i = cells.find({middle.x + dx, middle.y + dy});
       if (i != CellSet::npos)
-        block.push_back(i);
+        block.add(i);
     }
   return block;
 }
@@ -61,18 +95,23 @@ sortIntoColumns(const PointView& points,
                 const CellGrid& grid,
                 const CellSet& cells)
 {
-  std::vector<Candidate> columns;
-  columns.reserve(indices.size());
+  std::vector<Candidate> unsorted;
+  unsorted.reserve(indices.size());
+  std::vector<std::size_t> next(cells.size() + 1, 0);
   for (const int i : indices) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (std::isfinite(p.z()) && grid.holds(p.x(), p.y()))
-      columns.push_back({i, p.z(), cells.find(grid.at(p.x(), p.y()))});
+    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
+      continue;
+    unsorted.push_back({i, p.z(), cells.find(grid.at(p.x(), p.y()))});
+    ++next[unsorted.back().cell + 1];
   }
-  std::sort(columns.begin(), columns.end(), [](const Candidate& a, const Candidate& b) {
-    if (a.cell != b.cell)
-      return a.cell < b.cell;
-    return a.z != b.z ? a.z < b.z : a.index < b.index;
-  });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Candidate> columns(unsorted.size());
+  for (const Candidate& c : unsorted)
+    columns[next[c.cell]++] = c;
+  for (std::size_t i = 0, first = 0; i < cells.size(); first = next[i++])
+    std::sort(columns.begin() + static_cast<std::ptrdiff_t>(first),
+              columns.begin() + static_cast<std::ptrdiff_t>(next[i]), isLower);
   return columns;
 }
 
@@ -85,23 +124,17 @@ withoutWalls(const std::vector<Candidate>& sorted,
   const auto near = static_cast<float>(tolerance);
   const auto far = static_cast<float>(3 * tolerance);
   std::vector<Candidate> horizontal;
-  std::vector<std::size_t> block;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i == 0 || sorted[i].cell != sorted[i - 1].cell)
-      block = blockAround(cells, sorted[i].cell);
-    const float z = sorted[i].z;
-    const auto seesWithin = [&](float low, float high) {
-      return std::any_of(block.begin(), block.end(), [&](std::size_t cell) {
-        return columns.holds(cell, low, high);
-      });
-    };
-    if (!seesWithin(z + near, z + far) || !seesWithin(z - far, z - near))
-      horizontal.push_back(sorted[i]);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const CellBlock block = blockAround(cells, cell);
+    RisingWindow above(columns, block);
+    RisingWindow below(columns, block);
+    for (std::size_t i = columns.first(cell); i < columns.last(cell); ++i) {
+      const float z = sorted[i].z;
+      if (!above.holds(z + near, z + far) || !below.holds(z - far, z - near))
+        horizontal.push_back(sorted[i]);
+    }
   }
-  std::sort(horizontal.begin(), horizontal.end(),
-            [](const Candidate& a, const Candidate& b) {
-              return a.z != b.z ? a.z < b.z : a.index < b.index;
-            });
+  std::sort(horizontal.begin(), horizontal.end(), isLower);
   return horizontal;
 }
 
@@ -126,7 +159,7 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!holds[i])
       continue;
-    const std::vector<std::size_t> block = blockAround(cells, i);
+    const CellBlock block = blockAround(cells, i);
     goes_on[i] = std::any_of(block.begin(), block.end(),
                              [&](std::size_t b) { return holds[b] & close; });
   }

@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,8 +26,21 @@ std::vector<Candidate> sortIntoColumns(const PointView& points,
                                        const CellGrid& grid,
                                        const CellSet& cells);
 
+/** @brief Positions of up to nine cells. */
+class CellBlock {
+public:
+  void add(std::size_t cell) { cells_[size_++] = cell; }
+
+  const std::size_t* begin() const { return cells_.data(); }
+  const std::size_t* end() const { return cells_.data() + size_; }
+
+private:
+  std::array<std::size_t, 9> cells_{};
+  std::size_t size_ = 0;
+};
+
 /** @brief Positions of a cell and of the eight around it, those that are in the set. */
-std::vector<std::size_t> blockAround(const CellSet& cells, std::size_t at);
+CellBlock blockAround(const CellSet& cells, std::size_t at);
 
 /** @brief Leaves out the points of vertical surfaces, and sorts the others by height:
  * those that see others both above and below, between one and three tolerances away, in

@@ -5,8 +5,11 @@
 
 #include <Eigen/Core>
 
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -54,10 +57,18 @@ public:
 
   /** @brief Whether (x, y) is finite and near enough to the origin for a 32-bit cell.
    */
-  bool holds(double x, double y) const;
+  bool holds(double x, double y) const
+  {
+    constexpr double limit = std::numeric_limits<std::int32_t>::max() - 16.0;
+    return std::abs(x / size_) < limit && std::abs(y / size_) < limit;
+  }
 
   /** @brief The cell of (x, y), for which holds() must be true: asserted. */
-  Cell at(double x, double y) const;
+  Cell at(double x, double y) const
+  {
+    assert(holds(x, y));
+    return {floorOf(x / size_), floorOf(y / size_)};
+  }
 
   Eigen::Vector2d centre(Cell cell) const
   {
@@ -65,21 +76,30 @@ public:
   }
 
 private:
+  /** @brief std::floor() of a number that fits, without a call. */
+  static std::int32_t floorOf(double value)
+  {
+    const auto whole = static_cast<std::int32_t>(value);
+    return whole - (value < whole ? 1 : 0);
+  }
+
   double size_;
 };
 
 /** @brief A set of cells anywhere in the plane, whatever its extent: a sorted vector of
- * keys. Memory grows with the number of cells, never with their bounding box. */
+ * keys, and where each row of them begins. Memory grows with the number of cells, never
+ * with their bounding box. */
 class CellSet {
 public:
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
   CellSet() = default;
 
-  /** @brief The cells of `keys`, in any order, repetitions allowed. O(n log n). */
+  /** @brief The cells of `keys`, in any order, repetitions allowed. O(n) where they lie
+   * close together, else O(n log n). */
   explicit CellSet(std::vector<CellKey> keys);
 
-  /** @brief The cells of `keys`, which must be increasing, each once. O(1). */
+  /** @brief The cells of `keys`, which must be increasing, each once. O(n). */
   static CellSet fromSorted(std::vector<CellKey> keys);
 
   /** @brief The cells that hold at least one finite point of `points[indices]`. */
@@ -92,8 +112,8 @@ public:
 
   bool empty() const { return keys_.empty(); }
 
-  /** @brief Position of `cell` in the set's order, npos where it is absent. O(log n).
-   */
+  /** @brief Position of `cell` in the set's order, npos where it is absent. O(1) in a
+   * row without gaps, else O(log of the row). */
   std::size_t find(Cell cell) const;
 
   bool contains(Cell cell) const { return find(cell) != npos; }
@@ -117,7 +137,11 @@ private:
     return keys;
   }
 
+  void indexRows();
+
   std::vector<CellKey> keys_;
+  std::vector<std::size_t> row_; ///< first position of every row, and the end
+  std::int32_t first_row_ = 0;   ///< its y
 };
 
 CellSet unite(const CellSet& a, const CellSet& b);
