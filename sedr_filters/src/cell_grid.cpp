@@ -101,9 +101,9 @@ sortOnce(std::vector<CellKey>& keys)
     for (std::uint64_t rest = marked[w]; rest != 0; rest &= rest - 1) {
       const auto bit = static_cast<std::uint64_t>(__builtin_ctzll(rest));
       const auto x = static_cast<std::int64_t>(w % words * bits + bit);
-      keys.push_back(keyOf({static_cast<std::int32_t>(low.x + x),
-                            static_cast<std::int32_t>(
-                                low.y + static_cast<std::int64_t>(w / words))}));
+      keys.push_back(keyOf(
+          {static_cast<std::int32_t>(low.x + x),
+           static_cast<std::int32_t>(low.y + static_cast<std::int64_t>(w / words))}));
     }
 }
 

@@ -32,14 +32,11 @@ positiveAngle(double angle)
   return angle < 0 ? angle + two_pi : angle;
 }
 
-/** @brief Angle that the way from start to end subtends at `p`: summed over a closed
- * loop it is 2 pi times the winding number. */
-double
-turnAround(const PlanElement& e, const Eigen::Vector2d& p)
+/** @brief Whether an arc is a whole circle. */
+bool
+isWhole(const PlanElement& arc)
 {
-  const Eigen::Vector2d a = e.start - p;
-  const Eigen::Vector2d b = e.end - p;
-  return std::atan2(cross(a, b), a.dot(b));
+  return (arc.start - arc.end).norm() <= 1e-9 * std::max(1.0, arc.radius);
 }
 
 /** @brief Number of chords that stay within `tolerance` metres of an arc, 3 to 10000.
@@ -64,7 +61,7 @@ PlanElement::sweep() const
 {
   const double from = angleOf(start - centre);
   const double to = angleOf(end - centre);
-  if ((start - end).norm() <= 1e-9 * std::max(1.0, radius))
+  if (isWhole(*this))
     return counter_clockwise ? two_pi : -two_pi;
   return counter_clockwise ? positiveAngle(to - from) : -positiveAngle(from - to);
 }
@@ -78,12 +75,12 @@ PlanElement::length() const
 Eigen::Vector2d
 PlanElement::pointAt(double s) const
 {
-  const double total = length();
-  if (total <= 0)
-    return start;
-  if (!isArc())
-    return start + (end - start) * (s / total);
-  const double angle = angleOf(start - centre) + sweep() * (s / total);
+  if (!isArc()) {
+    const double total = length();
+    return total > 0 ? Eigen::Vector2d(start + (end - start) * (s / total)) : start;
+  }
+  const double turn = s / radius;
+  const double angle = angleOf(start - centre) + (counter_clockwise ? turn : -turn);
   return centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
@@ -101,19 +98,44 @@ PlanElement::normalAt(double s) const
 double
 PlanElement::project(const Eigen::Vector2d& p) const
 {
-  const double total = length();
   if (!isArc()) {
+    const double total = length();
     const double s = total > 0 ? (p - start).dot(end - start) / total : 0;
     return std::clamp(s, 0.0, total);
   }
+  if (!isBeside(p))
+    return (p - start).norm() < (p - end).norm() ? 0 : length();
   const double from = angleOf(start - centre);
   const double to = angleOf(p - centre);
-  const double way =
-      counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to);
-  const double s = way * radius;
-  if (s <= total)
-    return s;
-  return (p - start).norm() < (p - end).norm() ? 0 : total;
+  return radius *
+         (counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to));
+}
+
+bool
+PlanElement::isBeside(const Eigen::Vector2d& p) const
+{
+  if (!isArc()) {
+    const Eigen::Vector2d way = end - start;
+    const double s = (p - start).dot(way);
+    return s >= 0 && s <= way.squaredNorm();
+  }
+  if (isWhole(*this))
+    return true;
+  const Eigen::Vector2d from = (counter_clockwise ? start : end) - centre;
+  const Eigen::Vector2d to = (counter_clockwise ? end : start) - centre;
+  const Eigen::Vector2d way = p - centre;
+  return cross(from, to) >= 0 ? cross(from, way) >= 0 && cross(way, to) >= 0
+                              : cross(from, way) >= 0 || cross(way, to) >= 0;
+}
+
+double
+PlanElement::distance(const Eigen::Vector2d& p) const
+{
+  if (!isArc())
+    return (pointAt(project(p)) - p).norm();
+  if (isBeside(p))
+    return std::abs((p - centre).norm() - radius);
+  return std::min((p - start).norm(), (p - end).norm());
 }
 
 PlanElement
@@ -159,18 +181,21 @@ PlanLoop::contains(const Eigen::Vector2d& p) const
 {
   // The chords give a winding number; a circular segment between arc and chord corrects
   // it.
-  double turn = 0;
-  int correction = 0;
+  int winding = 0;
   for (const auto& e : elements) {
-    turn += turnAround(e, p);
+    const double side = cross(e.end - e.start, p - e.start);
+    const bool starts_below = e.start.y() <= p.y();
+    const bool ends_below = e.end.y() <= p.y();
+    if (starts_below && !ends_below && side > 0)
+      ++winding;
+    else if (!starts_below && ends_below && side < 0)
+      --winding;
     if (!e.isArc() || (p - e.centre).norm() >= e.radius)
       continue;
-    const double side = cross(e.end - e.start, p - e.start);
-    const bool whole = std::abs(e.sweep()) >= two_pi - 1e-12;
-    if (whole || (e.counter_clockwise ? side < 0 : side > 0))
-      correction += e.counter_clockwise ? 1 : -1;
+    if (isWhole(e) || (e.counter_clockwise ? side < 0 : side > 0))
+      winding += e.counter_clockwise ? 1 : -1;
   }
-  return std::lround(turn / two_pi) + correction != 0;
+  return winding != 0;
 }
 
 double

@@ -105,9 +105,9 @@ nearestOn(const UprightSurface& surface,
           SurfacePoint& nearest)
 {
   const Eigen::Vector2d place = p.head<2>();
-  const double s = surface.element->project(place);
-  if ((surface.element->pointAt(s) - place).norm() >= least)
+  if (surface.element->distance(place) >= least)
     return std::numeric_limits<double>::infinity();
+  const double s = surface.element->project(place);
   const UprightSpan span = surface.spanAt(s);
   if (!(span.high > span.low))
     return std::numeric_limits<double>::infinity();

@@ -73,9 +73,10 @@ cellSizeFor(const pcl::PointCloud<pcl::PointXYZ>& slab,
     search(static_cast<pcl::index_t>(i), neighbours, nearest);
     float farthest = 0;
     for (const auto k : nearest)
-      farthest = std::max(farthest, (slab[static_cast<std::size_t>(k)].getVector3fMap() -
-                                     slab[i].getVector3fMap())
-                                        .norm());
+      farthest =
+          std::max(farthest, (slab[static_cast<std::size_t>(k)].getVector3fMap() -
+                              slab[i].getVector3fMap())
+                                 .norm());
     radii.push_back(farthest);
   }
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
@@ -107,9 +108,10 @@ perhapsBoundary(const pcl::PointCloud<pcl::PointXYZ>& slab,
                    for (std::size_t i = begin; i < end; ++i)
                      is_inner[i] = surrounded.contains(i);
                  });
-  rim.erase(std::remove_if(rim.begin(), rim.end(),
-                           [&](int i) { return is_inner[static_cast<std::size_t>(i)]; }),
-            rim.end());
+  rim.erase(
+      std::remove_if(rim.begin(), rim.end(),
+                     [&](int i) { return is_inner[static_cast<std::size_t>(i)]; }),
+      rim.end());
   return rim;
 }
 

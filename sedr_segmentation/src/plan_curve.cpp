@@ -79,18 +79,6 @@ circleMeetsCircle(const PlanCurve& a, const PlanCurve& b)
 
 } // namespace
 
-double
-PlanCurve::distance(const Eigen::Vector2d& p) const
-{
-  return std::abs(signedDistance(p));
-}
-
-double
-PlanCurve::signedDistance(const Eigen::Vector2d& p) const
-{
-  return isCircle() ? (p - point).norm() - radius : (p - point).dot(leftOf(direction));
-}
-
 Eigen::Vector2d
 PlanCurve::project(const Eigen::Vector2d& p) const
 {

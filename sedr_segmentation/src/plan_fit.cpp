@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/plan_fit.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
@@ -52,27 +53,52 @@ struct RoomWork {
 /** @brief A part of a room that is worth a word when it is left out, square metres. */
 constexpr double least_loss = 0.25;
 
-/** @brief Fits a room again without the points of its neighbours' walls where it runs
- * along them; it stays where that makes it no simpler. */
+/** @brief Fits every room for itself; what is wrong with those of which there is a
+ * problem. */
+std::vector<std::string>
+fitRooms(const PointView& points,
+         const RoomFitParameters& parameters,
+         std::vector<RoomWork>& work,
+         std::vector<PlanRoom>& rooms)
+{
+  std::vector<std::string> problems(work.size());
+  rooms.assign(work.size(), {});
+  parallelBlocks(work.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+    const RoomEvidence& evidence = work[r].evidence;
+    if (evidence.ceiling.size() < 3 || evidence.floor.size() < 3)
+      problems[r] = std::to_string(evidence.ceiling.size()) + " ceiling points and " +
+                    std::to_string(evidence.floor.size()) +
+                    " floor points are too few, 3 are needed of each";
+    else
+      rooms[r] = fitRoom(points, evidence, parameters, problems[r], &work[r].record);
+  });
+  return problems;
+}
+
+/** @brief Fits rooms again without the points of their neighbours' walls where they run
+ * along them; one stays where that makes it no simpler. */
 void
 leaveToOthers(const PointView& points,
               const RoomFitParameters& parameters,
-              Floorplan& plan,
-              std::size_t r,
-              RoomWork& work)
+              std::vector<RoomWork>& work,
+              Floorplan& plan)
 {
-  RoomWork again{work.evidence, {}};
-  again.evidence.faces_of_others = facesOfOthers(plan, r);
-  if (again.evidence.faces_of_others.empty())
-    return;
-  std::string problem;
-  PlanRoom room = fitRoom(points, again.evidence, parameters, problem, &again.record);
-  room.id = plan.rooms[r].id;
-  if (!problem.empty() ||
-      room.boundary.elements.size() >= plan.rooms[r].boundary.elements.size())
-    return;
-  plan.rooms[r] = std::move(room);
-  work = std::move(again);
+  std::vector<PlanRoom> rooms = plan.rooms;
+  parallelBlocks(rooms.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+    RoomWork again{work[r].evidence, {}};
+    again.evidence.faces_of_others = facesOfOthers(plan, r);
+    if (again.evidence.faces_of_others.empty())
+      return;
+    std::string problem;
+    PlanRoom room = fitRoom(points, again.evidence, parameters, problem, &again.record);
+    room.id = rooms[r].id;
+    if (!problem.empty() ||
+        room.boundary.elements.size() >= rooms[r].boundary.elements.size())
+      return;
+    rooms[r] = std::move(room);
+    work[r] = std::move(again);
+  });
+  plan.rooms = std::move(rooms);
 }
 
 } // namespace
@@ -121,27 +147,25 @@ fitPlan(const PointView& points,
                    ? around
                    : shareOut(evidence.walls, numbers.size(), nearest);
 
+  std::vector<RoomWork> all_work;
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    all_work.push_back(
+        {{around[r], ceilings[r], details[r], floors[r], walls[r], {}}, {}});
+  std::vector<PlanRoom> rooms;
+  const std::vector<std::string> problems =
+      fitRooms(points, parameters, all_work, rooms);
   std::vector<RoomWork> work;
   for (std::size_t r = 0; r < numbers.size(); ++r) {
-    RoomWork own{{around[r], ceilings[r], details[r], floors[r], walls[r], {}}, {}};
-    std::string reason;
-    if (ceilings[r].size() < 3 || floors[r].size() < 3)
-      reason = std::to_string(ceilings[r].size()) + " ceiling points and " +
-               std::to_string(floors[r].size()) +
-               " floor points are too few, 3 are needed of each";
-    PlanRoom room;
-    if (reason.empty())
-      room = fitRoom(points, own.evidence, parameters, reason, &own.record);
-    room.id = numbers[r];
-    if (!reason.empty()) {
-      warnings.push_back("room " + std::to_string(numbers[r]) + ": " + reason);
+    rooms[r].id = numbers[r];
+    if (!problems[r].empty()) {
+      warnings.push_back("room " + std::to_string(numbers[r]) + ": " + problems[r]);
       continue;
     }
-    plan.rooms.push_back(std::move(room));
-    work.push_back(std::move(own));
+    plan.rooms.push_back(std::move(rooms[r]));
+    work.push_back(std::move(all_work[r]));
   }
+  leaveToOthers(points, parameters, work, plan);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    leaveToOthers(points, parameters, plan, r, work[r]);
     if (work[r].record.lost_area >= least_loss) {
       char text[96];
       std::snprintf(text, sizeof text,

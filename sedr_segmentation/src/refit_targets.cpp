@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_targets.h"
 
+#include "quarter_turns.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -105,24 +107,11 @@ RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double rea
 }
 
 bool
-RefitTargets::isBeside(const PlanElement& e, const Eigen::Vector2d& p)
-{
-  if (!e.isArc()) {
-    const Eigen::Vector2d way = e.end - e.start;
-    const double s = (p - e.start).dot(way);
-    return s >= 0 && s <= way.squaredNorm();
-  }
-  const double s = e.project(p);
-  return (e.start - e.end).norm() < 1e-9 || (s > 0 && s < e.length());
-}
-
-bool
 RefitTargets::isIn(const NicheSlabs& niche, const Eigen::Vector2d& p)
 {
   constexpr double margin = 0.03;
   const PlanLoop& boundary = niche.niche->boundary;
-  return (p - boundary.elements[0].start).norm() < niche.length &&
-         boundary.contains(p) && boundary.distance(p) > margin;
+  return boundary.contains(p) && boundary.distance(p) > margin;
 }
 
 void
@@ -213,7 +202,7 @@ RefitTargets::findGaps()
         const Eigen::Vector2d p = own.part.pointAt(length * static_cast<double>(k) /
                                                    static_cast<double>(parts));
         const double apart = beside.distance(p);
-        if (apart < std::min(farthest, gap_[own.curve]) && isBeside(other.part, p) &&
+        if (apart < std::min(farthest, gap_[own.curve]) && other.part.isBeside(p) &&
             std::abs(along.tangentAt(p).dot(beside.tangentAt(p))) > least_cosine)
           gap_[own.curve] = apart;
       }
@@ -253,7 +242,7 @@ RefitTargets::addSlabs(PlanRoom& room)
   for (auto& niche : room.niches) {
     const std::size_t bottom = add(niche.bottom, niche.boundary, &room.floor, floor);
     const std::size_t top = add(niche.top, niche.boundary, &room.ceiling, ceiling);
-    niches_.push_back({&niche, bottom, top, niche.boundary.length()});
+    niches_.push_back({&niche, bottom, top});
   }
 
   RoomMap map;
@@ -305,7 +294,7 @@ RefitTargets::patchOf(const Stretch& stretch,
 {
   const std::size_t c = stretch.curve;
   const double s = m.curve.isCircle()
-                       ? (std::atan2(row.y(), row.x()) + M_PI) * m.curve.radius
+                       ? quarterTurns(row.x(), row.y()) * M_PI / 2 * m.curve.radius
                        : row[1] + curves_.reach(c);
   const auto x =
       std::min(along_[c] - 1, static_cast<std::size_t>(std::max(0.0, s / patch_[c])));
@@ -326,61 +315,43 @@ RefitTargets::patchOf(std::size_t slab, const Eigen::Vector2d& p) const
   return first_patch_[number] + y * along_[number] + x;
 }
 
-/** @brief Sorts the stretches by the cells that they may be seen in. */
+/** @brief Sorts stretches, rooms and niches by the cells that they may be seen in. */
 void
 RefitTargets::tabulate()
 {
   constexpr double step = 0.05;
-  struct Entry {
-    Cell cell;
-    std::size_t stretch;
+  const auto around = [&](const CellTable& table, const Eigen::Vector2d& low,
+                          const Eigen::Vector2d& high, double margin, std::size_t k) {
+    const Eigen::Vector2d far = Eigen::Vector2d::Constant(margin);
+    return CellTable::Entry{table.boxAround(low - far, high + far),
+                            static_cast<std::uint32_t>(k)};
   };
-  std::vector<Entry> entries;
-  CellBox box{{0, 0}, {-1, -1}};
+  std::vector<CellTable::Entry> stretches;
   for (std::size_t k = 0; k < stretches_.size(); ++k) {
     const PlanElement& e = stretches_[k].part;
     const auto parts = static_cast<std::size_t>(std::ceil(e.length() / step)) + 1;
     for (std::size_t i = 0; i <= parts; ++i) {
       const Eigen::Vector2d p =
           e.pointAt(e.length() * static_cast<double>(i) / static_cast<double>(parts));
-      if (!grid_.holds(p.x() - 1, p.y() - 1) || !grid_.holds(p.x() + 1, p.y() + 1))
-        continue;
-      const double around = reach_ + step;
-      const Cell low = grid_.at(p.x() - around, p.y() - around);
-      const Cell high = grid_.at(p.x() + around, p.y() + around);
-      for (std::int32_t y = low.y; y <= high.y; ++y)
-        for (std::int32_t x = low.x; x <= high.x; ++x)
-          entries.push_back({{x, y}, k});
-      if (box.high.x < box.low.x)
-        box = {low, high};
-      box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y)};
-      box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y)};
+      stretches.push_back(around(stretches_near_, p, p, reach_ + step, k));
     }
   }
-  if (entries.empty())
-    return;
-  problem_ = maskProblem(box);
-  if (!problem_.empty())
-    return;
-  frame_ = CellMask(box);
-  const auto before = [&](const Entry& a, const Entry& b) {
-    const std::size_t i = frame_.indexOf(a.cell);
-    const std::size_t j = frame_.indexOf(b.cell);
-    return i != j ? i < j : a.stretch < b.stretch;
-  };
-  std::sort(entries.begin(), entries.end(), before);
-  entries.erase(std::unique(entries.begin(), entries.end(),
-                            [](const Entry& a, const Entry& b) {
-                              return a.cell == b.cell && a.stretch == b.stretch;
-                            }),
-                entries.end());
-  first_.assign(frame_.values().size() + 1, 0);
-  for (const auto& entry : entries) {
-    ++first_[frame_.indexOf(entry.cell) + 1];
-    stretch_in_.push_back(entry.stretch);
+  std::vector<CellTable::Entry> rooms;
+  for (std::size_t r = 0; r < rooms_.size(); ++r) {
+    const RoomMap& map = rooms_[r];
+    const Eigen::Vector2d extent(map.width * map.cell, map.height * map.cell);
+    rooms.push_back(around(rooms_near_, map.low, map.low + extent, 0, r));
   }
-  for (std::size_t i = 1; i < first_.size(); ++i)
-    first_[i] += first_[i - 1];
+  std::vector<CellTable::Entry> niches;
+  for (std::size_t n = 0; n < niches_.size(); ++n) {
+    const auto [low, high] = boundsOf(niches_[n].niche->boundary);
+    niches.push_back(around(niches_near_, low, high, step, n));
+  }
+  for (const std::string& problem :
+       {stretches_near_.fill(stretches), rooms_near_.fill(rooms),
+        niches_near_.fill(niches)})
+    if (problem_.empty())
+      problem_ = problem;
 }
 
 } // namespace sedr

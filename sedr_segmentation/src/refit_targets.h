@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include "cell_table.h"
+
 #include <pcl/sedr_filters/plan_surfaces.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/plan_curves.h>
@@ -108,22 +109,15 @@ private:
     const PlanNiche* niche = nullptr;
     std::size_t bottom = 0;
     std::size_t top = 0;
-    double length = 0; ///< of its outline: it lies within so far of every corner
   };
 
   template <typename See>
   void visitUprights(const Eigen::Vector3d& p, See see) const
   {
     const Eigen::Vector2d place = p.head<2>();
-    if (first_.empty() || !grid_.holds(place.x(), place.y()))
-      return;
-    const Cell cell = grid_.at(place.x(), place.y());
-    if (!frame_.isInside(cell))
-      return;
-    const std::size_t at = frame_.indexOf(cell);
-    for (std::size_t k = first_[at]; k < first_[at + 1]; ++k) {
-      const Stretch& stretch = stretches_[stretch_in_[k]];
-      if (p.z() < stretch.low || p.z() > stretch.high || !isBeside(stretch.part, place))
+    for (const std::uint32_t k : stretches_near_.at(place)) {
+      const Stretch& stretch = stretches_[k];
+      if (p.z() < stretch.low || p.z() > stretch.high || !stretch.part.isBeside(place))
         continue;
       const MeasuredCurve& m = curves_.curves[stretch.curve];
       const double d = m.curve.signedDistance(place);
@@ -146,7 +140,9 @@ private:
         see(curves_.curves.size() + k, patchOf(k, p.head<2>()), d,
             Eigen::Vector3d(1, p.x() - s.middle.x(), p.y() - s.middle.y()));
     };
-    for (const auto& map : rooms_) {
+    const Eigen::Vector2d place = p.head<2>();
+    for (const std::uint32_t r : rooms_near_.at(place)) {
+      const RoomMap& map = rooms_[r];
       const auto x =
           static_cast<std::int64_t>(std::floor((p.x() - map.low.x()) / map.cell));
       const auto y =
@@ -159,10 +155,10 @@ private:
       if (map.floor[at] >= 0)
         look(static_cast<std::size_t>(map.floor[at]));
     }
-    for (const auto& n : niches_)
-      if (isIn(n, p.head<2>())) {
-        look(n.bottom);
-        look(n.top);
+    for (const std::uint32_t n : niches_near_.at(place))
+      if (isIn(niches_[n], place)) {
+        look(niches_[n].bottom);
+        look(niches_[n].top);
       }
   }
 
@@ -173,7 +169,6 @@ private:
   std::size_t patchOf(std::size_t slab, const Eigen::Vector2d& p) const;
   void numberPatches();
 
-  static bool isBeside(const PlanElement& part, const Eigen::Vector2d& p);
   static bool isIn(const NicheSlabs& niche, const Eigen::Vector2d& p);
 
   void addUprights(Floorplan& plan);
@@ -205,10 +200,9 @@ private:
   std::vector<Slab> slabs_;
   std::vector<RoomMap> rooms_;
   std::vector<NicheSlabs> niches_;
-  CellGrid grid_{0.2};
-  CellMask frame_; ///< numbers the cells
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> stretch_in_;
+  CellTable stretches_near_{0.2};
+  CellTable rooms_near_{0.2};
+  CellTable niches_near_{0.2};
 };
 
 } // namespace sedr

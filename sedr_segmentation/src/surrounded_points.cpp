@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surrounded_points.h"
 
+#include "quarter_turns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,18 +15,6 @@ namespace {
 
 /** @brief Sectors are marked by the bits of a word. */
 constexpr unsigned most_sectors = 64;
-
-/** @brief Grows with the direction of (x, y) from 0 to 4, by one in every quadrant; its
- * turn is at most twice its growth, radians. */
-float
-quarterTurns(float x, float y)
-{
-  const float along = std::abs(x) + std::abs(y);
-  const float part = y / along;
-  if (x < 0)
-    return 2 - part;
-  return part < 0 ? 4 + part : part;
-}
 
 } // namespace
 

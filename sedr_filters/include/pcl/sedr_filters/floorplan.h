@@ -58,10 +58,11 @@ struct PlanElement {
    * length()]. */
   double project(const Eigen::Vector2d& p) const;
 
-  double distance(const Eigen::Vector2d& p) const
-  {
-    return (pointAt(project(p)) - p).norm();
-  }
+  double distance(const Eigen::Vector2d& p) const;
+
+  /** @brief Whether the element has a point whose normal leads to `p`: of an arc,
+   * whether it runs through the direction in which its centre sees `p`. */
+  bool isBeside(const Eigen::Vector2d& p) const;
 
   /** @brief The part of the element between two distances from its start. */
   PlanElement part(double from, double to) const;

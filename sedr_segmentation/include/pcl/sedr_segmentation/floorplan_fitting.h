@@ -73,10 +73,10 @@ public:
     raw_indices_ = indices;
   }
 
-  /** @brief Number of threads of the fit to the raw cloud; 0 (default): all processors.
+  /** @brief Number of threads; 0 (default): all processors.
    */
-  void setNumberOfThreads(unsigned threads) { threads_ = threads; }
-  unsigned getNumberOfThreads() const { return threads_; }
+  void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
+  unsigned getNumberOfThreads() const { return parameters_.threads; }
 
   /** @brief Distance of an inlier from its line or circle, metres, above 0 and at
    * most 1. Default 0.05 (paper, Table 1). */
@@ -147,7 +147,6 @@ private:
   std::vector<std::uint32_t> rooms_;
   std::function<sedr::PointView()> raw_; ///< the raw cloud as it is then
   IndicesConstPtr raw_indices_;
-  unsigned threads_ = 0;
   sedr::RoomFitParameters parameters_;
   std::vector<std::string> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -30,10 +31,17 @@ struct PlanCurve {
 
   bool isCircle() const { return radius > 0; }
 
-  double distance(const Eigen::Vector2d& p) const;
+  double distance(const Eigen::Vector2d& p) const
+  {
+    return std::abs(signedDistance(p));
+  }
 
   /** @brief As distance(), positive to the left of a line, outside of a circle. */
-  double signedDistance(const Eigen::Vector2d& p) const;
+  double signedDistance(const Eigen::Vector2d& p) const
+  {
+    return isCircle() ? (p - point).norm() - radius
+                      : (p - point).dot(leftOf(direction));
+  }
 
   /** @brief The point of the curve nearest to `p`. */
   Eigen::Vector2d project(const Eigen::Vector2d& p) const;

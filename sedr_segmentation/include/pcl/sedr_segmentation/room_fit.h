@@ -19,6 +19,7 @@ struct RoomFitParameters {
   double cell_size = 0.05;
   double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
   double minimum_detail_area = 0.25; ///< square metres
+  unsigned threads = 0; ///< rooms fitted at a time; 0: as many as there are processors
 };
 
 /** @brief What a room's plan is fitted to: indices into the points. */

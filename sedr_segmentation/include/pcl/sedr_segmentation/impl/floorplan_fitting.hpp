@@ -76,7 +76,7 @@ FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
   if (!raw_ || raw_().size() == 0 || (raw_indices_ && raw_indices_->empty()))
     return;
   sedr::RefitParameters parameters;
-  parameters.threads = threads_;
+  parameters.threads = parameters_.threads;
   const Indices all; // by none are all meant there; a temporary would copy the others
   const sedr::RefitReport report =
       sedr::refitToRaw(plan, raw_(), raw_indices_ ? *raw_indices_ : all, parameters);
