@@ -104,6 +104,22 @@ grown(const CellBox& box, int margin)
           {box.high.x + margin, box.high.y + margin}};
 }
 
+CellBox
+overlapOf(const CellBox& a, const CellBox& b)
+{
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
+CellBox
+around(const CellBox& a, const CellBox& b)
+{
+  if (a.count() == 0 || b.count() == 0)
+    return a.count() == 0 ? b : a;
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
 std::string
 maskProblem(const CellBox& box)
 {
@@ -184,14 +200,15 @@ CellMask
 eroded(const CellMask& mask, double radius)
 {
   // A rim of cells that are not set stands for what lies outside.
-  CellMask outside(grown(mask.box(), 1));
-  for (std::size_t i = 0; i < outside.values().size(); ++i)
-    outside.values()[i] = mask.at(outside.cellAt(i)) ? 0 : 1;
-  const std::vector<float> distances = squaredDistances(outside);
+  const CellMask inside = cropped(mask, grown(mask.box(), 1));
+  const std::vector<float> distances = squaredDistances(inverted(inside));
   CellMask result(mask.box());
-  for (std::size_t i = 0; i < result.values().size(); ++i)
-    result.values()[i] =
-        distances[outside.indexOf(result.cellAt(i))] > radius * radius ? 1 : 0;
+  std::size_t i = 0;
+  for (std::int32_t y = mask.box().low.y; y <= mask.box().high.y; ++y) {
+    std::size_t from = inside.indexOf({mask.box().low.x, y});
+    for (int x = 0; x < mask.width(); ++x, ++i, ++from)
+      result.values()[i] = distances[from] > radius * radius ? 1 : 0;
+  }
   return result;
 }
 
@@ -248,6 +265,21 @@ regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region
   for (std::size_t i = 0; i < result.values().size(); ++i)
     result.values()[i] = regions.label[i] == region ? 1 : 0;
   return result;
+}
+
+void
+labelCells(const CellMask& cells,
+           const CellMask& frame,
+           std::int32_t number,
+           std::vector<std::int32_t>& label)
+{
+  const CellBox box = overlapOf(cells.box(), frame.box());
+  for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
+    for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
+      std::int32_t& own = label[frame.indexOf({x, y})];
+      if (own < 0 && cells.values()[cells.indexOf({x, y})])
+        own = number;
+    }
 }
 
 namespace {
@@ -317,31 +349,70 @@ enclosedCells(const CellMask& mask)
   return enclosed;
 }
 
+namespace {
+
+/** @brief Row `y` of a mask as seen from x = 0, null beside its box. */
+const std::uint8_t*
+rowOf(const CellMask& mask, std::int32_t y)
+{
+  const CellBox& box = mask.box();
+  return y < box.low.y || y > box.high.y
+             ? nullptr
+             : mask.values().data() + mask.indexOf({box.low.x, y}) - box.low.x;
+}
+
+/** @brief `op(a, b)` cell by cell in the box of `a`. */
+template <typename Op>
+CellMask
+combined(const CellMask& a, const CellMask& b, Op op)
+{
+  CellMask result(a.box());
+  const CellBox& box = a.box();
+  std::size_t i = 0;
+  for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
+    const std::uint8_t* row = rowOf(b, y);
+    for (std::int32_t x = box.low.x; x <= box.high.x; ++x, ++i) {
+      const bool in_b = row && x >= b.box().low.x && x <= b.box().high.x && row[x];
+      result.values()[i] = op(a.values()[i] != 0, in_b) ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+} // namespace
+
 CellMask
 unite(const CellMask& a, const CellMask& b)
 {
-  CellMask result = a;
-  for (std::size_t i = 0; i < result.values().size(); ++i)
-    result.values()[i] = a.values()[i] || b.at(a.cellAt(i)) ? 1 : 0;
-  return result;
+  return combined(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
 }
 
 CellMask
 subtract(const CellMask& a, const CellMask& b)
 {
-  CellMask result = a;
-  for (std::size_t i = 0; i < result.values().size(); ++i)
-    result.values()[i] = a.values()[i] && !b.at(a.cellAt(i)) ? 1 : 0;
-  return result;
+  return combined(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
 }
 
 CellMask
 intersect(const CellMask& a, const CellMask& b)
 {
-  CellMask result = a;
-  for (std::size_t i = 0; i < result.values().size(); ++i)
-    result.values()[i] = a.values()[i] && b.at(a.cellAt(i)) ? 1 : 0;
-  return result;
+  return combined(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
+}
+
+CellMask
+cropped(const CellMask& mask, const CellBox& box)
+{
+  return combined(CellMask(box), mask, [](bool, bool in_mask) { return in_mask; });
+}
+
+void
+add(const CellMask& cells, CellMask& mask)
+{
+  const CellBox box = overlapOf(cells.box(), mask.box());
+  for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
+    for (std::int32_t x = box.low.x; x <= box.high.x; ++x)
+      if (cells.values()[cells.indexOf({x, y})])
+        mask.set({x, y}, 1);
 }
 
 } // namespace sedr

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/plan_evidence.h>
+
+#include <pcl/sedr_filters/cell_table.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
 
 #include <Eigen/Geometry>
@@ -233,37 +236,75 @@ note(const Counts& counts, PlanLoop& loop)
   }
 }
 
+void
+measureRoom(PlanRoom& room,
+            const PointView& points,
+            const std::vector<int>& indices,
+            double tolerance)
+{
+  const PointCubes cubes(points, indices, boxOf(room));
+  const RoomEvidence evidence(room, cubes, tolerance);
+  Counts counts;
+  for (const UprightSurface& surface : uprightSurfaces(room)) {
+    const ElementEvidence count = evidence.countOf(surface);
+    ElementEvidence& sum = counts[surface.element];
+    sum.seen += count.seen;
+    sum.hidden += count.hidden;
+    sum.opening += count.opening;
+  }
+  note(counts, room.boundary);
+  for (PlanLoop& column : room.columns)
+    note(counts, column);
+  for (auto* details : {&room.details, &room.floor_details})
+    for (PlanDetail& detail : *details) {
+      note(counts, detail.boundary);
+      for (PlanLoop& hole : detail.holes)
+        note(counts, hole);
+    }
+  for (PlanNiche& niche : room.niches)
+    note(counts, niche.boundary);
+}
+
+/** @brief The points that may lie in the box of each room; all of them where the rooms
+ * are too far apart for a table. */
+std::vector<std::vector<int>>
+shareOut(const Floorplan& plan,
+         const PointView& points,
+         const std::vector<int>& indices)
+{
+  constexpr double cell = 0.5; // metres
+  CellTable rooms_near(cell);
+  std::vector<CellTable::Entry> entries;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const Eigen::AlignedBox3d box = boxOf(plan.rooms[r]);
+    if (!box.isEmpty())
+      entries.push_back({rooms_near.boxAround(box.min().head<2>(), box.max().head<2>()),
+                         static_cast<std::uint32_t>(r)});
+  }
+  if (!rooms_near.fill(entries).empty())
+    return std::vector<std::vector<int>>(plan.rooms.size(), indices);
+  std::vector<std::vector<int>> shares(plan.rooms.size());
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    for (const std::uint32_t r : rooms_near.at(p.head<2>().cast<double>()))
+      shares[r].push_back(i);
+  }
+  return shares;
+}
+
 } // namespace
 
 void
 measureEvidence(Floorplan& plan,
                 const PointView& points,
                 const std::vector<int>& indices,
-                double tolerance)
+                double tolerance,
+                unsigned threads)
 {
-  for (PlanRoom& room : plan.rooms) {
-    const PointCubes cubes(points, indices, boxOf(room));
-    const RoomEvidence evidence(room, cubes, tolerance);
-    Counts counts;
-    for (const UprightSurface& surface : uprightSurfaces(room)) {
-      const ElementEvidence count = evidence.countOf(surface);
-      ElementEvidence& sum = counts[surface.element];
-      sum.seen += count.seen;
-      sum.hidden += count.hidden;
-      sum.opening += count.opening;
-    }
-    note(counts, room.boundary);
-    for (PlanLoop& column : room.columns)
-      note(counts, column);
-    for (auto* details : {&room.details, &room.floor_details})
-      for (PlanDetail& detail : *details) {
-        note(counts, detail.boundary);
-        for (PlanLoop& hole : detail.holes)
-          note(counts, hole);
-      }
-    for (PlanNiche& niche : room.niches)
-      note(counts, niche.boundary);
-  }
+  const std::vector<std::vector<int>> shares = shareOut(plan, points, indices);
+  parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    measureRoom(plan.rooms[r], points, shares[r], tolerance);
+  });
 }
 
 } // namespace sedr

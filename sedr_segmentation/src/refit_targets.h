@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_table.h"
-
+#include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/plan_curves.h>

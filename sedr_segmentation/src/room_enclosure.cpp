@@ -27,9 +27,7 @@ nearestPieces(const std::vector<const Piece*>& pieces,
 {
   std::vector<std::int32_t> nearest(domain.values().size(), -1);
   for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-      if (pieces[p]->cells.values()[i] && nearest[i] < 0)
-        nearest[i] = static_cast<std::int32_t>(p);
+    labelCells(pieces[p]->cells, domain, static_cast<std::int32_t>(p), nearest);
   growLabels(domain, steps, nearest);
   return nearest;
 }

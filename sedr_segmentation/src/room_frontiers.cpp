@@ -75,9 +75,7 @@ frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
   std::fill(everywhere.values().begin(), everywhere.values().end(), std::uint8_t{1});
   std::vector<std::int32_t> label(everywhere.values().size(), -1);
   for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (std::size_t i = 0; i < label.size(); ++i)
-      if (pieces[p].cells.values()[i] && label[i] < 0)
-        label[i] = static_cast<std::int32_t>(p);
+    labelCells(pieces[p].cells, everywhere, static_cast<std::int32_t>(p), label);
   const std::vector<std::size_t> parent =
       growLabelsWithParents(everywhere, steps, label);
 

@@ -3,8 +3,32 @@
 
 #include <pcl/sedr_segmentation/cell_count.h>
 
+#include <utility>
+
 namespace pcl {
 namespace sedr {
+
+namespace {
+
+/** @brief Every region of a mask, each in its own box. */
+std::vector<CellMask>
+masksOf(const CellMask& frame, const MaskRegions& regions)
+{
+  std::vector<CellBox> boxes(regions.sizes.size(), CellBox{{0, 0}, {-1, -1}});
+  const auto forEachCell = [&](const auto& visit) {
+    for (std::size_t i = 0; i < regions.label.size(); ++i)
+      if (regions.label[i] >= 0)
+        visit(static_cast<std::size_t>(regions.label[i]), frame.cellAt(i));
+  };
+  forEachCell([&](std::size_t r, Cell cell) {
+    boxes[r] = around(boxes[r], CellBox{cell, cell});
+  });
+  std::vector<CellMask> masks(boxes.begin(), boxes.end());
+  forEachCell([&](std::size_t r, Cell cell) { masks[r].set(cell, 1); });
+  return masks;
+}
+
+} // namespace
 
 std::vector<Piece>
 piecesOf(const Storey& storey, std::size_t level)
@@ -26,6 +50,7 @@ piecesOf(const Storey& storey, std::size_t level)
   growLabels(closed, static_cast<int>(2 * neck), regions.label);
 
   const double cell_area = size * size;
+  std::vector<CellMask> masks = masksOf(closed, regions);
   std::vector<Piece> pieces;
   for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
     if (static_cast<double>(regions.sizes[r]) * cell_area <
@@ -33,7 +58,7 @@ piecesOf(const Storey& storey, std::size_t level)
       continue;
     Piece piece;
     piece.level = level;
-    piece.cells = regionMask(closed, regions, static_cast<std::int32_t>(r));
+    piece.cells = std::move(masks[r]);
     piece.size = piece.cells.count();
     pieces.push_back(std::move(piece));
   }
@@ -49,11 +74,15 @@ findFloor(const Storey& storey, Piece& piece)
       continue;
     std::size_t covered = 0;
     const CellSet& cells = storey.levels[f].cells;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (piece.cells.at(cells[i]) &&
-          storey.heightOf(f, cells[i]) <
-              storey.heightOf(piece.level, cells[i]) - storey.parameters.minimum_height)
+    for (std::size_t i = 0; i < piece.cells.values().size(); ++i) {
+      if (!piece.cells.values()[i])
+        continue;
+      const Cell cell = piece.cells.cellAt(i);
+      if (cells.contains(cell) &&
+          storey.heightOf(f, cell) <
+              storey.heightOf(piece.level, cell) - storey.parameters.minimum_height)
         ++covered;
+    }
     const double share = static_cast<double>(covered) / static_cast<double>(piece.size);
     if (share > best && best < storey.parameters.minimum_floor_share) {
       best = share;

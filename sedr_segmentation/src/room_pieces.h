@@ -14,7 +14,7 @@ namespace sedr {
 struct Piece {
   std::size_t level = 0;
   std::size_t floor = 0;
-  CellMask cells;
+  CellMask cells; ///< in a box of its own
   std::size_t size = 0;
 };
 

@@ -47,7 +47,19 @@ stripsOf(const Storey& storey, std::size_t level, const CellMask& scope)
 {
   const double gap = cellsFor(0.4, storey.grid.size());
   const CellMask hull = eroded(dilated(scope, gap), gap);
-  return intersect(CellMask(storey.levels[level].cells, storey.box), hull);
+  return intersect(hull, CellMask(storey.levels[level].cells, scope.box()));
+}
+
+/** @brief The box in which a room of some pieces is looked at: nothing farther away
+ * tells anything of it. */
+CellBox
+boxAround(const Storey& storey, const std::vector<const Piece*>& members)
+{
+  constexpr double far = 2; // metres
+  CellBox box{{0, 0}, {-1, -1}};
+  for (const Piece* piece : members)
+    box = around(box, piece->cells.box());
+  return overlapOf(grown(box, cellsFor(far, storey.grid.size())), storey.box);
 }
 
 /** @brief Makes a room of the pieces of one group, if it is one. */
@@ -59,12 +71,12 @@ makeRoom(const Storey& storey,
   const Piece& main = **std::max_element(
       members.begin(), members.end(),
       [](const Piece* a, const Piece* b) { return a->size < b->size; });
-  CellMask scope = main.cells;
-  CellMask ceiling = main.cells;
+  CellMask scope(boxAround(storey, members));
+  CellMask ceiling = scope;
   for (const Piece* piece : members) {
-    scope = unite(scope, piece->cells);
+    add(piece->cells, scope);
     if (piece->level == main.level) // parted by a beam
-      ceiling = unite(ceiling, piece->cells);
+      add(piece->cells, ceiling);
   }
   const double area =
       static_cast<double>(scope.count()) * storey.grid.size() * storey.grid.size();
@@ -95,20 +107,19 @@ addHiddenCeilings(const Storey& storey,
 {
   CellMask taken(storey.box);
   for (std::size_t r = first; r < rooms.size(); ++r)
-    taken = unite(taken, CellMask(rooms[r].scope, storey.box));
+    add(CellMask(rooms[r].scope, boxOf(rooms[r].scope)), taken);
   for (std::size_t r = first; r < rooms.size(); ++r) {
     RoomRegion& room = rooms[r];
     const int reach = cellsFor(margin, storey.grid.size());
     const CellMask seen(room.scope, grown(boxOf(room.scope), reach));
-    const CellMask others =
-        subtract(intersect(inverted(CellMask(seen.box())), taken), seen);
+    const CellMask others = subtract(cropped(taken, seen.box()), seen);
     const CellMask hidden = hiddenCeiling(seen, others, storey.grid, storey.columns,
                                           storey.levels[room.ceiling_level].slab,
                                           storey.levels[room.floor_level].slab);
     room.hidden = hidden.toSet();
     room.scope = unite(room.scope, room.hidden);
     room.ceiling = unite(room.ceiling, room.hidden);
-    taken = unite(taken, hidden);
+    add(hidden, taken);
   }
 }
 

@@ -154,13 +154,6 @@ collectPoints(const SliceScene& scene, const CellMask& found, SliceDetails& deta
     details.slice_height = lowest - scene.parameters.cell_size;
 }
 
-CellBox
-overlapOf(const CellBox& a, const CellBox& b)
-{
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
-}
-
 } // namespace
 
 SliceDetails

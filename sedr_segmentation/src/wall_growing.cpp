@@ -117,7 +117,7 @@ seedsWithSupport(const PointView& points,
 {
   if (options.minimum_support <= 0)
     return seeds;
-  const CellGrid grid = gridOver(points, options.distance);
+  const CellGrid grid = gridOver(points, parts, options.distance);
   const ColumnOccupancy occupancy(points, grid, unite(parts.candidates, parts.details));
   const double end = options.hasSlice() ? options.slice_height
                                         : floorHeight(points, parts.floor, options);
@@ -132,7 +132,7 @@ growWalls(const PointView& points,
           const WallSeeds& seeds,
           const WallGrowingOptions& options)
 {
-  const CellGrid grid = gridOver(points, options.distance);
+  const CellGrid grid = gridOver(points, parts, options.distance);
   const SeedPlan above(points, grid, seeds.above, options.distance);
   const SeedPlan below(points, grid, seeds.below, options.distance);
 
@@ -155,12 +155,13 @@ growWalls(const PointView& points,
 }
 
 CellGrid
-gridOver(const PointView& points, double size)
+gridOver(const PointView& points, const WallParts& parts, double size)
 {
   double reach = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.isFinite(i))
-      reach = std::max<double>(reach, points[i].head<2>().cwiseAbs().maxCoeff());
+  for (const pcl::Indices* part :
+       {&parts.candidates, &parts.ceiling, &parts.floor, &parts.details})
+    for (const auto i : *part)
+      reach = std::max(reach, at(points, i).head<2>().cwiseAbs().maxCoeff());
   return CellGrid(std::max(size, reach / 1e9));
 }
 

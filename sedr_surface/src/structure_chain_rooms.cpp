@@ -12,19 +12,41 @@ namespace pcl {
 namespace sedr {
 
 pcl::IndicesPtr
-StructureChain::labelled(StructureLabel label, std::uint32_t room) const
+StructureChain::labelled(StructureLabel label) const
 {
   pcl::IndicesPtr indices(new pcl::Indices);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == valueOf(label) && (room == 0 || rooms[i] == room))
+    if (labels[i] == valueOf(label))
       indices->push_back(static_cast<int>(i));
   return indices;
+}
+
+pcl::IndicesPtr
+StructureChain::labelled(StructureLabel label, std::uint32_t room) const
+{
+  pcl::IndicesPtr indices(new pcl::Indices);
+  for (const int i : shares_[room]) {
+    const auto at = static_cast<std::size_t>(i);
+    if (labels[at] == valueOf(label) && rooms[at] == room)
+      indices->push_back(i);
+  }
+  return indices;
+}
+
+void
+StructureChain::shareOut()
+{
+  shares_.assign(regions_.size() + 1, {});
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    if (rooms[i] < shares_.size())
+      shares_[rooms[i]].push_back(static_cast<int>(i));
 }
 
 bool
 StructureChain::findDetails(StageReport& report)
 {
   slice_detail.setInputCloud(cloud);
+  shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Eigen::Vector2d middle =
@@ -84,9 +106,11 @@ StructureChain::floorPoints(std::size_t region) const
   for (const Level& level : levels_)
     if (level.kind == LevelKind::Floor && level.height > main - 1 &&
         level.height < ceiling - plane_detection.getMinimumRoomHeight())
-      std::set_intersection(level.inliers.begin(), level.inliers.end(),
-                            territory_[region]->begin(), territory_[region]->end(),
-                            std::back_inserter(*seen));
+      std::copy_if(territory_[region]->begin(), territory_[region]->end(),
+                   std::back_inserter(*seen), [&](int i) {
+                     return std::binary_search(level.inliers.begin(),
+                                               level.inliers.end(), i);
+                   });
   std::sort(seen->begin(), seen->end());
   return seen;
 }
@@ -94,6 +118,7 @@ StructureChain::floorPoints(std::size_t region) const
 bool
 StructureChain::recoverFloors(StageReport& report)
 {
+  shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Level& floor = levels_[regions_[r].floor_level];
@@ -135,6 +160,7 @@ bool
 StructureChain::growWalls(StageReport& report)
 {
   wall_growing.setInputCloud(cloud);
+  shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     wall_growing.setIndices(territory_[r]);
@@ -167,10 +193,10 @@ bool
 StructureChain::fitPlan(StageReport& report)
 {
   floorplan_fitting.setInputCloud(cloud);
-  floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling, 0));
-  floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor, 0));
-  floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail, 0));
-  floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall, 0));
+  floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
+  floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
+  floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
+  floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());

@@ -25,6 +25,12 @@ CellBox boxOf(const CellSet& cells);
 /** @brief `box` with `margin` more cells on each side. */
 CellBox grown(const CellBox& box, int margin);
 
+/** @brief The cells of both; empty where there are none. */
+CellBox overlapOf(const CellBox& a, const CellBox& b);
+
+/** @brief The smallest box around both. */
+CellBox around(const CellBox& a, const CellBox& b);
+
 /** @brief The most cells a mask may have: a region of 579 m by 579 m at 5 cm. What
  * works on masks (distances, labels, fronts) takes 20 bytes a cell and more: this keeps
  * it at a few GiB. */
@@ -129,6 +135,13 @@ MaskRegions labelRegions(const CellMask& mask, bool eight_connected);
 CellMask
 regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region);
 
+/** @brief Gives `number` to those of some cells that have no label (-1) yet; labels are
+ * of the cells of `frame`. O(the cells' box). */
+void labelCells(const CellMask& cells,
+                const CellMask& frame,
+                std::int32_t number,
+                std::vector<std::int32_t>& label);
+
 /** @brief Takes labels (-1: none) outwards through the cells of `domain`, step by step
  * to the four neighbours, at most `steps` steps: each cell gets the label that reaches
  * it first. O(cells). */
@@ -153,6 +166,12 @@ CellMask subtract(const CellMask& a, const CellMask& b);
 
 /** @brief The part of `a` that is in `b` too; `a`'s box is kept. */
 CellMask intersect(const CellMask& a, const CellMask& b);
+
+/** @brief The same cells within another box. */
+CellMask cropped(const CellMask& mask, const CellBox& box);
+
+/** @brief Adds to `mask` the `cells` within its box. O(the cells' box). */
+void add(const CellMask& cells, CellMask& mask);
 
 } // namespace sedr
 } // namespace pcl

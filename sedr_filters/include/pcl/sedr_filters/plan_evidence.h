@@ -22,12 +22,14 @@ namespace sedr {
  * @param points thinned to a point in 5 cm or denser; not finite ones are left out
  * @param indices those of them that count
  * @param tolerance metres, above 0
+ * @param threads rooms looked at at a time; 0: as many as there are processors
  *
- * O(n log n + c) for n points and c cells; deterministic. */
+ * O(n log n + c) for n points and c cells; the same for any number of threads. */
 void measureEvidence(Floorplan& plan,
                      const PointView& points,
                      const std::vector<int>& indices,
-                     double tolerance = 0.05);
+                     double tolerance = 0.05,
+                     unsigned threads = 0);
 
 } // namespace sedr
 } // namespace pcl

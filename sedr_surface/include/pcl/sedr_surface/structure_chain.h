@@ -143,7 +143,15 @@ private:
   bool extrude(StageReport& report);
 
   /** @brief Points of a label, of one room or (0) of all. */
+  pcl::IndicesPtr labelled(StructureLabel label) const;
+
+  /** @brief The same of one room, for which shareOut() has been called since points got
+   * to or left rooms but for this one. */
   pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
+
+  /** @brief Notes the points of every room. */
+  void shareOut();
+
 
   /** @brief Puts points where something hides a room's ceiling from all stations.
    * @return how many */
@@ -167,6 +175,7 @@ private:
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
+  std::vector<pcl::Indices> shares_;       ///< points of each room, from room 0 on
   std::vector<double> slice_height_;       ///< of each room, NaN without details
   StructureCloud::Ptr refined_;
 };

@@ -77,9 +77,9 @@ pcl::Indices growWalls(const PointView& points,
                        const WallGrowingOptions& options);
 
 /** @brief The grid of cells of `size` or, where coordinates are too large for 32-bit
- * cells of that size, of the least size above it whose cells reach all finite points.
- * O(n). */
-CellGrid gridOver(const PointView& points, double size);
+ * cells of that size, of the least size above it whose cells reach all points of the
+ * parts. O(n). */
+CellGrid gridOver(const PointView& points, const WallParts& parts, double size);
 
 /** @brief The seeds of walls in plan, sorted into cells: says exactly whether a point
  * lies near one. Memory O(seeds), whatever their extent. */

@@ -109,7 +109,8 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   const std::vector<std::string> cuts =
       sedr::separateRooms(plan, sedr::PointView(*input_), *indices_);
   warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
-  sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_);
+  sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_, 0.05,
+                        parameters_.threads);
   return true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_table.h"
+#include <pcl/sedr_filters/cell_table.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace pcl {
@@ -20,12 +19,7 @@ CellTable::fill(const std::vector<Entry>& entries)
 {
   CellBox all{{0, 0}, {-1, -1}};
   for (const auto& [box, number] : entries)
-    if (box.count() > 0)
-      all = all.count() == 0 ? box
-                             : CellBox{{std::min(all.low.x, box.low.x),
-                                        std::min(all.low.y, box.low.y)},
-                                       {std::max(all.high.x, box.high.x),
-                                        std::max(all.high.y, box.high.y)}};
+    all = around(all, box);
   if (all.count() == 0)
     return {};
   const std::string problem = maskProblem(all);
