@@ -98,6 +98,37 @@ TEST(CellSet, HoldsEveryCellOnce)
   EXPECT_FALSE(CellSet().contains({0, 0}));
 }
 
+TEST(CellSet, FindsEachOfItsCellsAndNoOther)
+{
+  std::mt19937 random(3);
+  // Close together, in rows with gaps, and far apart.
+  for (const int spread : {3, 40, 5000}) {
+    std::vector<Cell> cells;
+    std::set<CellKey> truth;
+    for (int k = 0; k < 400; ++k) {
+      const auto at = [&]() {
+        return static_cast<int>(random() % spread) - spread / 2;
+      };
+      const Cell cell{at(), at()};
+      cells.push_back(cell);
+      truth.insert(keyOf(cell));
+    }
+    const CellSet set = setOf(cells);
+    EXPECT_EQ(set.keys(), std::vector<CellKey>(truth.begin(), truth.end()));
+    EXPECT_EQ(CellSet::fromSorted(set.keys()).keys(), set.keys());
+    for (const Cell cell : cells)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell near{cell.x + dx, cell.y + dy};
+          const std::size_t found = set.find(near);
+          ASSERT_EQ(found != CellSet::npos, truth.count(keyOf(near)) == 1);
+          if (found != CellSet::npos) {
+            ASSERT_EQ(set[found], near);
+          }
+        }
+  }
+}
+
 TEST(CellSet, OfPointsLeavesOutWhatIsNotFiniteAndWhatIsNotIndexed)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

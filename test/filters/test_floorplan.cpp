@@ -124,6 +124,38 @@ TEST(PlanElement, ProjectStopsAtTheEnds)
   EXPECT_EQ(back.project({-3, 1}), 0);
 }
 
+TEST(PlanElement, IsBesideWhatItsNormalsLeadTo)
+{
+  PlanElement line;
+  line.start = {1, 1};
+  line.end = {3, 1};
+  EXPECT_TRUE(line.isBeside({2, 5}));
+  EXPECT_FALSE(line.isBeside({0.9, 1}));
+  EXPECT_FALSE(line.isBeside({3.1, -4}));
+  for (const double turn : {0.3, 1.5, 3.0, 3.3, 5.9})
+    for (const bool counter_clockwise : {true, false}) {
+      PlanElement arc;
+      arc.centre = {4, -2};
+      arc.radius = 2;
+      arc.counter_clockwise = counter_clockwise;
+      const auto at = [&](double angle) {
+        const double signed_angle = 0.7 + (counter_clockwise ? angle : -angle);
+        return Eigen::Vector2d(std::cos(signed_angle), std::sin(signed_angle));
+      };
+      arc.start = arc.centre + 2 * at(0);
+      arc.end = arc.centre + 2 * at(turn);
+      for (double angle = 0.05; angle < 6.28; angle += 0.1)
+        for (const double from_centre : {0.5, 2.0, 7.0}) {
+          const Eigen::Vector2d p = arc.centre + from_centre * at(angle);
+          EXPECT_EQ(arc.isBeside(p), angle < turn) << turn << " " << angle;
+          const double expected =
+              angle < turn ? std::abs(from_centre - 2)
+                           : std::min((p - arc.start).norm(), (p - arc.end).norm());
+          EXPECT_NEAR(arc.distance(p), expected, 1e-12);
+        }
+    }
+}
+
 TEST(PlanLoop, AreaIsExact)
 {
   const double r = 0.75;
