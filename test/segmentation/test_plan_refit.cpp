@@ -357,6 +357,23 @@ TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
   EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);
 }
 
+TEST(RefitToRaw, OfADenseScanAsManyPointsAsItsPatchesNeedAreTaken)
+{
+  RoomPoints raw(0.005, 0.005); // 400 points in a patch of a wall
+  raw.room(plainRoom());
+  const auto inliersFor = [&](std::size_t points_per_patch) {
+    Floorplan plan = offPlan();
+    RefitParameters parameters;
+    parameters.points_per_patch = points_per_patch;
+    refitToRaw(plan, raw.view(), {}, parameters);
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+    return plan.rooms[0].boundary.elements[0].inliers;
+  };
+  const std::size_t all = inliersFor(100000);
+  EXPECT_LT(inliersFor(100), all / 2);
+  EXPECT_GT(inliersFor(100), all / 40);
+}
+
 TEST(RefitToRaw, NoPointsOrPointsElsewhereLeaveThePlanAsItIs)
 {
   const std::string was = floorplanToJson(offPlan());

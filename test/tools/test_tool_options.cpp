@@ -96,6 +96,15 @@ TEST(ToolOptions, HelpShowsUnitsRangesAndTheDefaultsOfTheVariables)
   EXPECT_NE(help.find("pcl_sample INPUT [options]"), std::string::npos) << help;
 }
 
+TEST(ToolOptions, TellTheVersion)
+{
+  SampleOptions sample;
+  EXPECT_FALSE(sample.parse({"--version"}));
+  EXPECT_EQ(sample.options.answer().rfind("pcl_sample (SEDR) ", 0), 0u);
+  EXPECT_FALSE(sample.parse({"--help"}));
+  EXPECT_EQ(sample.options.answer(), sample.options.help());
+}
+
 TEST(ToolOptions, RefuseEachMistakeWithASentenceThatNamesIt)
 {
   SampleOptions sample;

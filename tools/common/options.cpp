@@ -182,7 +182,7 @@ bool
 Options::parse(int argc, const char* const* argv)
 {
   po::options_description description;
-  description.add_options()("help,h", "");
+  description.add_options()("help,h", "")("version", "");
   for (const auto& option : options_)
     option.takes_value
         ? description.add_options()(option.name.c_str(), po::value<std::string>(), "")
@@ -207,7 +207,8 @@ Options::parse(int argc, const char* const* argv)
   catch (const po::error& error) {
     throw ToolError(problemOf(error) + "; " + tool_ + " -h tells all");
   }
-  if (given.count("help") != 0)
+  wants_version_ = given.count("version") != 0;
+  if (given.count("help") != 0 || wants_version_)
     return false;
 
   const auto names = given.count("file") != 0
@@ -236,6 +237,12 @@ Options::usage() const
 }
 
 std::string
+Options::version() const
+{
+  return tool_ + " (SEDR) " SEDR_VERSION "\n";
+}
+
+std::string
 Options::help() const
 {
   std::string help = purpose_ + "\n\nUsage: " + usage() + "\n\n";
@@ -246,6 +253,7 @@ Options::help() const
     help +=
         helpLine("--" + option.name + (option.takes_value ? " arg" : ""), option.help);
   help += helpLine("-h, --help", "prints this");
+  help += helpLine("--version", "prints the version");
   help += "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing "
           "found.\n";
   return help;

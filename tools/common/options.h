@@ -51,8 +51,8 @@ struct Range {
  * options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
  * return runTool(options, argc, argv, [&] { ... return Done; });
  * @endcode
- * An option may begin with one dash, as those of PCL's programs do. What is wrong with a
- * command line is thrown as a ToolError of one sentence. */
+ * An option may begin with one dash, as those of PCL's programs do. What is wrong with
+ * a command line is thrown as a ToolError of one sentence. */
 class Options {
 public:
   Options(std::string tool, std::string purpose);
@@ -101,11 +101,17 @@ public:
   void flag(const std::string& name, bool& value, const std::string& help);
 
   /** @brief Reads the command line into the variables.
-   * @return false if -h or --help was given, and nothing else matters */
+   * @return false if -h, --help or --version was given, and nothing else matters:
+   * then answer() is what was asked for */
   bool parse(int argc, const char* const* argv);
 
   /** @brief Purpose, usage, files and options with units and defaults. */
   std::string help() const;
+
+  /** @brief Name and version, one line. */
+  std::string version() const;
+
+  std::string answer() const { return wants_version_ ? version() : help(); }
 
   const std::string& tool() const { return tool_; }
 
@@ -138,6 +144,7 @@ private:
   std::string purpose_;
   std::vector<File> files_;
   std::vector<Option> options_;
+  bool wants_version_ = false;
 };
 
 } // namespace tools

@@ -25,7 +25,7 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
   try {
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
     if (!options.parse(argc, argv)) {
-      std::cout << options.help() << std::flush;
+      std::cout << options.answer() << std::flush;
       return Done;
     }
     return body();

@@ -188,10 +188,11 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
   std::size_t closed = 0;
   for (const auto& report : chain.getChain().poisson.getReports())
     closed += report.closed ? 1 : 0;
+  const std::size_t rooms = chain.getFloorplan()->rooms.size();
   char text[160];
-  std::snprintf(text, sizeof text,
-                "%zu rooms, %.1f square metres, %zu closed meshes, %.1f s",
-                chain.getFloorplan()->rooms.size(), area, closed, seconds);
+  std::snprintf(text, sizeof text, "%zu %s, %.1f square metres, %zu closed %s, %.1f s",
+                rooms, rooms == 1 ? "room" : "rooms", area, closed,
+                closed == 1 ? "mesh" : "meshes", seconds);
   return text;
 }
 
