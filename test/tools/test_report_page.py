@@ -448,6 +448,13 @@ class ReportInABrowser(ReportCase):
         browser = self.open(390, 844)
         self.assertLessEqual(browser.run("document.documentElement.scrollWidth"), 390)
 
+    def test_fits_a_sheet_of_paper(self):
+        browser = self.open(700, 1000)
+        browser.ask("Emulation.setEmulatedMedia", media="print")
+        widest = browser.run("Math.max(...[...document.querySelectorAll('body *')].filter(e => !e.closest('svg'))"
+                             ".map(e => e.getBoundingClientRect().right))")
+        self.assertLessEqual(widest, 700)
+
     def test_without_webgl_a_sentence_stands_there(self):
         if not HAS_THREE:
             self.skipTest("three.js is missing: Debian package libjs-three")
