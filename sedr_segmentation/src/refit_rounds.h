@@ -26,7 +26,11 @@ public:
       , targets_(plan, curves, parameters.reach)
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
-  {}
+  {
+    const std::size_t enough = std::max<std::size_t>(
+        1, parameters.points_per_patch * targets_.shownPatches());
+    raw_.step = std::max(raw_.step, raw_.size() * raw_.step / enough);
+  }
 
   void run()
   {

@@ -58,6 +58,9 @@ public:
   std::size_t patchCount() const { return first_patch_.back(); }
   std::size_t firstPatch(std::size_t number) const { return first_patch_[number]; }
 
+  /** @brief Number of the patches that the plan shows: curves go on beyond that. */
+  std::size_t shownPatches() const { return shown_patches_; }
+
   /** @brief Whether a patch is at the top of a wall, where least stands before it. */
   bool isTop(std::size_t number, std::size_t patch) const
   {
@@ -199,6 +202,7 @@ private:
   std::vector<Slab> slabs_;
   std::vector<RoomMap> rooms_;
   std::vector<NicheSlabs> niches_;
+  std::size_t shown_patches_ = 0;
   CellTable stretches_near_{0.2};
   CellTable rooms_near_{0.2};
   CellTable niches_near_{0.2};
