@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/change_mesh.h"
+#include "compare/comparison.h"
+#include "compare/plan_alignment.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace programs;
+using namespace pcl::sedr;
+using namespace pcl::sedr::tools;
+
+PlanLoop
+rectangle(double x0, double y0, double x1, double y1, bool clockwise = false)
+{
+  std::vector<Eigen::Vector2d> corners{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  if (clockwise)
+    std::reverse(corners.begin(), corners.end());
+  PlanLoop loop;
+  for (std::size_t k = 0; k < 4; ++k) {
+    PlanElement element;
+    element.start = corners[k];
+    element.end = corners[(k + 1) % 4];
+    loop.elements.push_back(element);
+  }
+  return loop;
+}
+
+PlanSlab
+slabAt(double height)
+{
+  PlanSlab slab;
+  slab.plane[3] = -height;
+  return slab;
+}
+
+PlanRoom
+roomOf(std::uint32_t id, double x0, double y0, double x1, double y1)
+{
+  PlanRoom room;
+  room.id = id;
+  room.boundary = rectangle(x0, y0, x1, y1);
+  room.floor = slabAt(0);
+  room.ceiling = slabAt(2.8);
+  return room;
+}
+
+/** Two rooms 4.5 m deep, 9 m long together, a partition of 10 cm between them. */
+Floorplan
+twoRooms(double partition = 5)
+{
+  return {{roomOf(1, 0, 0, partition, 4.5), roomOf(2, partition + 0.1, 0, 9, 4.5)}};
+}
+
+std::vector<std::string>
+told(const Floorplan& before, const Floorplan& after)
+{
+  std::vector<std::string> lines;
+  for (const auto& change : comparePlans(before, after, {}))
+    lines.push_back(describe(change));
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(StructureCompare, TellsNothingOfWhatIsTheSame)
+{
+  EXPECT_EQ(told(twoRooms(), twoRooms()), Lines{});
+  EXPECT_EQ(told(twoRooms(), twoRooms(5.04)), Lines{}) << "within the tolerance";
+  Floorplan renumbered = twoRooms();
+  std::swap(renumbered.rooms[0], renumbered.rooms[1]);
+  renumbered.rooms[0].id = 1;
+  renumbered.rooms[1].id = 2;
+  EXPECT_EQ(told(twoRooms(), renumbered), Lines{});
+}
+
+TEST(StructureCompare, APartitionThatMovesIsOneThingAndLongerWallsAreNone)
+{
+  EXPECT_EQ(told(twoRooms(), twoRooms(5.3)),
+            Lines{"moved partition by 0.30 m (x +0.30), 4.5 m: room_1_wall_2, "
+                  "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StructureCompare, APartitionThatIsTakenOutOrPutIn)
+{
+  const Floorplan one{{roomOf(1, 0, 0, 9, 4.5)}};
+  EXPECT_EQ(told(twoRooms(), one),
+            Lines{"vanished partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+  EXPECT_EQ(told(one, twoRooms()),
+            Lines{"appeared partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StructureCompare, ANewPilasterIsOneThing)
+{
+  Floorplan after = twoRooms();
+  auto& walls = after.rooms[0].boundary.elements;
+  const std::vector<Eigen::Vector2d> corners{{2, 4.5}, {2, 4}, {1.5, 4}, {1.5, 4.5}};
+  PlanElement rest = walls[2];
+  rest.start = corners[3];
+  walls[2].end = corners[0];
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+    PlanElement side;
+    side.start = corners[k];
+    side.end = corners[k + 1];
+    walls.insert(walls.begin() + 3 + static_cast<std::ptrdiff_t>(k), side);
+  }
+  walls.insert(walls.begin() + 6, rest);
+  EXPECT_EQ(
+      told(twoRooms(), after),
+      Lines{"appeared walls, 1.5 m: room_1_wall_4, room_1_wall_5, room_1_wall_6"});
+}
+
+TEST(StructureCompare, AWholeRoomIsToldWithoutItsWalls)
+{
+  Floorplan one = twoRooms();
+  one.rooms.pop_back();
+  EXPECT_EQ(told(twoRooms(), one), Lines{"vanished room, 17.55 m2: room_2"});
+  EXPECT_EQ(told(one, twoRooms()), Lines{"appeared room, 17.55 m2: room_2"});
+}
+
+TEST(StructureCompare, Columns)
+{
+  Floorplan with = twoRooms();
+  with.rooms[1].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
+  EXPECT_EQ(told(twoRooms(), with), Lines{"appeared column, 0.20 m2: room_2_column_1"});
+  EXPECT_EQ(told(with, twoRooms()), Lines{"vanished column, 0.20 m2: room_2_column_1"});
+  Floorplan moved = twoRooms();
+  moved.rooms[1].columns.push_back(rectangle(7.2, 1.9, 7.7, 2.3, true));
+  EXPECT_EQ(told(with, moved),
+            Lines{"moved column by 0.22 m (x +0.20, y -0.10), 0.20 m2: room_2_column_1 "
+                  "-> room_2_column_1"});
+  Floorplan grown = twoRooms();
+  grown.rooms[1].columns.push_back(rectangle(6.98, 1.98, 7.52, 2.42, true));
+  EXPECT_EQ(told(with, grown), Lines{}) << "at its place";
+}
+
+TEST(StructureCompare, DetailsOfCeilingAndFloor)
+{
+  Floorplan with = twoRooms();
+  with.rooms[0].details.push_back({rectangle(0, 3.7, 5, 4.5), {}, slabAt(2.4)});
+  EXPECT_EQ(told(with, twoRooms()), Lines{"vanished soffit, 4.00 m2: room_1_detail_1"});
+  EXPECT_EQ(told(twoRooms(), with), Lines{"appeared soffit, 4.00 m2: room_1_detail_1"});
+  Floorplan lower = with;
+  lower.rooms[0].details[0].slab = slabAt(2.25);
+  EXPECT_EQ(told(with, lower),
+            Lines{"moved soffit by 0.15 m (z -0.15), 4.00 m2: room_1_detail_1 -> "
+                  "room_1_detail_1"});
+  Floorplan step = twoRooms();
+  step.rooms[1].floor_details.push_back({rectangle(7, 0, 9, 4.5), {}, slabAt(0.3)});
+  EXPECT_EQ(told(twoRooms(), step),
+            Lines{"appeared step, 9.00 m2: room_2_floor_detail_1"});
+  Floorplan higher = twoRooms();
+  higher.rooms[1].ceiling = slabAt(3);
+  EXPECT_EQ(told(twoRooms(), higher),
+            Lines{"moved ceiling by 0.20 m (z +0.20), 17.55 m2: room_2_ceiling -> "
+                  "room_2_ceiling"});
+}
+
+TEST(StructureCompare, ARoundWallThatMoves)
+{
+  const auto apse = [](double radius) {
+    Floorplan plan{{roomOf(1, 0, 0, 5, 4)}};
+    auto& wall = plan.rooms[0].boundary.elements[1];
+    wall.centre = {5 - std::sqrt(radius * radius - 4), 2};
+    wall.radius = radius;
+    return plan;
+  };
+  const auto changes = comparePlans(apse(2.5), apse(2.1), {});
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].what, "wall");
+  EXPECT_EQ(changes[0].kind, ChangeKind::Moved);
+  // From the depth of one arc, 1 m, to that of the other.
+  EXPECT_NEAR(changes[0].shift.x(), (2.1 - std::sqrt(2.1 * 2.1 - 4)) - 1, 0.02);
+}
+
+TEST(PlanAlignment, FindsTheTurnAndTheShiftThoughThingsHaveChanged)
+{
+  PlanTransform truth;
+  truth.angle = 4 * M_PI / 180;
+  truth.shift = {0.25, -0.2, 0.15};
+  Floorplan after = twoRooms(5.3);
+  after.rooms[1].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
+  const Floorplan rough = transformed(after, truth);
+  EXPECT_GT(told(twoRooms(), rough).size(), 4u);
+  const PlanTransform found = alignPlans(rough, twoRooms());
+  EXPECT_NEAR(found.angle, -truth.angle, 1e-3);
+  const Floorplan aligned = transformed(rough, found);
+  for (std::size_t r = 0; r < 2; ++r) {
+    const Eigen::Vector2d corner =
+        aligned.rooms[r].boundary.elements[r == 0 ? 0 : 1].start;
+    EXPECT_LT((corner - Eigen::Vector2d(r == 0 ? 0 : 9, 0)).norm(), 0.01);
+  }
+  EXPECT_NEAR(aligned.rooms[0].ceiling.heightAt({1, 1}), 2.8, 1e-6);
+  EXPECT_EQ(told(twoRooms(), aligned).size(), 2u) << "partition and column";
+}
+
+TEST(PlanAlignment, LeavesPlansWithoutCommonWallsAlone)
+{
+  const PlanTransform none = alignPlans(twoRooms(), {});
+  EXPECT_EQ(none.angle, 0);
+  EXPECT_EQ(none.shift.norm(), 0);
+}
+
+/** The program on plans. */
+class CompareTool : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  std::string plan(const std::string& name, const Floorplan& plan) const
+  {
+    writeFile(in(name), floorplanToJson(plan));
+    return in(name);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CompareTool, WritesJsonAndAColouredMesh)
+{
+  Floorplan before = twoRooms();
+  before.rooms[1].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
+  const ProgramRun result =
+      run(STRUCTURE_COMPARE, {plan("a.json", before), plan("b.json", twoRooms(5.3)),
+                              "--mesh", in("d.ply"), "--json", in("d.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2);
+  const auto json = nlohmann::json::parse(bytesOf(in("d.json")));
+  ASSERT_EQ(json.at("changes").size(), 2u);
+  EXPECT_EQ(json.at("changes")[0].at("shift")[0], 0.3);
+  const std::string ply = bytesOf(in("d.ply"));
+  const std::size_t body = ply.find("end_header\n") + 11;
+  const std::size_t count = static_cast<std::size_t>(
+      std::stoul(ply.substr(ply.find("element vertex ") + 15)));
+  std::map<int, std::size_t> reds; // the colours differ in red
+  constexpr std::size_t row = 3 * 8 + 3;
+  ASSERT_EQ(ply.size(), body + count * row + count / 3 * 13);
+  for (std::size_t v = 0; v < count; ++v)
+    ++reds[static_cast<unsigned char>(ply[body + v * row + 24])];
+  EXPECT_EQ(reds[change_colours::vanished.red], 3u * 8) << "four faces of a column";
+  EXPECT_EQ(reds[change_colours::moved.red], 3u * 4) << "both faces of the partition";
+  EXPECT_EQ(reds[change_colours::appeared.red], 0u);
+  EXPECT_EQ(reds[change_colours::unchanged.red], 3u * (2 * 12 - 4));
+}
+
+TEST_F(CompareTool, RefusesWhatIsNoModel)
+{
+  const std::string good = plan("a.json", twoRooms());
+  for (const std::string& bad : {in("missing.json"), folder_.path().string()}) {
+    const ProgramRun result = run(STRUCTURE_COMPARE, {good, bad});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+  }
+  EXPECT_EQ(run(STRUCTURE_COMPARE, {good}).exit_code, 1);
+  EXPECT_EQ(run(STRUCTURE_COMPARE, {good, good, "--mesh", in("d.obj")}).exit_code, 1);
+  const ProgramRun same = run(STRUCTURE_COMPARE, {good, good});
+  EXPECT_EQ(same.exit_code, 0);
+  EXPECT_EQ(same.out, "nothing has changed\n");
+}
+
+/** A scene for the simulator: two furnished rooms with doors and a window. */
+std::string
+sceneText(double partition, bool has_soffit, bool has_column)
+{
+  const std::string p = std::to_string(partition);
+  const std::string next = std::to_string(partition + 0.1);
+  return R"({"format": "sedr-scene", "version": 1, "name": "s", "summary": "s", "rooms": [
+{"name": "office", "outline": {"rectangle": [[0, 0], [)" +
+         p + R"(, 4.5]]}, "floor": 0, "ceiling": 2.8, )" +
+         (has_soffit ? R"("ceiling_details": [{"loop": {"rectangle": [[0, 3.7], [)" +
+                           p + R"(, 4.5]]}, "drop": 0.35}], )"
+                     : std::string()) +
+         R"("openings": [
+ {"wall": 1, "from": 1, "to": 1.9, "head": 2.05, "depth": 0.1, "leads_to": "store"},
+ {"wall": 3, "from": 1.2, "to": 3.2, "sill": 0.9, "head": 2.2, "depth": 0.3, "glazing": {}}],
+ "furniture": [{"table": {"wall": 3, "s": 2, "size": [1.4, 0.8, 0.74]}},
+ {"shelf": {"wall": 0, "s": 1, "size": [0.9, 0.3, 1.9]}}]},
+{"name": "store", "outline": {"rectangle": [[)" +
+         next + R"(, 0], [9, 4.5]]}, "floor": 0, "ceiling": 2.8, )" +
+         (has_column ? R"("columns": [{"rectangle": [[7, 2], [7.35, 2.35]]}], )" : "") +
+         R"("furniture": [{"block": {"name": "cabinet", "wall": 2, "s": 1,
+ "size": [1.2, 0.45, 1.7]}}]}],
+"scanners": [{"stations": [[1.3, 1.4, 1.5], [3.9, 3, 1.5], [6.1, 1.2, 1.5], [6.2, 3.6, 1.5],
+ [8.3, 2.6, 1.5]], "rays": 120000, "noise": 0.002}],
+"placement": {"yaw": 20, "shift": [10, 5, 0]}})";
+}
+
+TEST_F(CompareTool, NamesExactlyWhatChangedBetweenTwoScans)
+{
+  writeFile(in("before.json"), sceneText(5, true, false));
+  writeFile(in("after.json"), sceneText(5.3, false, true));
+  for (const char* name : {"before", "after"})
+    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {in(std::string(name) + ".json"), in(name)})
+                  .exit_code,
+              0);
+  const ProgramRun result =
+      run(STRUCTURE_COMPARE,
+          {in("before/scan.pcd"), in("after/scan.pcd"), "--json", in("changes.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto changes = nlohmann::json::parse(bytesOf(in("changes.json"))).at("changes");
+  ASSERT_EQ(changes.size(), 3u) << result.out;
+  EXPECT_EQ(changes[0].at("what"), "partition");
+  EXPECT_EQ(changes[0].at("change"), "moved");
+  const double turn = 20 * M_PI / 180;
+  EXPECT_NEAR(changes[0].at("shift")[0].get<double>(), 0.3 * std::cos(turn), 0.01);
+  EXPECT_NEAR(changes[0].at("shift")[1].get<double>(), 0.3 * std::sin(turn), 0.01);
+  EXPECT_EQ(changes[1].at("what"), "column");
+  EXPECT_EQ(changes[1].at("change"), "appeared");
+  EXPECT_NEAR(changes[1].at("area").get<double>(), 0.35 * 0.35, 0.02);
+  EXPECT_EQ(changes[2].at("what"), "soffit");
+  EXPECT_EQ(changes[2].at("change"), "vanished");
+}
+
+} // namespace

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/change_mesh.h"
+#include "compare/change_picture.h"
+#include "compare/comparison.h"
+#include "compare/plan_alignment.h"
+#include "picture_file.h"
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/common/angles.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::Floorplan;
+
+namespace {
+
+bool
+endsIn(const std::string& path, const std::string& end)
+{
+  return path.size() > end.size() &&
+         path.compare(path.size() - end.size(), end.size(), end) == 0;
+}
+
+/** @brief The plan of a scan, as pcl_sedr finds it. */
+Floorplan
+planOfScan(const std::string& path)
+{
+  const Progress progress("reconstructing " + path);
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
+  chain.setInputCloud(loadCloud(path).points);
+  if (!chain.findStructure())
+    throw ToolError("'" + path + "': no structure found: " + chain.getErrorMessage(),
+                    NothingFound);
+  return *chain.getFloorplan();
+}
+
+/** @brief The plan of a model: a folder of pcl_sedr's, a plan, or a scan. */
+Floorplan
+planOf(const std::string& path)
+{
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    return *loadFloorplan((std::filesystem::path(path) / "floorplan.json").string());
+  if (endsIn(path, ".json"))
+    return *loadFloorplan(path);
+  return planOfScan(path);
+}
+
+/** @brief What the command line sets. */
+struct Settings {
+  std::string before;
+  std::string after;
+  bool align = false;
+  double reach = 0.5; ///< metres
+  std::string mesh;
+  std::string json;
+  std::string picture;
+  CompareSettings compare;
+};
+
+void
+addOptions(Options& options, Settings& s)
+{
+  options.file(
+      "A", s.before,
+      "model before: a folder that pcl_sedr has left, a floor plan (.json), or "
+      "a scan (PCD or PLY)");
+  options.file("B", s.after, "model after, likewise, in the same frame");
+  options.number("tolerance", s.compare.tolerance, "m",
+                 "what is less off its place has not moved", Range::between(0.001, 1));
+  options.number("minimum-length", s.compare.minimum_length, "m",
+                 "least piece of a wall that counts", Range::between(0.1, 100));
+  options.number("minimum-area", s.compare.minimum_area, "m2",
+                 "least part of a ceiling or floor that counts", Range::above(0));
+  options.number("farthest", s.compare.farthest, "m",
+                 "what is farther from where it was is another thing",
+                 Range::between(0.01, 100));
+  options.flag("align", s.align, "refine a rough alignment of B first, by ICP");
+  options.number("reach", s.reach, "m", "how rough that alignment may be",
+                 Range::between(0.01, 5));
+  options.text("mesh", s.mesh,
+               "PLY to write, in colours: green appeared, red vanished, orange moved");
+  options.text("json", s.json, "JSON to write");
+  addPictureOption(options, s.picture);
+}
+
+int
+run(const Settings& settings)
+{
+  if (!settings.json.empty())
+    checkJsonOutput(settings.json);
+  checkPictureOutput(settings.picture);
+  if (!settings.mesh.empty() && !endsIn(settings.mesh, ".ply"))
+    throw ToolError("the mesh is written as PLY, '" + settings.mesh +
+                    "' does not end in .ply");
+  if (!settings.mesh.empty())
+    checkWritable(settings.mesh);
+  const Floorplan before = planOf(settings.before);
+  Floorplan after = planOf(settings.after);
+  if (settings.align) {
+    const PlanTransform transform = alignPlans(after, before, settings.reach);
+    after = transformed(after, transform);
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "aligned: turned by %.2f degrees, shifted by x %+.3f, y %+.3f, z "
+                  "%+.3f m\n",
+                  pcl::rad2deg(transform.angle), transform.shift.x(),
+                  transform.shift.y(), transform.shift.z());
+    std::cout << text;
+  }
+  const auto changes = comparePlans(before, after, settings.compare);
+  for (const auto& change : changes)
+    std::cout << describe(change) << '\n';
+  if (changes.empty())
+    std::cout << "nothing has changed\n";
+  if (!settings.json.empty())
+    writeWhole(settings.json, [&](std::ostream& stream) {
+      stream << changesToJson(changes, settings.compare);
+    });
+  if (!settings.mesh.empty())
+    saveChangeMesh(settings.mesh, before, after, changes);
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawChanges(before, after, changes));
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  Options options("pcl_structure_compare",
+                  "Tells what has appeared, vanished and moved between two models of "
+                  "the same rooms.");
+  addOptions(options, settings);
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}
