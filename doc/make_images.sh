@@ -66,6 +66,12 @@ for scene in bls_room hls_hall syn_flat; do
   fi
 done
 
+echo "== comparison"
+for state in before after; do
+  "$bin/pcl_simulate_indoor_scan" "$root/doc/scenes/office_$state.json" "$data/office_$state"
+done
+"$bin/pcl_structure_compare" "$data"/office_{before,after}/scan.pcd --picture "$output/structure_compare.png"
+
 # look NAME SCENE OPTIONS...: what the viewer shows of a scene's model, for its page.
 look() {
   xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2/$input" --size "${size-640x440}" \

@@ -269,39 +269,12 @@ TEST_F(CompareTool, RefusesWhatIsNoModel)
   EXPECT_EQ(same.out, "nothing has changed\n");
 }
 
-/** A scene for the simulator: two furnished rooms with doors and a window. */
-std::string
-sceneText(double partition, bool has_soffit, bool has_column)
-{
-  const std::string p = std::to_string(partition);
-  const std::string next = std::to_string(partition + 0.1);
-  return R"({"format": "sedr-scene", "version": 1, "name": "s", "summary": "s", "rooms": [
-{"name": "office", "outline": {"rectangle": [[0, 0], [)" +
-         p + R"(, 4.5]]}, "floor": 0, "ceiling": 2.8, )" +
-         (has_soffit ? R"("ceiling_details": [{"loop": {"rectangle": [[0, 3.7], [)" +
-                           p + R"(, 4.5]]}, "drop": 0.35}], )"
-                     : std::string()) +
-         R"("openings": [
- {"wall": 1, "from": 1, "to": 1.9, "head": 2.05, "depth": 0.1, "leads_to": "store"},
- {"wall": 3, "from": 1.2, "to": 3.2, "sill": 0.9, "head": 2.2, "depth": 0.3, "glazing": {}}],
- "furniture": [{"table": {"wall": 3, "s": 2, "size": [1.4, 0.8, 0.74]}},
- {"shelf": {"wall": 0, "s": 1, "size": [0.9, 0.3, 1.9]}}]},
-{"name": "store", "outline": {"rectangle": [[)" +
-         next + R"(, 0], [9, 4.5]]}, "floor": 0, "ceiling": 2.8, )" +
-         (has_column ? R"("columns": [{"rectangle": [[7, 2], [7.35, 2.35]]}], )" : "") +
-         R"("furniture": [{"block": {"name": "cabinet", "wall": 2, "s": 1,
- "size": [1.2, 0.45, 1.7]}}]}],
-"scanners": [{"stations": [[1.3, 1.4, 1.5], [3.9, 3, 1.5], [6.1, 1.2, 1.5], [6.2, 3.6, 1.5],
- [8.3, 2.6, 1.5]], "rays": 120000, "noise": 0.002}],
-"placement": {"yaw": 20, "shift": [10, 5, 0]}})";
-}
-
 TEST_F(CompareTool, NamesExactlyWhatChangedBetweenTwoScans)
 {
-  writeFile(in("before.json"), sceneText(5, true, false));
-  writeFile(in("after.json"), sceneText(5.3, false, true));
   for (const char* name : {"before", "after"})
-    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {in(std::string(name) + ".json"), in(name)})
+    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN,
+                  {DOC_FOLDER + std::string("/scenes/office_") + name + ".json",
+                   in(name), "--rays", "120000"})
                   .exit_code,
               0);
   const ProgramRun result =

@@ -83,13 +83,14 @@ addElements(const std::vector<std::string>& names,
             Panel& panel)
 {
   constexpr double pixels = 3.5;
+  const Eigen::Vector2d above(0, 0.35); // metres: beside what it names
   for (const auto& name : names) {
     const auto found = paths.find(name);
     if (found == paths.end() || found->second.empty())
       continue;
     panel.addPath(found->second, colour, pixels);
     if (&name == &names.back())
-      panel.addLabel(middleOf(found->second), label);
+      panel.addLabel(middleOf(found->second) + above, label);
   }
 }
 
@@ -117,9 +118,8 @@ drawChanges(const Floorplan& before,
                                                    : change_colours::appeared,
                   label, panel);
   }
-  Picture picture(changes.empty() ? "Nothing has changed"
-                                  : std::to_string(changes.size()) + " of the things " +
-                                        "here have changed");
+  const std::string count = std::to_string(changes.size());
+  Picture picture(count + (changes.size() == 1 ? " change" : " changes"));
   picture.addMaps({panel});
   for (const auto& [kind, colour] :
        {std::pair{ChangeKind::Appeared, change_colours::appeared},

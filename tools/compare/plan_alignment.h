@@ -23,8 +23,8 @@ Floorplan transformed(const Floorplan& plan, const PlanTransform& transform);
 /** @brief The transform that brings a roughly aligned plan onto another, by ICP of the
  * walls: each is drawn to the nearest one that faces the same way (point to line), at
  * first up to `reach` metres away and at last as near as most are, so that what has
- * changed does not count; the height follows from the floors. Off by up to `reach` and
- * some ten degrees is rough enough.
+ * changed does not count; the height follows from the floors. Most walls must
+ * lie within the reach of their place.
  * @return identity where fewer than three walls have a partner */
 PlanTransform
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach = 0.5);
