@@ -24,6 +24,7 @@ struct Settings {
   std::string output;
   std::string picture;
   std::string plan;
+  std::string solver = "sedr";
   bool one_room = false;
 };
 
@@ -131,6 +132,10 @@ main(int argc, char** argv)
   options.text("plan", settings.plan,
                "floor plan, as JSON, to take the samples from instead of INPUT: sharper "
                "edges");
+  options.text("solver", settings.solver,
+               "what solves the equation: sedr's own cells along the surface, or "
+               "pcl::Poisson",
+               {"sedr", "pcl"});
   options.number("depth", depth, "", "largest depth of the octree",
                  Range::between(3, 14));
   options.number("min-depth", min_depth, "", "depth of the octree everywhere",
@@ -158,6 +163,8 @@ main(int argc, char** argv)
                  Range::atLeast(1));
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
+    poisson.setSolver(settings.solver == "pcl" ? Poisson::Solver::Pcl
+                                               : Poisson::Solver::Sedr);
     poisson.setDepth(depth);
     poisson.setMinDepth(min_depth);
     poisson.setPointWeight(weight);

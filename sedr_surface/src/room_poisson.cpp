@@ -106,22 +106,19 @@ hasEqualPositions(const TriangleMesh& mesh)
 }
 
 void
-moveAndRepair(TriangleMesh& mesh,
-              const Eigen::Vector3d& centre,
-              const RoomPoissonParameters& parameters,
-              RoomPoissonReport& report)
+move(TriangleMesh& mesh, const Eigen::Vector3d& centre)
 {
   for (Eigen::Vector3d& v : mesh.vertices)
     v += centre;
   roundToFloat(mesh);
-  MeshRepairOptions options;
-  options.max_hole_edges = parameters.max_hole_edges;
-  options.keep_components = 1;
-  options.shortest_edge = std::max(0.05 * report.cell, 2 * resolutionAt(mesh));
-  options.normals = NormalSide::Inward;
-  repairMesh(mesh, options, report.repair);
-  roundToFloat(mesh);
-  report.topology = checkTopology(mesh);
+}
+
+// What keeps the mesh from being one closed surface, into the report.
+void
+checkRoom(const TriangleMesh& mesh,
+          const RoomPoissonParameters& parameters,
+          RoomPoissonReport& report)
+{
   report.problem = report.topology.problem();
   if (report.topology.components.size() > 1)
     report.problem += (report.problem.empty() ? "" : ", ") +
@@ -136,6 +133,22 @@ moveAndRepair(TriangleMesh& mesh,
   report.closed = report.problem.empty();
 }
 
+void
+repair(TriangleMesh& mesh,
+       const RoomPoissonParameters& parameters,
+       RoomPoissonReport& report)
+{
+  MeshRepairOptions options;
+  options.max_hole_edges = parameters.max_hole_edges;
+  options.keep_components = 1;
+  options.shortest_edge = std::max(0.05 * report.cell, 2 * resolutionAt(mesh));
+  options.normals = NormalSide::Inward;
+  repairMesh(mesh, options, report.repair);
+  roundToFloat(mesh);
+  report.topology = checkTopology(mesh);
+  checkRoom(mesh, parameters, report);
+}
+
 // How far a result is from being closed; of several that are not, the least is kept.
 std::size_t
 defects(const MeshTopology& topology)
@@ -145,22 +158,51 @@ defects(const MeshTopology& topology)
          topology.degenerate_triangles + topology.duplicate_triangles;
 }
 
-// Solves until the surface is closed, or as often as is worth it.
+// One run of screenedPoisson().
 bool
-solveUntilClosed(const std::vector<OrientedPoint>& points,
+solveOnBand(const std::vector<OrientedPoint>& local,
+            const Eigen::Vector3d& centre,
+            double extent,
+            const RoomPoissonParameters& parameters,
+            TriangleMesh& mesh,
+            RoomPoissonReport& report)
+{
+  const PoissonParameters octree =
+      fitOctree(parameters.solver, extent, report.spacing * parameters.cell_ratio, 0);
+  ScreenedPoissonParameters solver;
+  solver.cell = std::max(report.spacing * parameters.cell_ratio,
+                         extent * parameters.solver.scale / std::ldexp(1., octree.depth));
+  solver.spacing = report.spacing;
+  solver.point_weight = parameters.solver.point_weight;
+  solver.threads = parameters.threads;
+  const std::string failure = screenedPoisson(local, solver, mesh, report.screened);
+  report.attempts = 1;
+  report.depth = octree.depth;
+  report.cell = report.screened.cell;
+  report.scale = report.cell * std::ldexp(1., octree.depth) / extent;
+  if (!failure.empty()) {
+    report.problem = failure;
+    return false;
+  }
+  move(mesh, centre);
+  keepLargestComponents(mesh, 1, report.repair);
+  mesh.removeUnusedVertices();
+  report.topology = checkTopology(mesh);
+  checkRoom(mesh, parameters, report);
+  if (!report.closed) // far from the origin, where a float puts vertices in one place
+    repair(mesh, parameters, report);
+  return !mesh.empty();
+}
+
+// Runs pcl::Poisson until the surface is closed, or as often as is worth it.
+bool
+solveUntilClosed(const std::vector<OrientedPoint>& local,
+                 const Eigen::Vector3d& centre,
+                 double extent,
                  const RoomPoissonParameters& parameters,
                  TriangleMesh& mesh,
                  RoomPoissonReport& report)
 {
-  const Eigen::Vector3d centre = centroidOf(points);
-  const std::vector<OrientedPoint> local = centred(points, centre);
-  const double extent = extentOf(local);
-  report.spacing = measureSpacing(local);
-  if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
-    report.problem = "the " + std::to_string(points.size()) + " points extend over " +
-                     shortNumber(extent) + " m only";
-    return false;
-  }
   bool found = false;
   RoomPoissonReport best = report;
   std::string failure;
@@ -178,7 +220,8 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
     failure = solvePoisson(local, octree, surface, current.complaints);
     if (!failure.empty())
       continue;
-    moveAndRepair(surface, centre, parameters, current);
+    move(surface, centre);
+    repair(surface, parameters, current);
     if (surface.empty())
       continue;
     if (!found || current.closed ||
@@ -197,6 +240,26 @@ solveUntilClosed(const std::vector<OrientedPoint>& points,
   if (!found)
     report.problem = failure.empty() ? "nothing was left of the surface" : failure;
   return found;
+}
+
+bool
+solve(const std::vector<OrientedPoint>& points,
+      const RoomPoissonParameters& parameters,
+      TriangleMesh& mesh,
+      RoomPoissonReport& report)
+{
+  const Eigen::Vector3d centre = centroidOf(points);
+  const std::vector<OrientedPoint> local = centred(points, centre);
+  const double extent = extentOf(local);
+  report.spacing = measureSpacing(local);
+  if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
+    report.problem = "the " + std::to_string(points.size()) + " points extend over " +
+                     shortNumber(extent) + " m only";
+    return false;
+  }
+  return parameters.method == PoissonSolver::Sedr
+             ? solveOnBand(local, centre, extent, parameters, mesh, report)
+             : solveUntilClosed(local, centre, extent, parameters, mesh, report);
 }
 
 using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
@@ -298,7 +361,7 @@ reconstructRoom(const std::vector<OrientedPoint>& points,
                      std::to_string(points.size());
     return false;
   }
-  if (!solveUntilClosed(points, parameters, mesh, report))
+  if (!solve(points, parameters, mesh, report))
     return false;
   compareWithPoints(points, parameters, mesh, nearest, report);
   return true;

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_surface/mesh_repair.h>
 #include <pcl/sedr_surface/poisson_solver.h>
+#include <pcl/sedr_surface/screened_poisson.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstddef>
@@ -13,8 +14,15 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief What solves the screened Poisson equation. */
+enum class PoissonSolver {
+  Sedr, ///< screenedPoisson(): cells along the surface, repeatable with any threads
+  Pcl   ///< pcl::Poisson, tried until its surface closes
+};
+
 /** @brief How the surface of a room is made; see StructuralPoisson. */
 struct RoomPoissonParameters {
+  PoissonSolver method = PoissonSolver::Sedr;
   PoissonParameters solver;     ///< `depth` is a maximum, `scale` a minimum
   double cell_ratio = 0.8;      ///< finest cell of the octree / spacing of the points
   std::size_t min_points = 100; ///< a room of fewer is not tried
@@ -36,7 +44,8 @@ struct RoomPoissonReport {
   int depth = 0;                  ///< of the octree
   double scale = 0;               ///< edge of the octree's cube / extent of the points
   double cell = 0;                ///< edge of its finest cell, metres
-  int attempts = 0;               ///< runs of pcl::Poisson
+  int attempts = 0;               ///< runs of the solver
+  ScreenedPoissonReport screened; ///< of Sedr's
   std::size_t complaints = 0; ///< lines that pcl::Poisson would have printed, last run
   MeshRepairReport repair;    ///< of the last run
   MeshTopology topology;      ///< of the result

@@ -95,6 +95,13 @@ public:
 
   double getPlanSpacing() const { return plan_spacing_; }
 
+  using Solver = sedr::PoissonSolver;
+
+  /** @brief What solves the equation (default Solver::Sedr). */
+  void setSolver(Solver solver) { parameters_.method = solver; }
+
+  Solver getSolver() const { return parameters_.method; }
+
   /** @brief Largest depth of the octree, 3 to 14 (default 9, as in the paper). Less is
    * used where the points bear no more; a room too large for it gets coarser cells. */
   void setDepth(int depth) { parameters_.solver.depth = depth; }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The cells of a regular grid along a surface: blocks of 8 x 8 x 8 nodes, of
+ * which only those that are listed exist. Values at the nodes lie in one array, 512 a
+ * block with x running fastest, and 512 zeros behind the last block that stand for
+ * every block that does not exist.
+ *
+ * Coordinates of nodes and blocks are whole numbers of either sign; a block holds the
+ * nodes from 8 times its coordinates on. */
+class BandGrid {
+public:
+  using Block = std::array<std::int64_t, 3>;
+  using Key = std::uint64_t;
+
+  static constexpr std::int64_t edge = 8;
+  static constexpr std::size_t nodes = 512;
+  static constexpr std::size_t halo_edge = 10; ///< a block with a layer of nodes around
+  static constexpr std::size_t halo_nodes = 1000;
+  static constexpr std::int64_t reach = 1 << 20; ///< coordinates of blocks stay below
+
+  BandGrid() = default;
+
+  /** @brief The blocks of the keys, which may come in any order and more than once. */
+  explicit BandGrid(std::vector<Key> keys);
+
+  static Key keyOf(const Block& block);
+
+  static Block blockOf(Key key);
+
+  /** @brief The node's place within its block. */
+  static std::size_t nodeIndex(std::int64_t x, std::int64_t y, std::int64_t z)
+  {
+    return static_cast<std::size_t>((z * edge + y) * edge + x);
+  }
+
+  static std::size_t haloIndex(std::int64_t x, std::int64_t y, std::int64_t z)
+  {
+    return static_cast<std::size_t>(((z + 1) * 10 + y + 1) * 10 + x + 1);
+  }
+
+  std::size_t size() const { return keys_.size(); }
+
+  /** @brief Entries of an array of values, zeros included. */
+  std::size_t valueCount() const { return (size() + 1) * nodes; }
+
+  Block at(std::size_t b) const { return blockOf(keys_[b]); }
+
+  const std::vector<Key>& keys() const { return keys_; }
+
+  /** @brief Number of a block, size() if it does not exist. O(log n). */
+  std::size_t find(const Block& block) const;
+
+  /** @brief Number of the block next to block `b`, each step -1, 0 or 1. */
+  std::size_t neighbour(std::size_t b, int dx, int dy, int dz) const
+  {
+    return neighbours_[b]
+                      [static_cast<std::size_t>((dz + 1) * 9 + (dy + 1) * 3 + dx + 1)];
+  }
+
+  /** @brief True if all eight corners exist of the cell above node (x, y, z) of block
+   * `b`, each 0 to 7. */
+  bool holdsCell(std::size_t b, int x, int y, int z) const;
+
+  /** @brief True if one of the 26 blocks around block `b` does not exist. */
+  bool atRim(std::size_t b) const { return at_rim_[b]; }
+
+  /** @brief Copies a block with the layer of nodes around it. */
+  void gatherHalo(const std::vector<float>& values, std::size_t b, float* halo) const;
+
+private:
+  std::vector<Key> keys_;
+  std::vector<std::array<std::uint32_t, 27>> neighbours_;
+  std::vector<bool> at_rim_;
+};
+
+/** @brief n / divisor, rounded down. */
+inline std::int64_t
+floorDivide(std::int64_t n, std::int64_t divisor)
+{
+  return n >= 0 ? n / divisor : -((-n + divisor - 1) / divisor);
+}
+
+} // namespace sedr
+} // namespace pcl

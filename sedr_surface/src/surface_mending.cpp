@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface_mending.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+// Cosine between a triangle and its vertices' normals below which it is a fold.
+constexpr double fold = 0.1;
+
+class Mender {
+public:
+  Mender(TriangleMesh& mesh, std::vector<SurfaceVertex>& vertices, double least_height)
+    : mesh_(mesh)
+    , vertices_(vertices)
+    , least_height_(least_height)
+    , alive_(mesh.triangles.size(), true)
+    , first_(mesh.vertices.size() + 1, 0)
+    , around_(mesh.vertices.size())
+  {
+    for (const Triangle& triangle : mesh.triangles)
+      for (const auto v : triangle)
+        ++first_[v + 1];
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+      first_[v + 1] += first_[v];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    corners_.resize(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const auto v : mesh.triangles[t])
+        corners_[next[v]++] = t;
+  }
+
+  std::vector<std::uint32_t> collectBad() const
+  {
+    std::vector<std::uint32_t> bad;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (cost(t) > 0)
+        bad.push_back(t);
+    return bad;
+  }
+
+  bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
+
+  // Improves what is about triangle t, by the best collapse, else by the best shift;
+  // adds the triangles that changed.
+  bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
+  {
+    Step best;
+    const Triangle triangle = mesh_.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      consider(triangle[i], triangle[(i + 1) % 3], longest, best);
+      consider(triangle[(i + 1) % 3], triangle[i], longest, best);
+    }
+    if (best.gain > 0) {
+      collapse(best.kept, best.gone);
+      ++collapsed_;
+    }
+    else {
+      for (const auto v : triangle)
+        considerShift(v, best);
+      if (best.gain <= 0)
+        return false;
+      mesh_.vertices[best.kept] = best.target;
+    }
+    const auto& ring = around(best.kept);
+    changed.insert(changed.end(), ring.begin(), ring.end());
+    return true;
+  }
+
+  std::size_t collapsed() const { return collapsed_; }
+
+  const std::vector<bool>& alive() const { return alive_; }
+
+private:
+  struct Step {
+    int gain = 0;
+    double length = 0;
+    std::uint32_t kept = 0;
+    std::uint32_t gone = 0;
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  };
+
+  std::vector<std::uint32_t>& around(std::uint32_t v)
+  {
+    auto& list = around_[v];
+    if (list.empty())
+      list.assign(corners_.begin() + first_[v], corners_.begin() + first_[v + 1]);
+    return list;
+  }
+
+  bool uses(std::uint32_t t, std::uint32_t v) const
+  {
+    const Triangle& triangle = mesh_.triangles[t];
+    return triangle[0] == v || triangle[1] == v || triangle[2] == v;
+  }
+
+  // How bad a triangle over these places would be.
+  int cost(const Eigen::Vector3d* p, const Eigen::Vector3d& towards) const
+  {
+    const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double longest =
+        std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+    const double size = normal.norm();
+    return (size < least_height_ * longest ? 1 : 0) +
+           (normal.dot(towards) < fold * size * towards.norm() ? 2 : 0);
+  }
+
+  int cost(std::uint32_t t) const { return cost(t, 0, 0, nullptr); }
+
+  // With vertex `from` become `to`, at another place.
+  int cost(std::uint32_t t,
+           std::uint32_t from,
+           std::uint32_t to,
+           const Eigen::Vector3d* place) const
+  {
+    Eigen::Vector3d p[3];
+    Eigen::Vector3d towards = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t v = mesh_.triangles[t][i];
+      p[i] = mesh_.vertices[v];
+      if (place && v == from) {
+        v = to;
+        p[i] = *place;
+      }
+      towards += vertices_[v].normal.cast<double>();
+    }
+    return cost(p, towards);
+  }
+
+  std::vector<std::uint32_t> neighbours(std::uint32_t v)
+  {
+    std::vector<std::uint32_t> found;
+    for (const auto t : around(v))
+      for (const auto other : mesh_.triangles[t])
+        if (other != v)
+          found.push_back(other);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  // The link condition of a closed surface: just two common neighbours, each with a
+  // neighbour left to spare.
+  bool keepsTopology(std::uint32_t a, std::uint32_t b)
+  {
+    const auto of_a = neighbours(a);
+    const auto of_b = neighbours(b);
+    std::vector<std::uint32_t> common;
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::back_inserter(common));
+    return common.size() == 2 && around(common[0]).size() > 3 &&
+           around(common[1]).size() > 3;
+  }
+
+  // Whether `gone` should become one with `kept`.
+  void consider(std::uint32_t kept, std::uint32_t gone, double longest, Step& best)
+  {
+    if (vertices_[gone].sharpness > vertices_[kept].sharpness)
+      return;
+    const Eigen::Vector3d target = mesh_.vertices[kept];
+    const double length = (mesh_.vertices[gone] - target).norm();
+    if (length > longest)
+      return;
+    int gain = 0;
+    for (const auto t : around(gone))
+      gain += cost(t) - (uses(t, kept) ? 0 : cost(t, gone, kept, &target));
+    if (gain <= 0 || gain < best.gain || (gain == best.gain && length >= best.length) ||
+        !keepsTopology(kept, gone))
+      return;
+    best = {gain, length, kept, gone, target};
+  }
+
+  // Whether `v` should lie in the middle of its neighbours; on an edge, of those there.
+  void considerShift(std::uint32_t v, Step& best)
+  {
+    const bool sharp = vertices_[v].sharpness > 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
+    for (const auto other : neighbours(v))
+      if (!sharp || vertices_[other].sharpness > 0) {
+        sum += mesh_.vertices[other];
+        ++count;
+      }
+    if (count < 2 || vertices_[v].sharpness > 1)
+      return;
+    const Eigen::Vector3d target = sum / count;
+    int gain = 0;
+    for (const auto t : around(v))
+      gain += cost(t) - cost(t, v, v, &target);
+    if (gain > best.gain)
+      best = {gain, 0, v, v, target};
+  }
+
+  void collapse(std::uint32_t kept, std::uint32_t gone)
+  {
+    const auto ring = around(gone);
+    for (const auto t : ring) {
+      if (uses(t, kept)) {
+        alive_[t] = false;
+        for (const auto v : mesh_.triangles[t]) {
+          auto& list = around(v);
+          list.erase(std::remove(list.begin(), list.end(), t), list.end());
+        }
+        continue;
+      }
+      for (auto& v : mesh_.triangles[t])
+        if (v == gone)
+          v = kept;
+      around(kept).push_back(t);
+    }
+  }
+
+  TriangleMesh& mesh_;
+  std::vector<SurfaceVertex>& vertices_;
+  double least_height_;
+  std::vector<bool> alive_;
+  std::vector<std::uint32_t> first_; // of corners_, for each vertex
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::vector<std::uint32_t>> around_; // filled when asked for
+  std::size_t collapsed_ = 0;
+};
+
+} // namespace
+
+std::size_t
+mendSurface(TriangleMesh& mesh,
+            std::vector<SurfaceVertex>& vertices,
+            double least_height,
+            double longest)
+{
+  constexpr int most_rounds = 12;
+  Mender mender(mesh, vertices, least_height);
+  std::vector<std::uint32_t> bad = mender.collectBad();
+  for (int round = 0; round < most_rounds && !bad.empty(); ++round) {
+    std::vector<std::uint32_t> next;
+    bool improved = false;
+    for (const auto t : bad) {
+      if (!mender.isBad(t))
+        continue;
+      if (mender.mend(t, longest, next))
+        improved = true;
+      else
+        next.push_back(t);
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    bad = std::move(next);
+    if (!improved)
+      break;
+  }
+  mesh.keepTriangles(mender.alive());
+  return mender.collapsed();
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+using Key = BandGrid::Key;
+
+struct KeyedSample {
+  Key key;
+  std::uint32_t index;
+  bool operator<(const KeyedSample& other) const
+  {
+    return key != other.key ? key < other.key : index < other.index;
+  }
+};
+
+Key
+keyAt(const Eigen::Vector3d& position, double size)
+{
+  BandGrid::Block cube;
+  for (int k = 0; k < 3; ++k)
+    cube[static_cast<std::size_t>(k)] =
+        static_cast<std::int64_t>(std::floor(position[k] / size));
+  return BandGrid::keyOf(cube);
+}
+
+std::vector<KeyedSample>
+sortedKeys(const std::vector<SurfaceSample>& samples, double size)
+{
+  std::vector<KeyedSample> order(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    order[i] = {keyAt(samples[i].position, size), static_cast<std::uint32_t>(i)};
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+// Weights of the three nodes around `place`, the first of which is returned.
+std::int64_t
+splineWeights(float place, float* weights)
+{
+  const float nearest = std::floor(place + 0.5f);
+  for (int i = 0; i < 3; ++i)
+    weights[i] = quadraticSpline(nearest + static_cast<float>(i - 1) - place);
+  return static_cast<std::int64_t>(nearest) - 1;
+}
+
+// Calls visit(block, node, weight) for the 27 nodes that a sample of block `b` bears
+// on.
+template <typename Visit>
+void
+forNodesAround(const BandGrid& grid, std::size_t b, const float* place, Visit visit)
+{
+  float w[3][3];
+  std::int64_t first[3];
+  for (int k = 0; k < 3; ++k)
+    first[k] = splineWeights(place[k], w[k]);
+  const auto side = [](std::int64_t i) { return i < 0 ? -1 : i > 7 ? 1 : 0; };
+  for (int i = 0; i < 27; ++i) {
+    const int step[3] = {i % 3, i / 3 % 3, i / 9};
+    const std::int64_t n[3] = {first[0] + step[0], first[1] + step[1],
+                               first[2] + step[2]};
+    visit(grid.neighbour(b, side(n[0]), side(n[1]), side(n[2])),
+          BandGrid::nodeIndex(n[0] & 7, n[1] & 7, n[2] & 7),
+          w[0][step[0]] * w[1][step[1]] * w[2][step[2]]);
+  }
+}
+
+// With the blocks around those that hold a sample.
+BandGrid
+widened(const BandGrid& grid)
+{
+  std::vector<Key> keys;
+  for (std::size_t b = 0; b < grid.size(); ++b) {
+    const BandGrid::Block block = grid.at(b);
+    for (std::int64_t i = 0; i < 27; ++i)
+      keys.push_back(BandGrid::keyOf(
+          {block[0] + i % 3 - 1, block[1] + i / 3 % 3 - 1, block[2] + i / 9 - 1}));
+  }
+  return BandGrid(std::move(keys));
+}
+
+} // namespace
+
+float
+quadraticSpline(float t)
+{
+  t = std::abs(t);
+  if (t < 0.5f)
+    return 0.75f - t * t;
+  return t < 1.5f ? 0.5f * (1.5f - t) * (1.5f - t) : 0.f;
+}
+
+SortedSamples
+sortSamples(const std::vector<SurfaceSample>& samples, double scale)
+{
+  const double size = scale * static_cast<double>(BandGrid::edge);
+  SortedSamples sorted;
+  std::vector<Key> keys;
+  for (const KeyedSample& entry : sortedKeys(samples, size)) {
+    if (keys.empty() || keys.back() != entry.key) {
+      keys.push_back(entry.key);
+      sorted.starts.push_back(sorted.samples.size());
+    }
+    const SurfaceSample& sample = samples[entry.index];
+    const BandGrid::Block block = BandGrid::blockOf(entry.key);
+    BlockSample local;
+    for (int k = 0; k < 3; ++k) {
+      const double start = size * static_cast<double>(block[static_cast<std::size_t>(k)]);
+      local.place[k] = std::min(static_cast<float>((sample.position[k] - start) / scale),
+                                7.9999995f);
+      local.normal[k] = sample.normal[k] / static_cast<float>(scale * scale);
+    }
+    local.area = sample.area / static_cast<float>(scale * scale);
+    sorted.samples.push_back(local);
+  }
+  sorted.starts.push_back(sorted.samples.size());
+  sorted.grid = BandGrid(std::move(keys));
+  return sorted;
+}
+
+std::vector<SurfaceSample>
+mergeSamples(const std::vector<SurfaceSample>& samples, double size)
+{
+  std::vector<SurfaceSample> merged;
+  const auto order = sortedKeys(samples, size);
+  for (std::size_t i = 0; i < order.size();) {
+    SurfaceSample sum{Eigen::Vector3d::Zero(), Eigen::Vector3f::Zero(), 0};
+    const Key key = order[i].key;
+    for (; i < order.size() && order[i].key == key; ++i) {
+      const SurfaceSample& sample = samples[order[i].index];
+      sum.position += static_cast<double>(sample.area) * sample.position;
+      sum.normal += sample.normal;
+      sum.area += sample.area;
+    }
+    sum.position /= static_cast<double>(sum.area);
+    merged.push_back(sum);
+  }
+  return merged;
+}
+
+void
+setAreas(std::vector<SurfaceSample>& samples, double spacing)
+{
+  // A disc of four neighbours: what is less would count the grain of the samples.
+  const double scale = 2 * spacing;
+  const double size = scale * static_cast<double>(BandGrid::edge);
+  // What a plane with one sample a square cell would read, averaged over its position.
+  constexpr float plane = 0.55f;
+  const SortedSamples sorted = sortSamples(samples, scale);
+  const BandGrid grid = widened(sorted.grid);
+  std::vector<float> density(grid.valueCount(), 0.f);
+  std::vector<std::size_t> block_of(sorted.grid.size());
+  for (std::size_t s = 0; s < sorted.grid.size(); ++s) {
+    block_of[s] = grid.find(sorted.grid.at(s));
+    for (std::size_t i = sorted.starts[s]; i < sorted.starts[s + 1]; ++i)
+      forNodesAround(grid, block_of[s], sorted.samples[i].place,
+                     [&](std::size_t block, std::size_t node, float weight) {
+                       density[block * BandGrid::nodes + node] += weight;
+                     });
+  }
+  for (SurfaceSample& sample : samples) {
+    const BandGrid::Block block = BandGrid::blockOf(keyAt(sample.position, size));
+    float place[3];
+    for (int k = 0; k < 3; ++k)
+      place[k] = static_cast<float>(
+          sample.position[k] / scale -
+          static_cast<double>(BandGrid::edge * block[static_cast<std::size_t>(k)]));
+    float sum = 0;
+    forNodesAround(grid, grid.find(block), place,
+                   [&](std::size_t other, std::size_t node, float weight) {
+                     sum += weight * density[other * BandGrid::nodes + node];
+                   });
+    sample.area = plane / sum * static_cast<float>(scale * scale);
+    sample.normal *= sample.area;
+  }
+}
+
+} // namespace sedr
+} // namespace pcl
