@@ -31,6 +31,22 @@ constexpr std::array<CellEdge, 12> cell_edges = {{{0, 0},
                                                   {2, 2},
                                                   {3, 2}}};
 
+// Each face counts once, however many of the planes are its own.
+Eigen::Vector3f
+meanOfFaces(const std::vector<SurfacePlane>& planes)
+{
+  constexpr float same = 0.9f; // cosine of 25 degrees
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    bool is_new = true;
+    for (std::size_t j = 0; j < i && is_new; ++j)
+      is_new = planes[i].normal.dot(planes[j].normal) < same;
+    if (is_new)
+      sum += planes[i].normal;
+  }
+  return sum.norm() > 0 ? Eigen::Vector3f(sum.normalized()) : planes.front().normal;
+}
+
 } // namespace
 
 Eigen::Vector3f
@@ -79,10 +95,8 @@ DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
   constexpr float flat = 0.05f;  // share of squared normals, at an edge of 25 degrees
   constexpr float farthest = 1.f; // cells from the middle of the cell, along an axis
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  for (const SurfacePlane& plane : cell_planes_) {
+  for (const SurfacePlane& plane : cell_planes_)
     mean += plane.point;
-    vertex.normal += plane.normal;
-  }
   mean /= static_cast<float>(cell_planes_.size());
   Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
   Eigen::Vector3f right = Eigen::Vector3f::Zero();
@@ -102,8 +116,8 @@ DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
     ++rank;
   }
   vertex.sharpness = static_cast<std::uint8_t>(rank - 1);
-  if (vertex.normal.norm() > 0)
-    vertex.normal.normalize();
+  vertex.line = solver.eigenvectors().col(0);
+  vertex.normal = meanOfFaces(cell_planes_);
   // Not further from the cell than where the rounding of the function may have moved it.
   float share = 1;
   for (int k = 0; k < 3; ++k) {

@@ -9,14 +9,12 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
 namespace sedr {
 namespace {
-
-// Walls at round coordinates should not lie on nodes of the grid.
-constexpr double grid_offset = 0.37;
 
 // Blocks of 512 nodes that a band takes for one with samples in it.
 constexpr double band_blocks = 2.5;
@@ -24,6 +22,41 @@ constexpr double band_blocks = 2.5;
 // Of triangles and of edges that may collapse, in cells.
 constexpr double least_height = 0.02;
 constexpr double longest_collapse = 1;
+
+// Where the grid begins, less than a cell below `low`: so that the faces square to each
+// axis lie as far from its nodes as they can. Values there are near zero, of either
+// sign.
+Eigen::Vector3d
+gridOrigin(const std::vector<OrientedPoint>& points,
+           const Eigen::Vector3d& low,
+           double cell)
+{
+  constexpr int bins = 32; // of a cell
+  Eigen::Vector3d origin = low;
+  for (int k = 0; k < 3; ++k) {
+    std::array<int, bins> counts{};
+    for (const OrientedPoint& p : points)
+      if (std::abs(p.normal[k]) > 0.99f) {
+        const double place = (static_cast<double>(p.position[k]) - low[k]) / cell;
+        ++counts[static_cast<std::size_t>((place - std::floor(place)) * bins) % bins];
+      }
+    double best = -1;
+    for (std::size_t node = 0; node < bins; ++node) {
+      double crowd = 0;
+      for (std::size_t i = 0; i < bins; ++i) {
+        const double apart = std::abs(std::remainder(static_cast<double>(i) + 0.5 -
+                                                         static_cast<double>(node),
+                                                     static_cast<double>(bins)));
+        crowd += counts[i] * std::pow(0.7, apart);
+      }
+      if (best < 0 || crowd < best) {
+        best = crowd;
+        origin[k] = low[k] + cell * (static_cast<double>(node) / bins - 1);
+      }
+    }
+  }
+  return origin;
+}
 
 std::vector<SurfaceSample>
 toCells(const std::vector<OrientedPoint>& points,
@@ -33,8 +66,7 @@ toCells(const std::vector<OrientedPoint>& points,
   std::vector<SurfaceSample> samples;
   samples.reserve(points.size());
   for (const OrientedPoint& p : points)
-    samples.push_back(
-        {(p.position.cast<double>() - origin) / cell, p.normal, 1});
+    samples.push_back({(p.position.cast<double>() - origin) / cell, p.normal, 1});
   return samples;
 }
 
@@ -71,7 +103,7 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
   std::vector<SurfaceSample> samples;
   Eigen::Vector3d origin;
   for (;;) {
-    origin = box.min() - Eigen::Vector3d::Constant(grid_offset * cell);
+    origin = gridOrigin(points, box.min(), cell);
     samples = toCells(points, origin, cell);
     setAreas(samples, parameters.spacing / cell);
     const double expected =

@@ -2,6 +2,7 @@
 #include "surface_mending.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace pcl {
@@ -44,8 +45,8 @@ public:
 
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
-  // Improves what is about triangle t, by the best collapse, else by the best shift;
-  // adds the triangles that changed.
+  // Improves what is about triangle t, by the best collapse, else by the best shift, else
+  // by turning an edge; adds the triangles that changed.
   bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
   {
     Step best;
@@ -60,9 +61,9 @@ public:
     }
     else {
       for (const auto v : triangle)
-        considerShift(v, best);
+        considerShifts(v, best);
       if (best.gain <= 0)
-        return false;
+        return turnEdge(t, changed);
       mesh_.vertices[best.kept] = best.target;
     }
     const auto& ring = around(best.kept);
@@ -89,6 +90,11 @@ private:
     if (list.empty())
       list.assign(corners_.begin() + first_[v], corners_.begin() + first_[v + 1]);
     return list;
+  }
+
+  static void remove(std::vector<std::uint32_t>& list, std::uint32_t t)
+  {
+    list.erase(std::remove(list.begin(), list.end(), t), list.end());
   }
 
   bool uses(std::uint32_t t, std::uint32_t v) const
@@ -155,10 +161,25 @@ private:
            around(common[1]).size() > 3;
   }
 
+  // Whether `v` stays on the surface on its way to `other`: on its face, or its edge.
+  bool mayGoTo(std::uint32_t v, std::uint32_t other) const
+  {
+    const SurfaceVertex& from = vertices_[v];
+    if (from.sharpness > vertices_[other].sharpness)
+      return false;
+    const Eigen::Vector3d way = mesh_.vertices[other] - mesh_.vertices[v];
+    double off = way.norm();
+    if (from.sharpness == 0)
+      off = std::abs(way.dot(from.normal.cast<double>()));
+    else if (from.sharpness == 1)
+      off = way.cross(from.line.cast<double>()).norm();
+    return off < 0.1 * std::max(way.norm(), 0.5);
+  }
+
   // Whether `gone` should become one with `kept`.
   void consider(std::uint32_t kept, std::uint32_t gone, double longest, Step& best)
   {
-    if (vertices_[gone].sharpness > vertices_[kept].sharpness)
+    if (!mayGoTo(gone, kept))
       return;
     const Eigen::Vector3d target = mesh_.vertices[kept];
     const double length = (mesh_.vertices[gone] - target).norm();
@@ -173,25 +194,70 @@ private:
     best = {gain, length, kept, gone, target};
   }
 
-  // Whether `v` should lie in the middle of its neighbours; on an edge, of those there.
-  void considerShift(std::uint32_t v, Step& best)
+  // Whether `v` should lie in the middle of its neighbours, or half-way to one of them; on
+  // an edge, of those there.
+  void considerShifts(std::uint32_t v, Step& best)
   {
-    const bool sharp = vertices_[v].sharpness > 0;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int count = 0;
-    for (const auto other : neighbours(v))
-      if (!sharp || vertices_[other].sharpness > 0) {
-        sum += mesh_.vertices[other];
-        ++count;
-      }
-    if (count < 2 || vertices_[v].sharpness > 1)
+    if (vertices_[v].sharpness > 1)
       return;
-    const Eigen::Vector3d target = sum / count;
-    int gain = 0;
+    std::vector<Eigen::Vector3d> places;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto other : neighbours(v))
+      if (mayGoTo(v, other)) {
+        sum += mesh_.vertices[other];
+        places.push_back((mesh_.vertices[v] + mesh_.vertices[other]) / 2);
+      }
+    if (places.size() > 1)
+      places.push_back(sum / static_cast<double>(places.size()));
+    int now = 0;
     for (const auto t : around(v))
-      gain += cost(t) - cost(t, v, v, &target);
-    if (gain > best.gain)
-      best = {gain, 0, v, v, target};
+      now += cost(t);
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+      int then = 0;
+      for (const auto t : around(v))
+        then += cost(t, v, v, &*place);
+      if (now - then > best.gain)
+        best = {now - then, 0, v, v, *place};
+    }
+  }
+
+  // Replaces an edge of the triangle by the other diagonal of the two triangles there.
+  bool turnEdge(std::uint32_t t, std::vector<std::uint32_t>& changed)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = mesh_.triangles[t][i];
+      const std::uint32_t b = mesh_.triangles[t][(i + 1) % 3];
+      const std::uint32_t c = mesh_.triangles[t][(i + 2) % 3];
+      for (const auto other : around(a)) {
+        if (other == t || !uses(other, b))
+          continue;
+        std::uint32_t d = a;
+        for (const auto v : mesh_.triangles[other])
+          if (v != a && v != b)
+            d = v;
+        const auto of_c = neighbours(c);
+        if (around(a).size() < 4 || around(b).size() < 4 ||
+            std::binary_search(of_c.begin(), of_c.end(), d))
+          break;
+        const Triangle old[2] = {mesh_.triangles[t], mesh_.triangles[other]};
+        const int before = cost(t) + cost(other);
+        mesh_.triangles[t] = {c, a, d};
+        mesh_.triangles[other] = {c, d, b};
+        if (cost(t) + cost(other) >= before) {
+          mesh_.triangles[t] = old[0];
+          mesh_.triangles[other] = old[1];
+          break;
+        }
+        remove(around(a), other);
+        remove(around(b), t);
+        around(c).push_back(other);
+        around(d).push_back(t);
+        changed.push_back(t);
+        changed.push_back(other);
+        return true;
+      }
+    }
+    return false;
   }
 
   void collapse(std::uint32_t kept, std::uint32_t gone)
@@ -200,10 +266,8 @@ private:
     for (const auto t : ring) {
       if (uses(t, kept)) {
         alive_[t] = false;
-        for (const auto v : mesh_.triangles[t]) {
-          auto& list = around(v);
-          list.erase(std::remove(list.begin(), list.end(), t), list.end());
-        }
+        for (const auto v : mesh_.triangles[t])
+          remove(around(v), t);
         continue;
       }
       for (auto& v : mesh_.triangles[t])

@@ -14,7 +14,8 @@ namespace sedr {
 
 /** @brief What is known of a vertex of a surface besides its place. */
 struct SurfaceVertex {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the planes that meet
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the faces that meet
+  Eigen::Vector3f line = Eigen::Vector3f::Zero();   ///< of the edge that it lies on
   std::uint8_t sharpness = 0; ///< 0 on a face, 1 at an edge, 2 at a corner
 };
 
