@@ -305,6 +305,9 @@ findNearest(const std::vector<OrientedPoint>& points,
       });
 }
 
+// Share of a surface far from all points that makes it none of theirs.
+constexpr double most_unsupported = 0.5;
+
 double
 supportDistance(const RoomPoissonParameters& parameters,
                 const RoomPoissonReport& report)
@@ -336,7 +339,15 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   report.area = mesh.area();
   report.volume = std::abs(mesh.signedVolume());
   report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
-  if (report.unsupported_share > 0.05)
+  if (report.unsupported_share > most_unsupported) {
+    report.closed = false;
+    report.problem = "the points enclose nothing: " +
+                     std::to_string(std::lround(100 * report.unsupported_share)) +
+                     " % of its surface lies further than " +
+                     shortNumber(supportDistance(parameters, report)) +
+                     " m from all of them";
+  }
+  else if (report.unsupported_share > 0.05)
     report.warning = std::to_string(std::lround(100 * report.unsupported_share)) +
                      " % of its surface is a guess, further than " +
                      shortNumber(supportDistance(parameters, report)) +

@@ -158,10 +158,11 @@ TEST(RoomPoisson, two_dense_walls_do_not_make_the_cells_finer_than_the_rest_bear
   EXPECT_NEAR(measureSpacing(points), 0.125, 0.02);
 }
 
-TEST(RoomPoisson, what_poisson_tears_is_repaired)
+TEST(RoomPoisson, what_pcl_poisson_tears_is_repaired)
 {
   // Cells much finer than the points bear: leaves of several depths meet.
   RoomPoissonParameters parameters;
+  parameters.method = PoissonSolver::Pcl;
   parameters.cell_ratio = 0.3;
   std::size_t repaired = 0;
   for (const double yaw : {0., 33.}) {

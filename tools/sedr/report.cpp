@@ -82,6 +82,8 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"snap_tolerance", c.extrusion.getSnapTolerance()},
           {"mesh_from_plan", c.mesh_from_plan},
+          {"poisson_solver",
+           c.poisson.getSolver() == pcl::sedr::PoissonSolver::Pcl ? "pcl" : "sedr"},
           {"tree_depth", chain.getTreeDepth()},
           {"minimum_tree_depth", c.poisson.getMinDepth()},
           {"cell_ratio", c.poisson.getCellRatio()},
