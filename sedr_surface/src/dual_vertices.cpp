@@ -116,6 +116,9 @@ DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
     ++rank;
   }
   vertex.sharpness = static_cast<std::uint8_t>(rank - 1);
+  // On a round face the mean lies as far inside as where the planes meet lies outside.
+  if (rank == 1)
+    shift /= 2;
   vertex.line = solver.eigenvectors().col(0);
   vertex.normal = meanOfFaces(cell_planes_);
   // Not further from the cell than where the rounding of the function may have moved it.

@@ -12,7 +12,7 @@ namespace sedr {
 /** @brief How the screened Poisson equation is solved on a hierarchy of grids. */
 struct HierarchyOptions {
   float weight = 10;          ///< of the samples against smoothness
-  double tolerance = 1e-3;    ///< of the residual, see PoissonLevel::solve()
+  double tolerance = 1e-2;    ///< of the residual, see PoissonLevel::solve()
   int max_iterations = 200;   ///< on each grid
   std::size_t max_blocks = 0; ///< of a grid
   unsigned threads = 1;

@@ -16,7 +16,7 @@ struct ScreenedPoissonParameters {
   double cell = 0.04;    ///< edge of the finest cells, metres
   double spacing = 0.05; ///< typical distance between neighbouring points, metres
   float point_weight = 10;  ///< alpha of equation 4: of the points against smoothness
-  double tolerance = 1e-3;  ///< residual over right side at which a grid is solved
+  double tolerance = 1e-2; ///< residual over right side at which a grid is solved
   int max_iterations = 200; ///< on each grid
   std::size_t max_nodes = std::size_t(48) << 20; ///< of a grid, about 40 bytes each
   unsigned threads = 1;                          ///< 0: all processors

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/poisson_solver.h>
+
+#include <cmath>
+#include <vector>
+
+namespace sedr_test {
+
+/** Points of a sphere in a spiral, `spacing` apart, normals outwards. */
+inline std::vector<pcl::sedr::OrientedPoint>
+sphere(const Eigen::Vector3d& centre, double radius, double spacing)
+{
+  const double area = 4 * M_PI * radius * radius;
+  const auto n = static_cast<int>(area / (spacing * spacing));
+  std::vector<pcl::sedr::OrientedPoint> points;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1) / static_cast<double>(n);
+    const double turn = 2.399963229728653 * i; // the golden angle
+    const double r = std::sqrt(1 - z * z);
+    const Eigen::Vector3d normal(r * std::cos(turn), r * std::sin(turn), z);
+    points.push_back({(centre + radius * normal).cast<float>(), normal.cast<float>()});
+  }
+  return points;
+}
+
+/** Points of a torus about the z axis, normals outwards. */
+inline std::vector<pcl::sedr::OrientedPoint>
+torus(double radius, double tube, double spacing)
+{
+  std::vector<pcl::sedr::OrientedPoint> points;
+  const auto across = static_cast<int>(2 * M_PI * tube / spacing);
+  for (int i = 0; i < across; ++i) {
+    const double a = 2 * M_PI * i / across;
+    const double ring = radius + tube * std::cos(a);
+    const auto along = static_cast<int>(2 * M_PI * ring / spacing);
+    for (int j = 0; j < along; ++j) {
+      const double b = 2 * M_PI * (j + 0.5 * (i % 2)) / along;
+      const Eigen::Vector3d normal(std::cos(a) * std::cos(b), std::cos(a) * std::sin(b),
+                                   std::sin(a));
+      const Eigen::Vector3d place(ring * std::cos(b), ring * std::sin(b),
+                                  tube * std::sin(a));
+      points.push_back({place.cast<float>(), normal.cast<float>()});
+    }
+  }
+  return points;
+}
+
+/** Points of a box with a corner at the origin, normals outwards. */
+inline std::vector<pcl::sedr::OrientedPoint>
+box(const Eigen::Vector3d& size, double spacing)
+{
+  std::vector<pcl::sedr::OrientedPoint> points;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const auto nu = static_cast<int>(std::lround(size[u] / spacing));
+    const auto nv = static_cast<int>(std::lround(size[v] / spacing));
+    for (int i = 0; i < nu; ++i)
+      for (int j = 0; j < nv; ++j)
+        for (int side = 0; side < 2; ++side) {
+          Eigen::Vector3d place;
+          place[axis] = side * size[axis];
+          place[u] = (i + 0.5) * size[u] / nu;
+          place[v] = (j + 0.5) * size[v] / nv;
+          points.push_back({place.cast<float>(),
+                            Eigen::Vector3f::Unit(axis) * (side ? 1.f : -1.f)});
+        }
+  }
+  return points;
+}
+
+} // namespace sedr_test
