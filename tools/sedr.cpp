@@ -184,10 +184,11 @@ addOptions(Options& options, Settings& s)
                  "tolerance of the walls' lines and circles", Range::between(0.001, 1));
   options.number("tree-depth", s.depth, "levels",
                  "greatest depth of the Poisson reconstruction", Range::between(3, 14));
-  options.text("poisson-solver", s.poisson_solver,
-               "what solves the equation of mesh.ply: cells along the surface of its own, "
-               "or pcl::Poisson",
-               {"sedr", "pcl"});
+  options.text(
+      "poisson-solver", s.poisson_solver,
+      "what solves the equation of mesh.ply: cells along the surface of its own, "
+      "or pcl::Poisson",
+      {"sedr", "pcl"});
   options.number("threads", s.threads, "", "threads, 0 for all processors",
                  Range::between(0, 1024));
   options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
@@ -197,7 +198,7 @@ addOptions(Options& options, Settings& s)
   options.flag("z-up", s.z_up,
                "take z as up even if another axis seems to be, or the scan leans");
   options.flag("mesh-from-plan", s.mesh_from_plan,
-               "sample the floor plan for mesh.ply, not the points: sharper edges");
+               "sample the floor plan for mesh.ply, not the points");
   options.flag("pictures", s.pictures,
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   options.flag("report", s.report,

@@ -130,8 +130,7 @@ main(int argc, char** argv)
   options.file("OUTPUT.ply", settings.output,
                "mesh to write, faces with room and label");
   options.text("plan", settings.plan,
-               "floor plan, as JSON, to take the samples from instead of INPUT: sharper "
-               "edges");
+               "floor plan, as JSON, to take the samples from instead of INPUT");
   options.text("solver", settings.solver,
                "what solves the equation: sedr's own cells along the surface, or "
                "pcl::Poisson",

@@ -7,7 +7,8 @@
 namespace pcl {
 namespace sedr {
 
-BandGrid::BandGrid(std::vector<Key> keys) : keys_(std::move(keys))
+BandGrid::BandGrid(std::vector<Key> keys)
+    : keys_(std::move(keys))
 {
   std::sort(keys_.begin(), keys_.end());
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
@@ -57,8 +58,8 @@ bool
 BandGrid::holdsCell(std::size_t b, int x, int y, int z) const
 {
   for (int c = 0; at_rim_[b] && c < 8; ++c)
-    if (neighbour(b, (x + (c & 1)) >> 3, (y + (c >> 1 & 1)) >> 3, (z + (c >> 2)) >> 3) ==
-        size())
+    if (neighbour(b, (x + (c & 1)) >> 3, (y + (c >> 1 & 1)) >> 3,
+                  (z + (c >> 2)) >> 3) == size())
       return false;
   return true;
 }

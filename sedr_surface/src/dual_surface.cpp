@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dual_surface.h"
 
+#include "cell_corners.h"
 #include "dual_vertices.h"
 
 #include <pcl/sedr_filters/parallel.h>
@@ -33,7 +34,7 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
   std::vector<std::uint16_t> counts(grid.size(), 0);
   const auto crossed = [](const float* lowest) {
     int above = 0;
-    for (const int c : {0, 1, 10, 11, 100, 101, 110, 111})
+    for (const auto c : corners)
       above += lowest[c] > 0;
     return above > 0 && above < 8;
   };
@@ -71,9 +72,8 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t s = begin; s < end; ++s) {
                      auto next = static_cast<std::uint32_t>(cells.first[s]);
-                     scan(cells.blocks[s], [&](std::size_t i) {
-                       cells.table[s * nodes + i] = next++;
-                     });
+                     scan(cells.blocks[s],
+                          [&](std::size_t i) { cells.table[s * nodes + i] = next++; });
                    }
                  });
   return cells;
@@ -85,8 +85,7 @@ vertexOf(const BandGrid& grid,
          std::size_t b,
          const std::array<int, 3>& cell)
 {
-  const std::size_t block =
-      grid.neighbour(b, cell[0] >> 3, cell[1] >> 3, cell[2] >> 3);
+  const std::size_t block = grid.neighbour(b, cell[0] >> 3, cell[1] >> 3, cell[2] >> 3);
   if (block == grid.size() || cells.row[block] == grid.size())
     return none;
   return cells.table[cells.row[block] * nodes +

@@ -11,10 +11,10 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The surface between nodes of values above zero and the others: dual contouring
- * with a vertex in every cell that the surface crosses and two triangles across every
- * edge of the grid that it crosses. Closed and manifold if the values are well composed
- * (makeWellComposed()) and the surface keeps off the rim of the blocks.
+/** @brief The surface between nodes of values above zero and the others: dual
+ * contouring with a vertex in every cell that the surface crosses and two triangles
+ * across every edge of the grid that it crosses. Closed and manifold if the values are
+ * well composed (makeWellComposed()) and the surface keeps off the rim of the blocks.
  *
  * The crossings of the edges are drawn onto the planes of the samples nearby, and each
  * vertex to where the planes of its cell meet: edges and corners of the surface stay

@@ -57,7 +57,8 @@ DualVertices::slopeAt(const std::array<int, 3>& node) const
   for (int k = 0; k < 3; ++k) {
     const auto step = static_cast<std::size_t>(strides[k]);
     const bool last = node[static_cast<std::size_t>(k)] == 8;
-    slope[k] = (halo_[last ? here : here + step] - halo_[here - step]) * (last ? 2.f : 1.f);
+    slope[k] =
+        (halo_[last ? here : here + step] - halo_[here - step]) * (last ? 2.f : 1.f);
   }
   return slope;
 }
@@ -65,8 +66,8 @@ DualVertices::slopeAt(const std::array<int, 3>& node) const
 const SurfacePlane&
 DualVertices::planeAt(const std::array<int, 3>& node, int axis)
 {
-  const auto id = static_cast<std::size_t>(
-      ((node[2] * 9 + node[1]) * 9 + node[0]) * 3 + axis);
+  const auto id =
+      static_cast<std::size_t>(((node[2] * 9 + node[1]) * 9 + node[0]) * 3 + axis);
   if (known_[id] >= 0)
     return found_[static_cast<std::size_t>(known_[id])];
   known_[id] = static_cast<std::int16_t>(found_.size());
@@ -92,7 +93,7 @@ DualVertices::planeAt(const std::array<int, 3>& node, int axis)
 Eigen::Vector3f
 DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
 {
-  constexpr float flat = 0.05f;  // share of squared normals, at an edge of 25 degrees
+  constexpr float flat = 0.05f;   // share of squared normals, at an edge of 25 degrees
   constexpr float farthest = 1.f; // cells from the middle of the cell, along an axis
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   for (const SurfacePlane& plane : cell_planes_)
@@ -121,7 +122,8 @@ DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
     shift /= 2;
   vertex.line = solver.eigenvectors().col(0);
   vertex.normal = meanOfFaces(cell_planes_);
-  // Not further from the cell than where the rounding of the function may have moved it.
+  // Not further from the cell than where the rounding of the function may have moved
+  // it.
   float share = 1;
   for (int k = 0; k < 3; ++k) {
     const float from = mean[k] - centre[k];
@@ -158,7 +160,8 @@ DualVertices::place(std::size_t b,
                                        cell[1] + (edge.corner >> 1 & 1),
                                        cell[2] + (edge.corner >> 2)};
       const std::size_t here = BandGrid::haloIndex(node[0], node[1], node[2]);
-      if ((halo_[here] > 0) != (halo_[here + static_cast<std::size_t>(strides[edge.axis])] > 0))
+      if ((halo_[here] > 0) !=
+          (halo_[here + static_cast<std::size_t>(strides[edge.axis])] > 0))
         cell_planes_.push_back(planeAt(node, edge.axis));
     }
     const Eigen::Vector3f centre(static_cast<float>(cell[0]) + 0.5f,

@@ -20,7 +20,10 @@ public:
                const std::vector<float>& values,
                const SortedSamples& samples,
                float radius)
-    : grid_(grid), values_(values), samples_(samples), planes_(radius)
+      : grid_(grid)
+      , values_(values)
+      , samples_(samples)
+      , planes_(radius)
   {}
 
   /** @brief Places the vertices of a block's cells.

@@ -50,7 +50,8 @@ collectEdges(const std::vector<Triangle>& triangles)
   for (auto first = uses.begin(); first != uses.end();) {
     const auto last = uses.begin() + static_cast<std::ptrdiff_t>(ends[first->low]);
     std::sort(first, last, [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
+      return std::tie(a.high, a.triangle, a.side) <
+             std::tie(b.high, b.triangle, b.side);
     });
     first = last;
   }

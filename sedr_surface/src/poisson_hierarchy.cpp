@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +14,7 @@ namespace {
 constexpr std::size_t nodes = BandGrid::nodes;
 constexpr std::size_t blocks_at_once = 32;
 constexpr float outside = -0.5f;
+constexpr std::size_t least_for_threads = 8000; // samples
 
 // Nodes of the coarser grid, from the one before a block on, that a halo lies between.
 constexpr std::size_t patch_edge = 6;
@@ -26,36 +26,9 @@ refineRow(const float* coarse, std::size_t stride, float* fine, std::size_t fine
   for (std::size_t i = 0; i < 10; ++i) {
     const float* at = coarse + (i + 1) / 2 * stride;
     fine[i * fine_stride] =
-        i % 2 == 1 ? *at : 0.5f * (coarse[i / 2 * stride] + coarse[(i / 2 + 1) * stride]);
+        i % 2 == 1 ? *at
+                   : 0.5f * (coarse[i / 2 * stride] + coarse[(i / 2 + 1) * stride]);
   }
-}
-
-// Calls visit(x, y, z) for the lowest nodes, from `first` to 7, of cells that the
-// surface crosses.
-template <typename Visit>
-void
-forCrossedCells(const float* halo, float iso, int first, Visit visit)
-{
-  const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
-  if (*range.first > iso || *range.second <= iso)
-    return;
-  for (int z = first; z < 8; ++z)
-    for (int y = first; y < 8; ++y)
-      for (int x = first; x < 8; ++x) {
-        const float* h = halo + BandGrid::haloIndex(x, y, z);
-        int above = 0;
-        for (const int c : {0, 1, 10, 11, 100, 101, 110, 111})
-          above += h[c] > iso;
-        if (above > 0 && above < 8)
-          visit(x, y, z);
-      }
-}
-
-void
-makeUnique(std::vector<BandGrid::Key>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
 } // namespace
@@ -69,9 +42,9 @@ PoissonHierarchy::valueAt(std::size_t level,
   if (level == levels_.size())
     return outside;
   const BandGrid& grid = levels_[level].grid();
-  const std::size_t b = grid.find(
-      {floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
-       floorDivide(z, BandGrid::edge)});
+  const std::size_t b =
+      grid.find({floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
+                 floorDivide(z, BandGrid::edge)});
   if (b < grid.size())
     return levels_[level].values[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
   const std::int64_t lo[3] = {floorDivide(x, 2), floorDivide(y, 2), floorDivide(z, 2)};
@@ -103,7 +76,8 @@ PoissonHierarchy::interpolate(std::size_t level,
   for (int k = 0; k < 3; ++k)
     base[k] = floorDivide(first[k], BandGrid::edge);
   for (int c = 0; c < 8; ++c)
-    blocks[c] = grid.find({base[0] + (c & 1), base[1] + (c >> 1 & 1), base[2] + (c >> 2)});
+    blocks[c] =
+        grid.find({base[0] + (c & 1), base[1] + (c >> 1 & 1), base[2] + (c >> 2)});
   float patch[patch_edge * patch_edge * patch_edge];
   float* value = patch;
   for (std::int64_t z = first[2]; z < first[2] + 6; ++z)
@@ -111,11 +85,12 @@ PoissonHierarchy::interpolate(std::size_t level,
       for (std::int64_t x = first[0]; x < first[0] + 6; ++x) {
         const bool up[3] = {x >= (base[0] + 1) * 8, y >= (base[1] + 1) * 8,
                             z >= (base[2] + 1) * 8};
-        const std::size_t b = blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
-        *value++ = b < grid.size()
-                       ? coarser.values[b * nodes +
-                                        BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
-                       : valueAt(level + 1, x, y, z);
+        const std::size_t b =
+            blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
+        *value++ =
+            b < grid.size()
+                ? coarser.values[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
+                : valueAt(level + 1, x, y, z);
       }
   float along_x[6 * 6 * 10];
   float along_y[6 * 10 * 10];
@@ -171,93 +146,6 @@ PoissonHierarchy::start(std::size_t level, const PoissonLevel& before, unsigned 
       });
 }
 
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksOfBox(const std::vector<SurfaceSample>& samples,
-                              double scale) const
-{
-  constexpr double pad = 5; // cells in which the function comes to rest
-  Eigen::Vector3d low = samples.front().position;
-  Eigen::Vector3d high = low;
-  for (const SurfaceSample& sample : samples) {
-    low = low.cwiseMin(sample.position);
-    high = high.cwiseMax(sample.position);
-  }
-  BandGrid::Block first;
-  BandGrid::Block last;
-  for (int k = 0; k < 3; ++k) {
-    first[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((low[k] / scale - pad) / 8));
-    last[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((high[k] / scale + pad) / 8));
-  }
-  std::vector<BandGrid::Key> keys;
-  for (std::int64_t z = first[2]; z <= last[2]; ++z)
-    for (std::int64_t y = first[1]; y <= last[1]; ++y)
-      for (std::int64_t x = first[0]; x <= last[0]; ++x)
-        keys.push_back(BandGrid::keyOf({x, y, z}));
-  return keys;
-}
-
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksAtSurface(std::size_t level) const
-{
-  const BandGrid& grid = levels_[level].grid();
-  std::vector<BandGrid::Key> keys;
-  float halo[BandGrid::halo_nodes];
-  for (std::size_t b = 0; b < grid.size(); ++b) {
-    const BandGrid::Block block = grid.at(b);
-    std::array<bool, 64> wanted{};
-    gather(level, b, halo);
-    forCrossedCells(halo, 0, 0, [&](int x, int y, int z) {
-      // The finer cells of this one and two more to each side, in blocks from -1 to 2
-      // of those that this one holds.
-      const int cell[3] = {x, y, z};
-      int lo[3];
-      int hi[3];
-      for (int k = 0; k < 3; ++k) {
-        lo[k] = (2 * cell[k] - 2 + 8) / 8;
-        hi[k] = (2 * cell[k] + 3 + 8) / 8;
-      }
-      for (int k = lo[2]; k <= hi[2]; ++k)
-        for (int j = lo[1]; j <= hi[1]; ++j)
-          for (int i = lo[0]; i <= hi[0]; ++i)
-            wanted[static_cast<std::size_t>((k * 4 + j) * 4 + i)] = true;
-    });
-    for (std::int64_t i = 0; i < 64; ++i)
-      if (wanted[static_cast<std::size_t>(i)])
-        keys.push_back(BandGrid::keyOf({2 * block[0] + i % 4 - 1,
-                                        2 * block[1] + i / 4 % 4 - 1,
-                                        2 * block[2] + i / 16 - 1}));
-  }
-  makeUnique(keys);
-  return keys;
-}
-
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksMissing(std::size_t level, float iso) const
-{
-  const BandGrid& grid = levels_[level].grid();
-  std::vector<BandGrid::Key> keys;
-  float halo[BandGrid::halo_nodes];
-  const auto side = [](int i) { return i < 0 ? -1 : i > 7 ? 1 : 0; };
-  for (std::size_t b = 0; b < grid.size(); ++b) {
-    if (!grid.atRim(b))
-      continue;
-    const BandGrid::Block block = grid.at(b);
-    gather(level, b, halo);
-    forCrossedCells(halo, iso, -1, [&](int x, int y, int z) {
-      for (int c = 0; c < 8; ++c) {
-        const int step[3] = {side(x + (c & 1)), side(y + (c >> 1 & 1)), side(z + (c >> 2))};
-        if (grid.neighbour(b, step[0], step[1], step[2]) == grid.size())
-          keys.push_back(BandGrid::keyOf(
-              {block[0] + step[0], block[1] + step[1], block[2] + step[2]}));
-      }
-    });
-  }
-  makeUnique(keys);
-  return keys;
-}
-
 void
 PoissonHierarchy::solveLevel(std::size_t level,
                              const std::vector<SurfaceSample>& samples,
@@ -267,16 +155,17 @@ PoissonHierarchy::solveLevel(std::size_t level,
   constexpr int most_rounds = 40;
   const double scale = std::ldexp(1., static_cast<int>(level));
   const bool coarsest = level + 1 == levels_.size();
+  // A grid of less takes less time than threads take to come together.
+  const unsigned threads = samples.size() < least_for_threads ? 1 : options.threads;
   PoissonLevel before;
   widened_ = -1;
   do {
-    levels_[level] =
-        PoissonLevel(samples, scale, options.weight, more, options.threads);
-    start(level, before, options.threads);
+    levels_[level] = PoissonLevel(samples, scale, options.weight, more, threads);
+    start(level, before, threads);
     report_ = levels_[level].solve(
         [this, level](std::size_t b, float* halo) { gather(level, b, halo); },
-        options.tolerance, options.max_iterations, options.threads);
-    mean_ = levels_[level].meanAtSamples(options.threads);
+        options.tolerance, options.max_iterations, threads);
+    mean_ = levels_[level].meanAtSamples(threads);
     ++widened_;
     if (coarsest)
       return;
@@ -304,8 +193,8 @@ PoissonHierarchy::solve(const std::vector<SurfaceSample>& samples,
         extent, (sample.position - samples.front().position).cwiseAbs().maxCoeff());
   std::vector<std::vector<SurfaceSample>> merged(1, samples);
   for (double cells = 2 * extent; cells > coarsest_cells; cells /= 2)
-    merged.push_back(mergeSamples(
-        merged.back(), std::ldexp(1., static_cast<int>(merged.size()))));
+    merged.push_back(
+        mergeSamples(merged.back(), std::ldexp(1., static_cast<int>(merged.size()))));
   levels_.clear();
   levels_.resize(merged.size());
   problem_.clear();

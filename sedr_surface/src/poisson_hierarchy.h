@@ -50,7 +50,8 @@ public:
   void gather(std::size_t b, float* halo) const { gather(0, b, halo); }
 
 private:
-  float valueAt(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const;
+  float
+  valueAt(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const;
   void interpolate(std::size_t level, const BandGrid::Block& block, float* halo) const;
   void gather(std::size_t level, std::size_t b, float* halo) const;
   void solveLevel(std::size_t level,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poisson_level.h"
+#include "cell_corners.h"
 
 #include <pcl/sedr_filters/parallel.h>
 
@@ -13,33 +14,6 @@ namespace {
 
 constexpr std::size_t nodes = BandGrid::nodes;
 constexpr std::size_t blocks_at_once = 32;
-
-// Offsets in a halo of the eight corners of a cell.
-constexpr std::array<std::uint32_t, 8> corners = {0, 1, 10, 11, 100, 101, 110, 111};
-
-void
-cornerShares(const float* share, float* shares)
-{
-  for (std::size_t c = 0; c < 8; ++c)
-    shares[c] = (c & 1 ? share[0] : 1 - share[0]) * (c & 2 ? share[1] : 1 - share[1]) *
-                (c & 4 ? share[2] : 1 - share[2]);
-}
-
-// Sums body(begin, end) over parts of [0, n) that are the same for any number of
-// threads, in their order.
-template <typename Body>
-double
-sumInOrder(std::size_t n, std::size_t part, unsigned threads, Body body)
-{
-  std::vector<double> sums((n + part - 1) / part, 0.);
-  parallelBlocks(n, part, threads, [&](std::size_t begin, std::size_t end) {
-    sums[begin / part] = body(begin, end);
-  });
-  double sum = 0;
-  for (const double s : sums)
-    sum += s;
-  return sum;
-}
 
 // The right side that one sample gives the nodes from two before its block on to two
 // behind it.
@@ -56,7 +30,8 @@ splatNormal(const BlockSample& sample, float* nodes12)
     for (int i = 0; i < 5; ++i)
       half[i] = quadraticSpline(base - 1.5f + static_cast<float>(i) - sample.place[k]);
     for (int i = 0; i < 4; ++i) {
-      smooth[k][i] = quadraticSpline(base - 1 + static_cast<float>(i) - sample.place[k]);
+      smooth[k][i] =
+          quadraticSpline(base - 1 + static_cast<float>(i) - sample.place[k]);
       slope[k][i] = half[i] - half[i + 1];
     }
   }
@@ -78,7 +53,7 @@ PoissonLevel::PoissonLevel(const std::vector<SurfaceSample>& samples,
                            float weight,
                            const std::vector<BandGrid::Key>& more,
                            unsigned threads)
-  : sorted_(sortSamples(samples, scale))
+    : sorted_(sortSamples(samples, scale))
 {
   addBlocks(more);
   values.assign(grid_.valueCount(), 0.f);
@@ -143,8 +118,8 @@ PoissonLevel::addScreens(float weight)
         if (!reaches)
           continue;
         const std::size_t b = grid_.neighbour(own, step[0], step[1], step[2]);
-        screen.corner =
-            static_cast<std::uint32_t>(BandGrid::haloIndex(place[0], place[1], place[2]));
+        screen.corner = static_cast<std::uint32_t>(
+            BandGrid::haloIndex(place[0], place[1], place[2]));
         screen.area = n == 0 ? sample.area : 0;
         if (b < grid_.size())
           lists[b].push_back(screen);
@@ -169,28 +144,29 @@ PoissonLevel::addNormals(unsigned threads)
     sets[(block[0] & 1) + 2 * (block[1] & 1) + 4 * (block[2] & 1)].push_back(s);
   }
   for (const auto& set : sets)
-    parallelBlocks(set.size(), blocks_at_once, threads, [&](std::size_t begin,
-                                                            std::size_t end) {
-      std::vector<float> nodes12(12 * 12 * 12);
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t s = set[i];
-        const std::size_t own = grid_.find(sorted_.grid.at(s));
-        std::fill(nodes12.begin(), nodes12.end(), 0.f);
-        for (std::size_t p = sorted_.starts[s]; p < sorted_.starts[s + 1]; ++p)
-          splatNormal(sorted_.samples[p], nodes12.data());
-        const float* value = nodes12.data();
-        const auto side = [](int n) { return n < 0 ? -1 : n > 7 ? 1 : 0; };
-        for (int z = -2; z < 10; ++z)
-          for (int y = -2; y < 10; ++y)
-            for (int x = -2; x < 10; ++x, ++value) {
-              if (*value == 0)
-                continue;
-              const std::size_t b = grid_.neighbour(own, side(x), side(y), side(z));
-              if (b < grid_.size())
-                right_[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)] += *value;
-            }
-      }
-    });
+    parallelBlocks(
+        set.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
+          std::vector<float> nodes12(12 * 12 * 12);
+          for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t s = set[i];
+            const std::size_t own = grid_.find(sorted_.grid.at(s));
+            std::fill(nodes12.begin(), nodes12.end(), 0.f);
+            for (std::size_t p = sorted_.starts[s]; p < sorted_.starts[s + 1]; ++p)
+              splatNormal(sorted_.samples[p], nodes12.data());
+            const float* value = nodes12.data();
+            const auto side = [](int n) { return n < 0 ? -1 : n > 7 ? 1 : 0; };
+            for (int z = -2; z < 10; ++z)
+              for (int y = -2; y < 10; ++y)
+                for (int x = -2; x < 10; ++x, ++value) {
+                  if (*value == 0)
+                    continue;
+                  const std::size_t b = grid_.neighbour(own, side(x), side(y), side(z));
+                  if (b < grid_.size())
+                    right_[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)] +=
+                        *value;
+                }
+          }
+        });
 }
 
 void
@@ -216,161 +192,6 @@ PoissonLevel::setDiagonal(unsigned threads)
                     sums[BandGrid::haloIndex(x, y, z)];
         }
       });
-}
-
-void
-PoissonLevel::apply(const float* halo, std::size_t b, float* result) const
-{
-  float extra[BandGrid::halo_nodes];
-  const bool screened = screen_starts_[b] < screen_starts_[b + 1];
-  if (screened) {
-    std::fill(std::begin(extra), std::end(extra), 0.f);
-    float shares[8];
-    for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
-      const Screen& screen = screens_[i];
-      cornerShares(screen.share, shares);
-      float value = 0;
-      for (std::size_t c = 0; c < 8; ++c)
-        value += shares[c] * halo[screen.corner + corners[c]];
-      value *= screen.weight;
-      for (std::size_t c = 0; c < 8; ++c)
-        extra[screen.corner + corners[c]] += value * shares[c];
-    }
-  }
-  for (int z = 0; z < 8; ++z)
-    for (int y = 0; y < 8; ++y) {
-      const std::size_t first = BandGrid::haloIndex(0, y, z);
-      const float* h = halo + first;
-      for (int x = 0; x < 8; ++x)
-        result[x] = 6 * h[x] - h[x - 1] - h[x + 1] - h[x - 10] - h[x + 10] - h[x - 100] -
-                    h[x + 100];
-      if (screened)
-        for (int x = 0; x < 8; ++x)
-          result[x] += extra[first + static_cast<std::size_t>(x)];
-      result += 8;
-    }
-}
-
-void
-PoissonLevel::applyAll(const std::vector<float>& x,
-                       std::vector<float>& result,
-                       double& product,
-                       unsigned threads) const
-{
-  product = sumInOrder(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        float halo[BandGrid::halo_nodes];
-        double sum = 0;
-        for (std::size_t b = begin; b < end; ++b) {
-          grid_.gatherHalo(x, b, halo);
-          float* own = &result[b * nodes];
-          apply(halo, b, own);
-          float block_sum = 0;
-          for (std::size_t i = 0; i < nodes; ++i)
-            block_sum += own[i] * x[b * nodes + i];
-          sum += static_cast<double>(block_sum);
-        }
-        return sum;
-      });
-}
-
-SolveReport
-PoissonLevel::solve(const GatherHalo& gather,
-                    double tolerance,
-                    int max_iterations,
-                    unsigned threads)
-{
-  SolveReport report;
-  const std::size_t n = grid_.size() * nodes;
-  std::vector<float> residual(grid_.valueCount(), 0.f);
-  std::vector<float> step(grid_.valueCount(), 0.f);
-  std::vector<float> applied(n);
-  double right_length = 0;
-  // What is left of the right side, the given values around the blocks in their place.
-  double length = sumInOrder(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        float halo[BandGrid::halo_nodes];
-        double sum = 0;
-        for (std::size_t b = begin; b < end; ++b) {
-          gather(b, halo);
-          apply(halo, b, &applied[b * nodes]);
-          for (std::size_t i = b * nodes; i < (b + 1) * nodes; ++i) {
-            residual[i] = right_[i] - applied[i];
-            step[i] = residual[i] / diagonal_[i];
-            sum += static_cast<double>(residual[i] * step[i]);
-          }
-        }
-        return sum;
-      });
-  constexpr std::size_t part = 32 * nodes;
-  right_length = sumInOrder(n, part, threads, [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      sum += static_cast<double>(right_[i] * right_[i] / diagonal_[i]);
-    return sum;
-  });
-  const double enough = tolerance * tolerance * right_length;
-  while (length > enough && report.iterations < max_iterations) {
-    double curvature = 0;
-    applyAll(step, applied, curvature, threads);
-    if (!(curvature > 0))
-      break;
-    const auto along = static_cast<float>(length / curvature);
-    const double next = sumInOrder(n, part, threads, [&](std::size_t begin,
-                                                         std::size_t end) {
-      double sum = 0;
-      for (std::size_t row = begin; row < end; row += nodes) {
-        float row_sum = 0;
-        for (std::size_t i = row; i < row + nodes; ++i) {
-          values[i] += along * step[i];
-          residual[i] -= along * applied[i];
-          row_sum += residual[i] * residual[i] / diagonal_[i];
-        }
-        sum += static_cast<double>(row_sum);
-      }
-      return sum;
-    });
-    const auto back = static_cast<float>(next / length);
-    parallelBlocks(n, part, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        step[i] = residual[i] / diagonal_[i] + back * step[i];
-    });
-    length = next;
-    ++report.iterations;
-  }
-  report.residual = right_length > 0 ? std::sqrt(length / right_length) : 0;
-  return report;
-}
-
-double
-PoissonLevel::meanAtSamples(unsigned threads) const
-{
-  std::vector<double> areas((grid_.size() + blocks_at_once - 1) / blocks_at_once, 0.);
-  const double sum = sumInOrder(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        float halo[BandGrid::halo_nodes];
-        float shares[8];
-        double part = 0;
-        for (std::size_t b = begin; b < end; ++b) {
-          if (screen_starts_[b] == screen_starts_[b + 1])
-            continue;
-          grid_.gatherHalo(values, b, halo);
-          for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
-            const Screen& screen = screens_[i];
-            cornerShares(screen.share, shares);
-            float value = 0;
-            for (std::size_t c = 0; c < 8; ++c)
-              value += shares[c] * halo[screen.corner + corners[c]];
-            part += static_cast<double>(screen.area * value);
-            areas[begin / blocks_at_once] += static_cast<double>(screen.area);
-          }
-        }
-        return part;
-      });
-  double area = 0;
-  for (const double a : areas)
-    area += a;
-  return area > 0 ? sum / area : 0;
 }
 
 } // namespace sedr

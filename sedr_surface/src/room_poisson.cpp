@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_types.h>
-#include <pcl/sedr_filters/parallel.h>
+#include "room_support.h"
+
 #include <pcl/sedr_surface/room_poisson.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace pcl {
 namespace sedr {
@@ -22,24 +19,6 @@ struct Attempt {
 };
 constexpr Attempt attempts[] = {{1, 0},   {1.06, 0}, {0.95, 0}, {1.13, 0},
                                 {1.2, 0}, {1, -1},   {1.13, -1}};
-
-// With as many digits as people want to read.
-std::string
-shortNumber(double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
-}
-
-Eigen::Vector3d
-centroidOf(const std::vector<OrientedPoint>& points)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const OrientedPoint& p : points)
-    sum += p.position.cast<double>();
-  return sum / static_cast<double>(points.size());
-}
 
 // The same points near the origin, where a float has digits to spare.
 std::vector<OrientedPoint>
@@ -170,8 +149,9 @@ solveOnBand(const std::vector<OrientedPoint>& local,
   const PoissonParameters octree =
       fitOctree(parameters.solver, extent, report.spacing * parameters.cell_ratio, 0);
   ScreenedPoissonParameters solver;
-  solver.cell = std::max(report.spacing * parameters.cell_ratio,
-                         extent * parameters.solver.scale / std::ldexp(1., octree.depth));
+  solver.cell =
+      std::max(report.spacing * parameters.cell_ratio,
+               extent * parameters.solver.scale / std::ldexp(1., octree.depth));
   solver.spacing = report.spacing;
   solver.point_weight = parameters.solver.point_weight;
   solver.threads = parameters.threads;
@@ -260,98 +240,6 @@ solve(const std::vector<OrientedPoint>& points,
   return parameters.method == PoissonSolver::Sedr
              ? solveOnBand(local, centre, extent, parameters, mesh, report)
              : solveUntilClosed(local, centre, extent, parameters, mesh, report);
-}
-
-using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
-
-void
-buildTree(const std::vector<OrientedPoint>& points,
-          const Eigen::Vector3d& origin,
-          Tree& tree)
-{
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (const OrientedPoint& p : points) {
-    const Eigen::Vector3f q = (p.position.cast<double>() - origin).cast<float>();
-    cloud->push_back({q.x(), q.y(), q.z()});
-  }
-  tree.setInputCloud(cloud);
-}
-
-// The point nearest to the middle of each triangle, and how far that is.
-void
-findNearest(const std::vector<OrientedPoint>& points,
-            const TriangleMesh& mesh,
-            unsigned threads,
-            std::vector<std::uint32_t>& nearest,
-            std::vector<float>& distance)
-{
-  const Eigen::Vector3d origin = centroidOf(points);
-  Tree tree(false);
-  buildTree(points, origin, tree);
-  nearest.resize(mesh.triangles.size());
-  distance.resize(mesh.triangles.size());
-  parallelBlocks(
-      mesh.triangles.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-        pcl::Indices indices(1);
-        std::vector<float> squared(1);
-        for (std::size_t t = begin; t < end; ++t) {
-          const Eigen::Vector3d middle =
-              (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - origin;
-          const Eigen::Vector3f q = middle.cast<float>();
-          tree.nearestKSearch(pcl::PointXYZ(q.x(), q.y(), q.z()), 1, indices, squared);
-          nearest[t] = static_cast<std::uint32_t>(indices[0]);
-          distance[t] = std::sqrt(squared[0]);
-        }
-      });
-}
-
-// Share of a surface far from all points that makes it none of theirs.
-constexpr double most_unsupported = 0.5;
-
-double
-supportDistance(const RoomPoissonParameters& parameters,
-                const RoomPoissonReport& report)
-{
-  return std::max(parameters.support_distance, 4 * report.spacing);
-}
-
-// Turns the surface to the side of the points' normals and sees how much of it they
-// bear out.
-void
-compareWithPoints(const std::vector<OrientedPoint>& points,
-                  const RoomPoissonParameters& parameters,
-                  TriangleMesh& mesh,
-                  std::vector<std::uint32_t>& nearest,
-                  RoomPoissonReport& report)
-{
-  std::vector<float> distance;
-  findNearest(points, mesh, parameters.threads, nearest, distance);
-  double agreement = 0;
-  double far_area = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Eigen::Vector3d normal = mesh.scaledNormal(t);
-    agreement += normal.dot(points[nearest[t]].normal.cast<double>());
-    if (distance[t] > supportDistance(parameters, report))
-      far_area += normal.norm() / 2;
-  }
-  if (agreement < 0)
-    mesh.flip();
-  report.area = mesh.area();
-  report.volume = std::abs(mesh.signedVolume());
-  report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
-  if (report.unsupported_share > most_unsupported) {
-    report.closed = false;
-    report.problem = "the points enclose nothing: " +
-                     std::to_string(std::lround(100 * report.unsupported_share)) +
-                     " % of its surface lies further than " +
-                     shortNumber(supportDistance(parameters, report)) +
-                     " m from all of them";
-  }
-  else if (report.unsupported_share > 0.05)
-    report.warning = std::to_string(std::lround(100 * report.unsupported_share)) +
-                     " % of its surface is a guess, further than " +
-                     shortNumber(supportDistance(parameters, report)) +
-                     " m from all points";
 }
 
 } // namespace

@@ -44,9 +44,9 @@ gridOrigin(const std::vector<OrientedPoint>& points,
     for (std::size_t node = 0; node < bins; ++node) {
       double crowd = 0;
       for (std::size_t i = 0; i < bins; ++i) {
-        const double apart = std::abs(std::remainder(static_cast<double>(i) + 0.5 -
-                                                         static_cast<double>(node),
-                                                     static_cast<double>(bins)));
+        const double apart = std::abs(
+            std::remainder(static_cast<double>(i) + 0.5 - static_cast<double>(node),
+                           static_cast<double>(bins)));
         crowd += counts[i] * std::pow(0.7, apart);
       }
       if (best < 0 || crowd < best) {
@@ -107,7 +107,8 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
     samples = toCells(points, origin, cell);
     setAreas(samples, parameters.spacing / cell);
     const double expected =
-        band_blocks * static_cast<double>(sortSamples(samples, 1).grid.size() * BandGrid::nodes);
+        band_blocks *
+        static_cast<double>(sortSamples(samples, 1).grid.size() * BandGrid::nodes);
     const double most = static_cast<double>(parameters.max_nodes);
     if (expected <= most)
       break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sign_repair.h"
+#include "cell_corners.h"
 
 #include <pcl/sedr_filters/parallel.h>
 
@@ -41,7 +42,8 @@ findFlip(const float* value, bool gentle)
   for (int c = 0; c < 8; ++c)
     count += above(c);
   for (int c = 0; c < 4; ++c)
-    if (above(c) == above(7 - c) && ((above(c) && count == 2) || (!above(c) && count == 6))) {
+    if (above(c) == above(7 - c) &&
+        ((above(c) && count == 2) || (!above(c) && count == 6))) {
       if (gentle)
         return preferred(7 - c, c);
       int best = -1;
@@ -61,7 +63,6 @@ findFlipOfCell(const BandGrid& grid,
                const std::array<int, 3>& cell,
                bool gentle)
 {
-  constexpr std::array<int, 8> corners = {0, 1, 10, 11, 100, 101, 110, 111};
   const std::size_t none = grid.valueCount();
   const float* lowest = halo + BandGrid::haloIndex(cell[0], cell[1], cell[2]);
   float value[8];
@@ -100,23 +101,23 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
     const bool gentle = round < gentle_rounds;
     constexpr std::size_t part = 64;
     std::vector<std::vector<std::size_t>> flips((suspects.size() + part - 1) / part);
-    parallelBlocks(suspects.size(), part, threads, [&](std::size_t begin,
-                                                       std::size_t end) {
-      float halo[BandGrid::halo_nodes];
-      for (std::size_t s = begin; s < end; ++s) {
-        const std::size_t b = suspects[s];
-        grid.gatherHalo(values, b, halo);
-        const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
-        if (*range.first > 0 || *range.second <= 0)
-          continue;
-        for (int i = 0; i < static_cast<int>(nodes); ++i) {
-          const std::array<int, 3> cell = {i & 7, i >> 3 & 7, i >> 6};
-          const std::size_t place = findFlipOfCell(grid, b, halo, cell, gentle);
-          if (place < values.size())
-            flips[begin / part].push_back(place);
-        }
-      }
-    });
+    parallelBlocks(
+        suspects.size(), part, threads, [&](std::size_t begin, std::size_t end) {
+          float halo[BandGrid::halo_nodes];
+          for (std::size_t s = begin; s < end; ++s) {
+            const std::size_t b = suspects[s];
+            grid.gatherHalo(values, b, halo);
+            const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
+            if (*range.first > 0 || *range.second <= 0)
+              continue;
+            for (int i = 0; i < static_cast<int>(nodes); ++i) {
+              const std::array<int, 3> cell = {i & 7, i >> 3 & 7, i >> 6};
+              const std::size_t place = findFlipOfCell(grid, b, halo, cell, gentle);
+              if (place < values.size())
+                flips[begin / part].push_back(place);
+            }
+          }
+        });
     std::vector<std::size_t> all;
     for (const auto& list : flips)
       all.insert(all.end(), list.begin(), list.end());
@@ -128,7 +129,8 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
       values[place] = values[place] > 0 ? -1e-4f : 1e-4f;
       for (std::size_t i = 0; i < 27; ++i) {
         const int n = static_cast<int>(i);
-        const std::size_t b = grid.neighbour(place / nodes, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const std::size_t b =
+            grid.neighbour(place / nodes, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         if (b < grid.size())
           suspects.push_back(b);
       }

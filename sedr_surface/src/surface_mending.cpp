@@ -15,12 +15,12 @@ constexpr double fold = 0.1;
 class Mender {
 public:
   Mender(TriangleMesh& mesh, std::vector<SurfaceVertex>& vertices, double least_height)
-    : mesh_(mesh)
-    , vertices_(vertices)
-    , least_height_(least_height)
-    , alive_(mesh.triangles.size(), true)
-    , first_(mesh.vertices.size() + 1, 0)
-    , around_(mesh.vertices.size())
+      : mesh_(mesh)
+      , vertices_(vertices)
+      , least_height_(least_height)
+      , alive_(mesh.triangles.size(), true)
+      , first_(mesh.vertices.size() + 1, 0)
+      , around_(mesh.vertices.size())
   {
     for (const Triangle& triangle : mesh.triangles)
       for (const auto v : triangle)
@@ -45,8 +45,8 @@ public:
 
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
-  // Improves what is about triangle t, by the best collapse, else by the best shift, else
-  // by turning an edge; adds the triangles that changed.
+  // Improves what is about triangle t, by the best collapse, else by the best shift,
+  // else by turning an edge; adds the triangles that changed.
   bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
   {
     Step best;
@@ -194,8 +194,8 @@ private:
     best = {gain, length, kept, gone, target};
   }
 
-  // Whether `v` should lie in the middle of its neighbours, or half-way to one of them; on
-  // an edge, of those there.
+  // Whether `v` should lie in the middle of its neighbours, or half-way to one of them;
+  // on an edge, of those there.
   void considerShifts(std::uint32_t v, Step& best)
   {
     if (vertices_[v].sharpness > 1)

@@ -21,8 +21,8 @@ struct SurfaceVertex {
 
 /** @brief Takes folds (triangles that face against the normals of their vertices) and
  * slivers out of a closed manifold surface, by collapsing short edges and shifting
- * vertices; it stays closed and manifold. Of two vertices the sharper one stays where it
- * is.
+ * vertices; it stays closed and manifold. Of two vertices the sharper one stays where
+ * it is.
  *
  * @param vertices what is known of each vertex of the mesh
  * @param least_height triangles of less height are slivers

@@ -45,8 +45,8 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
                     const Eigen::Vector3f& slope,
                     SurfacePlane& plane)
 {
-  constexpr float agree = 0.9f;         // cosine of 25 degrees
-  constexpr float least_share = 0.15f;  // of the weight around: less is a stray sample
+  constexpr float agree = 0.9f;        // cosine of 25 degrees
+  constexpr float least_share = 0.15f; // of the weight around: less is a stray sample
   const std::size_t n = x_.size();
   for (std::size_t i = 0; i < n; ++i) {
     const float dx = x_[i] - place[0];

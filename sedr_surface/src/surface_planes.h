@@ -17,13 +17,15 @@ struct SurfacePlane {
   Eigen::Vector3f normal;
 };
 
-/** @brief The samples in and around one block of the finest grid, to ask how the surface
- * runs near a place there. Lengths in cells, from the block's first node. */
+/** @brief The samples in and around one block of the finest grid, to ask how the
+ * surface runs near a place there. Lengths in cells, from the block's first node. */
 class SurfacePlanes {
 public:
   /** @brief Samples further than `radius` from a place say nothing about it; 8 cells at
    * most. */
-  explicit SurfacePlanes(float radius) : radius_(std::min(radius, 8.f)) {}
+  explicit SurfacePlanes(float radius)
+      : radius_(std::min(radius, 8.f))
+  {}
 
   /** @brief Takes the samples around block `b`. */
   void load(const BandGrid& grid, std::size_t b, const SortedSamples& samples);
@@ -32,9 +34,8 @@ public:
    * of the nearest one, of those that face the way of `slope`; where an edge is near,
    * so that of one of its sides. Follows curved surfaces.
    * @return false if there are no samples */
-  bool find(const Eigen::Vector3f& place,
-            const Eigen::Vector3f& slope,
-            SurfacePlane& plane);
+  bool
+  find(const Eigen::Vector3f& place, const Eigen::Vector3f& slope, SurfacePlane& plane);
 
 private:
   struct Near {

@@ -111,9 +111,10 @@ sortSamples(const std::vector<SurfaceSample>& samples, double scale)
     const BandGrid::Block block = BandGrid::blockOf(entry.key);
     BlockSample local;
     for (int k = 0; k < 3; ++k) {
-      const double start = size * static_cast<double>(block[static_cast<std::size_t>(k)]);
-      local.place[k] = std::min(static_cast<float>((sample.position[k] - start) / scale),
-                                7.9999995f);
+      const double start =
+          size * static_cast<double>(block[static_cast<std::size_t>(k)]);
+      local.place[k] = std::min(
+          static_cast<float>((sample.position[k] - start) / scale), 7.9999995f);
       local.normal[k] = sample.normal[k] / static_cast<float>(scale * scale);
     }
     local.area = sample.area / static_cast<float>(scale * scale);

@@ -64,8 +64,8 @@ box(const Eigen::Vector3d& size, double spacing)
           place[axis] = side * size[axis];
           place[u] = (i + 0.5) * size[u] / nu;
           place[v] = (j + 0.5) * size[v] / nv;
-          points.push_back({place.cast<float>(),
-                            Eigen::Vector3f::Unit(axis) * (side ? 1.f : -1.f)});
+          points.push_back(
+              {place.cast<float>(), Eigen::Vector3f::Unit(axis) * (side ? 1.f : -1.f)});
         }
   }
   return points;

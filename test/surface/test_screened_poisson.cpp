@@ -64,8 +64,8 @@ TEST(ScreenedPoisson, a_sphere_comes_back_and_smaller_cells_are_more_exact)
   double before = 1;
   for (const double spacing : {0.16, 0.08, 0.04}) {
     ScreenedPoissonReport report;
-    const auto mesh = solve(sphere(centre, 1, spacing),
-                            cellsOf(0.8 * spacing, spacing), &report);
+    const auto mesh =
+        solve(sphere(centre, 1, spacing), cellsOf(0.8 * spacing, spacing), &report);
     expectClosed(mesh, 1, 2);
     EXPECT_GT(mesh.signedVolume(), 0); // as the normals: outwards
     const double error = worstRadius(mesh, centre, 1);
@@ -97,7 +97,8 @@ TEST(ScreenedPoisson, edges_and_corners_of_rooms_stay_sharp)
       {soffitRoom().placed(30, {0.1, 0, 0}), 85}};
   for (const auto& room : rooms) {
     const double spacing = 1. / 12;
-    const auto mesh = solve(room.first.points(spacing), cellsOf(0.8 * spacing, spacing));
+    const auto mesh =
+        solve(room.first.points(spacing), cellsOf(0.8 * spacing, spacing));
     expectClosed(mesh, 1, 2);
     EXPECT_NEAR(mesh.signedVolume(), -room.second, 0.001 * room.second);
     const auto off = summarizeDistances(
@@ -147,12 +148,14 @@ TEST(ScreenedPoisson, whatever_the_points_the_surface_is_closed_or_there_is_none
     }
     TriangleMesh mesh;
     ScreenedPoissonReport report;
-    const std::string problem = screenedPoisson(points, cellsOf(0.05, 0.1), mesh, report);
+    const std::string problem =
+        screenedPoisson(points, cellsOf(0.05, 0.1), mesh, report);
     EXPECT_EQ(mesh.empty(), !problem.empty());
     if (mesh.empty())
       continue;
     ++surfaces;
-    EXPECT_TRUE(checkTopology(mesh).isClosedManifold()) << checkTopology(mesh).problem();
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
+        << checkTopology(mesh).problem();
   }
   EXPECT_GT(surfaces, 0);
 }
@@ -174,14 +177,17 @@ TEST(ScreenedPoisson, points_in_a_plane_give_a_closed_surface_or_a_reason)
   std::vector<OrientedPoint> points;
   for (int x = 0; x < 40; ++x)
     for (int y = 0; y < 30; ++y)
-      points.push_back({{0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 1},
-                        {0, 0, 1}});
+      points.push_back(
+          {{0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 1},
+           {0, 0, 1}});
   TriangleMesh mesh;
   ScreenedPoissonReport report;
-  const std::string problem = screenedPoisson(points, cellsOf(0.04, 0.05), mesh, report);
+  const std::string problem =
+      screenedPoisson(points, cellsOf(0.04, 0.05), mesh, report);
   EXPECT_EQ(mesh.empty(), !problem.empty());
   if (!mesh.empty()) {
-    EXPECT_TRUE(checkTopology(mesh).isClosedManifold()) << checkTopology(mesh).problem();
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
+        << checkTopology(mesh).problem();
   }
 }
 

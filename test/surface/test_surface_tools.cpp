@@ -90,6 +90,13 @@ TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
   run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--threads", "3"});
   EXPECT_TRUE(bytesOf(in("mesh.ply")) == first)
       << "another number of threads, another file";
+
+  const ProgramRun other =
+      run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--solver", "pcl"});
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_FALSE(bytesOf(in("mesh.ply")) == first) << "the same solver";
+  ASSERT_EQ(loadMesh(in("mesh.ply"), mesh), "");
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
 }
 
 TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
@@ -104,6 +111,9 @@ TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
   expectFailure(
       run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}), 1,
       "depth");
+  expectFailure(
+      run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--solver", "x"}), 1,
+      "solver");
   writeFile(in("few.pcd"),
             structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
   expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,

@@ -13,10 +13,10 @@ namespace sedr {
 
 /** @brief How screenedPoisson() works. */
 struct ScreenedPoissonParameters {
-  double cell = 0.04;    ///< edge of the finest cells, metres
-  double spacing = 0.05; ///< typical distance between neighbouring points, metres
+  double cell = 0.04;       ///< edge of the finest cells, metres
+  double spacing = 0.05;    ///< typical distance between neighbouring points, metres
   float point_weight = 10;  ///< alpha of equation 4: of the points against smoothness
-  double tolerance = 1e-2; ///< residual over right side at which a grid is solved
+  double tolerance = 1e-2;  ///< residual over right side at which a grid is solved
   int max_iterations = 200; ///< on each grid
   std::size_t max_nodes = std::size_t(48) << 20; ///< of a grid, about 40 bytes each
   unsigned threads = 1;                          ///< 0: all processors
@@ -30,9 +30,10 @@ struct ScreenedPoissonReport {
   int iterations = 0;    ///< of conjugate gradients on the finest grid
   double residual = 0;   ///< there, over the right side
   bool converged = false;
-  double iso_value = 0;        ///< mean at the points; -1/2 is behind, 1/2 before them
-  int widened = 0;             ///< times that the finest grid was widened
-  std::size_t turned_signs = 0; ///< nodes that changed sign to keep the surface manifold
+  double iso_value = 0; ///< mean at the points; -1/2 is behind, 1/2 before them
+  int widened = 0;      ///< times that the finest grid was widened
+  std::size_t turned_signs =
+      0; ///< nodes that changed sign to keep the surface manifold
   std::size_t collapsed_edges = 0; ///< to take out folds and slivers
 };
 
@@ -41,8 +42,8 @@ struct ScreenedPoissonReport {
  *
  * @param points finite, with unit normals of the free side; at least three
  * @param parameters in range
- * @param mesh the surface, which may have several components; its normals on the side of
- * those of the points; empty on failure
+ * @param mesh the surface, which may have several components; its normals on the side
+ * of those of the points; empty on failure
  * @return an empty string, or why there is no surface
  *
  * The same bytes for any number of threads. */

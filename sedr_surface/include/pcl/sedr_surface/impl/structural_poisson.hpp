@@ -194,8 +194,8 @@ template <typename PointNT>
 bool
 StructuralPoisson<PointNT>::runOnPlan()
 {
-  // The finest cells are for the edges, where the samples are denser.
-  constexpr double edge_cells = 0.625;
+  // pcl::Poisson rounds edges, where the samples are denser, unless cells are finer.
+  const double edge_cells = parameters_.method == Solver::Pcl ? 0.625 : 1;
   if (plan_->rooms.empty())
     return fail("StructuralPoisson", "the floor plan has no rooms");
   if (!(plan_spacing_ > 0))
