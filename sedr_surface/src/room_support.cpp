@@ -29,6 +29,27 @@ buildTree(const std::vector<OrientedPoint>& points,
   tree.setInputCloud(cloud);
 }
 
+// Whether a triangle may lie on the face of a point, whichever way it faces.
+bool
+sameFace(const OrientedPoint& point, const Eigen::Vector3d& normal)
+{
+  constexpr double same = 0.7; // cosine of 45 degrees
+  return std::abs(point.normal.cast<double>().dot(normal)) > same * normal.norm();
+}
+
+// Which of the points, nearest first, lies on the face of a triangle with this normal:
+// at an edge there are points of two faces. The first if none does.
+std::size_t
+onSameFace(const std::vector<OrientedPoint>& points,
+           const pcl::Indices& indices,
+           const Eigen::Vector3d& normal)
+{
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (sameFace(points[static_cast<std::size_t>(indices[i])], normal))
+      return i;
+  return 0;
+}
+
 // The point nearest to the middle of each triangle, and how far that is.
 void
 findNearest(const std::vector<OrientedPoint>& points,
@@ -37,8 +58,9 @@ findNearest(const std::vector<OrientedPoint>& points,
             std::vector<std::uint32_t>& nearest,
             std::vector<float>& distance)
 {
+  constexpr int around = 6; // of which one lies on the right face
   const Eigen::Vector3d origin = centroidOf(points);
-  Tree tree(false);
+  Tree tree(true);
   buildTree(points, origin, tree);
   nearest.resize(mesh.triangles.size());
   distance.resize(mesh.triangles.size());
@@ -50,9 +72,15 @@ findNearest(const std::vector<OrientedPoint>& points,
           const Eigen::Vector3d middle =
               (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - origin;
           const Eigen::Vector3f q = middle.cast<float>();
-          tree.nearestKSearch(pcl::PointXYZ(q.x(), q.y(), q.z()), 1, indices, squared);
-          nearest[t] = static_cast<std::uint32_t>(indices[0]);
+          const pcl::PointXYZ place(q.x(), q.y(), q.z());
+          const Eigen::Vector3d normal = mesh.scaledNormal(t);
+          tree.nearestKSearch(place, 1, indices, squared);
           distance[t] = std::sqrt(squared[0]);
+          const auto first = static_cast<std::size_t>(indices[0]);
+          if (!sameFace(points[first], normal))
+            tree.nearestKSearch(place, around, indices, squared);
+          nearest[t] =
+              static_cast<std::uint32_t>(indices[onSameFace(points, indices, normal)]);
         }
       });
 }
