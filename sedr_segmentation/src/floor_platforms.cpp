@@ -30,6 +30,14 @@ struct Step {
     return columns.share(cell, top + 0.2, top + 1.4, 8, 2) >= 0.6;
   }
 
+  /** @brief Whether something stands on the platform here, which hides how it goes on
+   * behind. */
+  bool isFurnished(Cell cell) const
+  {
+    const double top = topAt(cell);
+    return columns.share(cell, top + 0.1, top + 0.5, 4, 2) >= 0.75;
+  }
+
   /** @brief Whether something closes the platform down to the floor here. */
   bool isRiser(Cell cell) const
   {
@@ -40,8 +48,8 @@ struct Step {
   }
 };
 
-/** @brief Whether the rim of a region is closed all around, in part by what rises from
- * it. */
+/** @brief Whether the rim of a region is closed all around, by risers or what stands on
+ * it, in part by walls or what rises from it. */
 bool
 isClosed(const Step& step, const CellMask& region)
 {
@@ -55,7 +63,7 @@ isClosed(const Step& step, const CellMask& region)
     const Cell cell = rim.cellAt(i);
     if (near_higher.at(cell) || step.isWall(cell))
       ++walls;
-    else if (step.isRiser(cell))
+    else if (step.isRiser(cell) || step.isFurnished(cell))
       ++risers;
   }
   const std::size_t all = rim.count();
@@ -137,12 +145,13 @@ isWithinAStep(const CellMask& region,
 }
 
 /** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
- * those found already. */
+ * those found already, `steps_up` what else one may step up to from it. */
 CellSet
 platformCells(const Level& level,
               const std::vector<Level>& levels,
               const std::vector<const Level*>& floors,
               const CellSet& higher,
+              const CellSet& steps_up,
               const PointView& points,
               const std::vector<int>& indices,
               double cell_size,
@@ -172,15 +181,52 @@ platformCells(const Level& level,
     const Level* floor = region.count() < least
                              ? nullptr
                              : floorBeside(region, level, floors, grid, platform);
-    if (floor == nullptr || hasFloorBelow(*floor, region) ||
+    const bool is_table =
+        floor != nullptr &&
+        std::any_of(floors.begin(), floors.end(), [&](const Level* f) {
+          return f->height < level.height && hasFloorBelow(*f, region);
+        });
+    if (floor == nullptr || is_table ||
         !isWithinAStep(region, level, *floor, levels, grid, platform))
       continue;
     const Step step{level, *floor, grid, ColumnTable(grid, box, points, indices),
-                    CellMask(higher, box)};
+                    unite(CellMask(higher, box), CellMask(steps_up, box))};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }
   return found;
+}
+
+std::vector<const Level*>
+floorsOf(const std::vector<Level>& levels)
+{
+  std::vector<const Level*> floors;
+  for (const Level& level : levels)
+    if (level.kind == LevelKind::Floor)
+      floors.push_back(&level);
+  return floors;
+}
+
+/** @brief The wide parts of levels that one may step up to from another one. */
+CellSet
+stepsUpFrom(const Level& level,
+            const std::vector<Level>& levels,
+            double cell_size,
+            const PlatformParameters& platform)
+{
+  CellSet steps;
+  for (const Level& other : levels) {
+    const double rise = other.height - level.height;
+    if (other.kind == LevelKind::Ceiling || other.cells.empty() ||
+        rise < platform.least_height || rise > platform.greatest_step)
+      continue;
+    const CellBox box = grown(boxOf(other.cells), cellsFor(0.2, cell_size));
+    if (maskProblem(box).empty())
+      steps = unite(
+          steps, widePart(CellMask(other.cells, box), platform.minimum_width, cell_size)
+                     .toSet());
+  }
+  return steps;
 }
 
 } // namespace
@@ -192,24 +238,26 @@ markPlatforms(std::vector<Level>& levels,
               const LevelParameters& parameters,
               const PlatformParameters& platform)
 {
-  std::vector<const Level*> floors;
-  for (const Level& level : levels)
-    if (level.kind == LevelKind::Floor)
-      floors.push_back(&level);
   CellSet found;
-  // From the highest to the lowest: a step is told by the platform that it leads to.
-  for (std::size_t l = levels.size(); l-- > 0;) {
-    Level& level = levels[l];
+  const auto tryLevel = [&](Level& level, const CellSet& steps_up) {
     if (level.kind != LevelKind::Other)
-      continue;
-    const CellSet cells = platformCells(level, levels, floors, found, points, indices,
-                                        parameters.cell_size, platform);
+      return;
+    const CellSet cells =
+        platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
+                      parameters.cell_size, platform);
     if (cells.empty())
-      continue;
+      return;
     found = unite(found, cells);
     level.kind = LevelKind::Floor;
     level.within = cells;
-  }
+  };
+  // From the highest to the lowest: a step is told by the platform that it leads to.
+  for (std::size_t l = levels.size(); l-- > 0;)
+    tryLevel(levels[l], {});
+  // From the lowest to the highest: rows of seats stand on each other, and only the
+  // first on the floor.
+  for (auto& level : levels)
+    tryLevel(level, stepsUpFrom(level, levels, parameters.cell_size, platform));
 }
 
 } // namespace sedr

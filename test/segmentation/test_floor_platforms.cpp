@@ -78,6 +78,32 @@ TEST(Platforms, ANarrowStepThatLeadsNowhereIsNone)
   expectFloors(points, {0});
 }
 
+TEST(Platforms, RowsOfSeatsStandOnEachOther)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 9, 6), 3.2);
+  for (int row = 1; row <= 4; ++row)
+    room.floor_details.push_back(
+        detailOf(rectangle(3 + 1.2 * row, 0, 4.2 + 1.2 * row, 6), 0.2 * row));
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.2, 0.4, 0.6, 0.8});
+}
+
+TEST(Platforms, WhatStandsOnOneHidesHowItGoesOn)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(2.7, 0, 5, 4), 0.3)};
+  RoomPoints points; // a desk of the platform's length, nothing seen behind it
+  points.room(room,
+              [](const Eigen::Vector3d& p) { return p.x() < 4.3 || p.z() > 1.1; });
+  RoomPoints seen;
+  for (const int i : points.all())
+    if (const auto p = points[i]; p.x() < 4.3 || p.z() > 1.1)
+      seen.point(p.x(), p.y(), p.z());
+  seen.wall(segment({4.3, 4}, {4.3, 0}), 0.3, 1.1);
+  expectFloors(seen, {0, 0.3});
+}
+
 TEST(Platforms, AreTheirOwnCellsOnly)
 {
   PlanRoom room = hall();
