@@ -34,15 +34,16 @@ std::vector<Piece>
 piecesOf(const Storey& storey, std::size_t level)
 {
   const CellMask seen(storey.levels[level].cells, storey.box);
-  // Closing bridges what was not hit; walls stay out.
+  // Closing bridges what was not hit; walls and lintels stay out.
   const double size = storey.grid.size();
   const int gap = cellsFor(0.1, size);
   CellMask closed = eroded(dilated(seen, gap), gap);
   for (std::size_t i = 0; i < closed.values().size(); ++i)
     if (closed.values()[i] && !seen.values()[i]) {
       const Cell cell = closed.cellAt(i);
+      const double top = storey.heightOf(level, cell);
       closed.values()[i] =
-          storey.isWallBelow(cell, storey.heightOf(level, cell)) ? 0 : 1;
+          storey.isWallBelow(cell, top) || storey.isClosedBelow(cell, top) ? 0 : 1;
     }
   const double neck = 1.5 * cellsFor(0.05, size);
   const CellMask core = eroded(closed, neck);

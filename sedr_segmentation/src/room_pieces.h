@@ -37,6 +37,13 @@ struct Storey {
     return columns.share(cell, top - 0.6, top - 0.1, 5, 0) >= 0.6;
   }
 
+  /** @brief Whether something closes the column for a decimetre below `top`, be it only
+   * the low lintel of a door. */
+  bool isClosedBelow(Cell cell, double top) const
+  {
+    return columns.share(cell, top - 0.2, top - 0.08, 2, 0) >= 1;
+  }
+
   /** @brief Whether the column is a wall from the floor up to the ceiling: a cupboard
    * is not, nor is what stands below a beam. */
   bool isWall(Cell cell, double floor, double top) const

@@ -104,6 +104,13 @@ TEST(SegmentRooms, AnOpenDoorInAThinPartitionDoesNotJoinTwoRooms)
   }
 }
 
+TEST(SegmentRooms, NorDoesOneBelowALowLintel)
+{
+  for (const double noise : {0.0, 0.01})
+    for (const double head : {2.15, 2.3})
+      EXPECT_EQ(Rooms(twoRooms(0.9, head, noise)).regions.size(), 2u) << head;
+}
+
 TEST(SegmentRooms, LargestFirst)
 {
   RoomPoints points;
