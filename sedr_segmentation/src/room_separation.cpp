@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/room_separation.h>
 
 #include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_segmentation/contour.h>
 #include <pcl/sedr_segmentation/loop_difference.h>
 
 #include <algorithm>
@@ -60,6 +61,16 @@ areSideBySide(const PlanRoom& a, const PlanRoom& b, const Eigen::Vector2d& place
 {
   return a.floor.heightAt(place) < b.ceiling.heightAt(place) &&
          b.floor.heightAt(place) < a.ceiling.heightAt(place);
+}
+
+/** @brief Whether a room lies within a column of another one: it was cut out of it. */
+bool
+standsFreeIn(const PlanRoom& room, const PlanRoom& around)
+{
+  return std::any_of(around.columns.begin(), around.columns.end(),
+                     [&](const PlanLoop& column) {
+                       return column.contains(room.boundary.elements[0].start);
+                     });
 }
 
 /** @brief Length of those walls of a room that were seen inside of another one. */
@@ -176,35 +187,76 @@ sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
   return text;
 }
 
-} // namespace
-
-std::vector<std::string>
-separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& indices)
+/** @brief Cuts a room back from another one. Where curves of both coincide, what is
+ * left may be broken; a millimetre more is tried then.
+ * @return false where nothing is left of it */
+bool
+cutBack(PlanRoom& room, const PlanRoom& from)
 {
-  std::vector<std::string> sentences;
-  std::set<std::size_t> gone;
+  constexpr double chord = 0.002;
+  constexpr int tries = 5;
+  PlanRoom cut;
+  for (int k = 0; k < tries; ++k) {
+    cut = room;
+    if (!cutRoom(cut, widened(from.boundary, least_partition + 0.0013 * k)))
+      return false;
+    if (!crossesItself(cut.boundary.polygon(chord)) &&
+        (standsFreeIn(from, cut) || !overlap(cut.boundary, from.boundary)))
+      break;
+  }
+  room = std::move(cut);
+  return true;
+}
+
+/** @brief Parts the rooms once.
+ * @param[in,out] gone of which nothing was left
+ * @return whether any two overlapped */
+bool
+separateOnce(Floorplan& plan,
+             const PointView& points,
+             const std::vector<int>& indices,
+             std::set<std::size_t>& gone,
+             std::vector<std::string>& sentences)
+{
+  bool has_changed = false;
   for (std::size_t a = 0; a < plan.rooms.size(); ++a)
     for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
       if (gone.count(a) + gone.count(b) > 0 ||
           !areSideBySide(first, second, first.boundary.elements[0].start) ||
+          standsFreeIn(first, second) || standsFreeIn(second, first) ||
           !overlap(first.boundary, second.boundary))
         continue;
+      has_changed = true;
       const double seen_first = seenInside(first, second.boundary, points, indices);
       const double seen_second = seenInside(second, first.boundary, points, indices);
       const bool is_first_cut = seen_first == seen_second ? first.area() > second.area()
                                                           : seen_first < seen_second;
       PlanRoom& loser = is_first_cut ? first : second;
       const PlanRoom& winner = is_first_cut ? second : first;
-      const double area = loser.boundary.area();
-      if (!cutRoom(loser, widened(winner.boundary, least_partition)))
+      double lost = loser.area();
+      if (cutBack(loser, winner))
+        lost -= loser.area();
+      else
         gone.insert(is_first_cut ? a : b);
-      const double lost =
-          area - (gone.count(is_first_cut ? a : b) > 0 ? 0 : loser.boundary.area());
       if (lost > worth_a_word)
         sentences.push_back(sentenceOf(loser, winner, lost));
     }
+  return has_changed;
+}
+
+} // namespace
+
+std::vector<std::string>
+separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& indices)
+{
+  constexpr int most_rounds = 4; // what is cut back from one room may touch a third
+  std::vector<std::string> sentences;
+  std::set<std::size_t> gone;
+  for (int round = 0; round < most_rounds; ++round)
+    if (!separateOnce(plan, points, indices, gone, sentences))
+      break;
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)
     plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
   dropNiches(plan);

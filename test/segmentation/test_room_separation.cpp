@@ -108,6 +108,18 @@ TEST(SeparateRooms, ARoomWithinAnotherStandsFreeInIt)
   EXPECT_NEAR(plan.rooms[0].boundary.area(), 36, 1e-9);
 }
 
+TEST(SeparateRooms, CutsThatCoincideAreMadeApart)
+{
+  // The second is cut back from the first, and the third from the arc that leaves.
+  Floorplan plan;
+  plan.rooms = {roomAt(1, circle({0, 3}, 0.8)),
+                roomAt(2, placed(rectangle(0, 0, 3.7, 4.4), 49, {-0.7, -1.1})),
+                roomAt(3, circle({-1.9, 0.9}, 2.5))};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms.size(), 3u);
+  EXPECT_TRUE(areApart(plan));
+}
+
 TEST(SeparateRooms, ANicheThatReachesIntoAnotherRoomIsDropped)
 {
   Floorplan plan;
