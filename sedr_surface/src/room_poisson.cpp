@@ -164,6 +164,9 @@ solveOnBand(const std::vector<OrientedPoint>& local,
     report.problem = failure;
     return false;
   }
+  if (report.cell > 1.001 * solver.cell)
+    report.warning = "its cells are " + shortNumber(report.cell) + " m instead of " +
+                     shortNumber(solver.cell) + " m, for so large a surface";
   move(mesh, centre);
   keepLargestComponents(mesh, 1, report.repair);
   mesh.removeUnusedVertices();
