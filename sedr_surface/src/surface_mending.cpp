@@ -43,6 +43,9 @@ public:
     return bad;
   }
 
+  // Whether vertices may leave their edge or face, by less than half a cell.
+  void setStrict(bool strict) { strict_ = strict; }
+
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
   // Improves what is about triangle t, by the best collapse, else by the best shift,
@@ -165,7 +168,7 @@ private:
   bool mayGoTo(std::uint32_t v, std::uint32_t other) const
   {
     const SurfaceVertex& from = vertices_[v];
-    if (from.sharpness > vertices_[other].sharpness)
+    if (strict_ && from.sharpness > vertices_[other].sharpness)
       return false;
     const Eigen::Vector3d way = mesh_.vertices[other] - mesh_.vertices[v];
     double off = way.norm();
@@ -173,7 +176,7 @@ private:
       off = std::abs(way.dot(from.normal.cast<double>()));
     else if (from.sharpness == 1)
       off = way.cross(from.line.cast<double>()).norm();
-    return off < 0.1 * std::max(way.norm(), 0.5);
+    return off < (strict_ ? 0.1 * std::max(way.norm(), 0.5) : 0.5);
   }
 
   // Whether `gone` should become one with `kept`.
@@ -285,6 +288,7 @@ private:
   std::vector<std::uint32_t> corners_;
   std::vector<std::vector<std::uint32_t>> around_; // filled when asked for
   std::size_t collapsed_ = 0;
+  bool strict_ = true;
 };
 
 } // namespace
@@ -295,25 +299,19 @@ mendSurface(TriangleMesh& mesh,
             double least_height,
             double longest)
 {
-  constexpr int most_rounds = 12;
+  constexpr int strict_rounds = 8;
+  constexpr int most_rounds = 14;
   Mender mender(mesh, vertices, least_height);
   std::vector<std::uint32_t> bad = mender.collectBad();
   for (int round = 0; round < most_rounds && !bad.empty(); ++round) {
+    mender.setStrict(round < strict_rounds);
     std::vector<std::uint32_t> next;
-    bool improved = false;
-    for (const auto t : bad) {
-      if (!mender.isBad(t))
-        continue;
-      if (mender.mend(t, longest, next))
-        improved = true;
-      else
+    for (const auto t : bad)
+      if (mender.isBad(t) && !mender.mend(t, longest, next))
         next.push_back(t);
-    }
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     bad = std::move(next);
-    if (!improved)
-      break;
   }
   mesh.keepTriangles(mender.alive());
   return mender.collapsed();
