@@ -113,6 +113,16 @@ TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
       << "furniture is red";
 }
 
+TEST_F(ViewedSample, FarOutsideTheDistanceIsThatFromTheBox)
+{
+  const Eigen::Vector3f corner = result_.mesh.bounds().min().cast<float>();
+  result_.raw.points = {corner - Eigen::Vector3f(3, 0, 0),
+                        corner - Eigen::Vector3f(0.5F, 0, 0)};
+  const Painter painter(result_);
+  EXPECT_NEAR(painter.distances(Layer::Raw)[0], 3, 1e-5);
+  EXPECT_NEAR(painter.distances(Layer::Raw)[1], 0.5, 1e-5);
+}
+
 TEST_F(ViewedSample, WithoutCeilingsShowsAllButThem)
 {
   const Painter painter(result_);

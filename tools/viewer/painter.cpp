@@ -81,11 +81,23 @@ Painter::distances(Layer layer) const
   if (!cloud || result_.mesh.empty())
     return distances;
   const Progress progress("measuring distances");
+  // What is far outside takes the locator longest, and its box says enough of it.
+  constexpr double far = 1; // metres
+  const Eigen::AlignedBox3d box = result_.mesh.bounds();
+  std::vector<std::size_t> near;
   std::vector<Eigen::Vector3d> points;
-  points.reserve(cloud->size());
-  for (const auto& p : cloud->points)
-    points.push_back(p.cast<double>());
-  return distances = MeshDistance(result_.mesh).distances(points);
+  for (const auto& point : cloud->points) {
+    const Eigen::Vector3d p = point.cast<double>();
+    distances.push_back(box.exteriorDistance(p));
+    if (distances.back() > far)
+      continue;
+    near.push_back(distances.size() - 1);
+    points.push_back(p);
+  }
+  const auto measured = MeshDistance(result_.mesh).distances(points);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    distances[near[k]] = measured[k];
+  return distances;
 }
 
 Colour

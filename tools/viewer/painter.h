@@ -52,8 +52,8 @@ public:
   /** @brief The edges of the solid's faces. */
   ColouredLines solidEdges(const ViewState& state) const;
 
-  /** @brief Distance of a cloud's points from the mesh, metres; empty without a mesh.
-   */
+  /** @brief Distance of a cloud's points from the mesh, metres; of those more than a
+   * metre outside of its box that from the box. Empty without a mesh. */
   const std::vector<double>& distances(Layer layer) const;
 
   double range() const { return range_; }

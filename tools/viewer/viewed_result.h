@@ -47,7 +47,7 @@ struct ViewedResult {
 /** @brief What a result is read with. */
 struct ReadSettings {
   std::string scan;                  ///< the raw scan; empty: as report.json names it
-  std::size_t most_points = 2000000; ///< of a cloud that are shown; 0: all
+  std::size_t most_points = 1000000; ///< of a cloud that are shown; 0: all
 };
 
 /** @brief Reads the folder that a run of pcl_sedr has left, or one cloud: that is

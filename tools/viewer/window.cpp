@@ -47,7 +47,7 @@ Window::Window(const ViewedResult& result,
     heights_ = {box.min().z(), box.max().z()};
   int argc = 0;
   char** argv = nullptr;
-  auto* style = KeyStyle::New(); // the visualizer keeps it
+  const auto style = vtkSmartPointer<KeyStyle>::New();
   style->on_key = [this](const std::string& key) { onKey(key); };
   const auto render_window = makeRenderWindow(settings);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
