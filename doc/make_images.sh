@@ -72,42 +72,43 @@ for state in before after; do
 done
 "$bin/pcl_structure_compare" "$data"/office_{before,after}/scan.pcd --picture "$output/structure_compare.png"
 
-# look NAME SCENE OPTIONS...: what the viewer shows of a scene's model, for its page.
+echo "== models"
+"$bin/pcl_simulate_indoor_scan" cluttered_room "$data/cluttered_room"
+for scene in bls_room hls_hall syn_flat cluttered_room; do
+  (cd "$data/$scene" && "$bin/pcl_sedr" scan.pcd model --report) # the page shows the scan's path
+done
+cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"
+
+# look NAME SCENE/INPUT OPTIONS...: what the viewer shows, for its page.
 look() {
-  xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2/$input" --size "${size-640x440}" \
-    --screenshot "$output/sedr_viewer_$1.png" "${@:3}"
+  xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2" --size "${size-640x440}" --screenshot "$output/sedr_viewer_$1.png" "${@:3}"
 }
 
 if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
   echo "== the viewer"
-  for scene in bls_room hls_hall syn_flat; do
-    "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
-  done
-  input=model
-  look raw       bls_room --layers raw --no-ceiling
-  look thinned   bls_room --layers thinned --no-ceiling
-  look label     bls_room --layers structure --no-ceiling --point-size 3
-  look room      syn_flat --layers structure --no-ceiling --colour room
-  look distance  bls_room --layers thinned --no-ceiling --colour distance --point-size 3
-  look plan      hls_hall --layers plan
-  look mesh      hls_hall --layers mesh
-  look open      hls_hall --layers mesh --no-ceiling
-  look solid     syn_flat --layers solid --no-ceiling --colour room
-  look clip      hls_hall --layers solid --clip 1.2
-  look top       syn_flat --layers mesh,plan --no-ceiling --view top
-  look inside    hls_hall --layers solid --view inside
-  size=960x400 look two_views syn_flat --layers mesh --no-ceiling --two-views
-  input=walls.pcd
-  look stage     hls_hall --colour label --point-size 3
+  look raw       bls_room/model --layers raw --no-ceiling
+  look thinned   bls_room/model --layers thinned --no-ceiling
+  look label     bls_room/model --layers structure --no-ceiling --point-size 3
+  look room      syn_flat/model --layers structure --no-ceiling --colour room
+  look distance  bls_room/model --layers thinned --no-ceiling --colour distance --point-size 3
+  look plan      hls_hall/model --layers plan
+  look mesh      hls_hall/model --layers mesh
+  look open      hls_hall/model --layers mesh --no-ceiling
+  look solid     syn_flat/model --layers solid --no-ceiling --colour room
+  look clip      hls_hall/model --layers solid --clip 1.2
+  look top       syn_flat/model --layers mesh,plan --no-ceiling --view top
+  look inside    hls_hall/model --layers solid --view inside
+  size=960x400 look two_views syn_flat/model --layers mesh --no-ceiling --two-views
+  look stage     hls_hall/walls.pcd --colour label --point-size 3
+else
+  echo "The viewer's pictures stay as they are: they need the Debian packages xvfb and xauth."
 fi
 
 if command -v chromium >/dev/null; then
   echo "== report.html in a browser"
-  "$bin/pcl_simulate_indoor_scan" cluttered_room "$data/cluttered_room" --noise 0.01
-  for scene in bls_room hls_hall syn_flat cluttered_room; do # the pages show the scan's path
-    (cd "$data/$scene" && "$bin/pcl_sedr" scan.pcd model --report)
-  done
-  python3 "$root/doc/report_images.py" "$data" "$output"
+  /usr/bin/python3 "$root/doc/report_images.py" "$data" "$output"
+else
+  echo "The report's pictures stay as they are: they need the Debian packages chromium and python3-pil."
 fi
 
 missing=()
@@ -121,8 +122,4 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 echo "== rendering"
-for scene in bls_room hls_hall syn_flat; do
-  [ -d "$data/$scene/model" ] || "$bin/pcl_sedr" "$data/$scene/scan.pcd" "$data/$scene/model"
-done
-cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"
 xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"

@@ -154,6 +154,11 @@ TEST(StructureCompare, DetailsOfCeilingAndFloor)
   EXPECT_EQ(told(with, lower),
             Lines{"moved soffit by 0.15 m (z -0.15), 4.00 m2: room_1_detail_1 -> "
                   "room_1_detail_1"});
+  Floorplan aside = twoRooms();
+  aside.rooms[0].details.push_back({rectangle(0, 2.9, 5, 3.7), {}, slabAt(2.4)});
+  EXPECT_EQ(told(with, aside),
+            Lines{"moved soffit by 0.80 m (y -0.80), 4.00 m2: room_1_detail_1 -> "
+                  "room_1_detail_1"});
   Floorplan step = twoRooms();
   step.rooms[1].floor_details.push_back({rectangle(7, 0, 9, 4.5), {}, slabAt(0.3)});
   EXPECT_EQ(told(twoRooms(), step),

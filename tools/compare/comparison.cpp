@@ -2,6 +2,7 @@
 #include "compare/comparison.h"
 
 #include "compare/column_changes.h"
+#include "compare/room_changes.h"
 #include "compare/slab_changes.h"
 #include "compare/wall_changes.h"
 #include "scale.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/slab_changes.h"
 
-#include <pcl/sedr_filters/cell_grid.h>
-
-#include <Eigen/Geometry>
+#include "compare/plan_slabs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,44 +14,7 @@ namespace tools {
 
 namespace {
 
-constexpr double cell = 0.1; // metres
 constexpr double half = 0.5;
-
-/** @brief A place of a plan: its room, and what is above or below. */
-struct Spot {
-  const PlanRoom* room = nullptr;
-  int detail = -1;   ///< index in the room's list, -1 for the main slab
-  double height = 0; ///< metres
-};
-
-/** @brief A plan seen from below (the ceilings) or above (the floors), cell by cell. */
-using Slabs = std::map<CellKey, Spot>;
-
-Slabs
-slabsOf(const Floorplan& plan, bool is_floor)
-{
-  const CellGrid grid(cell);
-  Slabs slabs;
-  for (const auto& room : plan.rooms) {
-    Eigen::AlignedBox2d box;
-    for (const auto& corner : room.boundary.polygon(0.01))
-      box.extend(corner);
-    if (box.isEmpty())
-      continue;
-    const Cell low = grid.at(box.min().x(), box.min().y());
-    const Cell high = grid.at(box.max().x(), box.max().y());
-    for (std::int32_t y = low.y; y <= high.y; ++y)
-      for (std::int32_t x = low.x; x <= high.x; ++x) {
-        const Eigen::Vector2d place = grid.centre({x, y});
-        if (!room.contains(place))
-          continue;
-        const int detail = is_floor ? room.floorDetailAt(place) : room.detailAt(place);
-        const double height = is_floor ? room.floorAt(place) : room.ceilingAt(place);
-        slabs[keyOf({x, y})] = {&room, detail, height};
-      }
-  }
-  return slabs;
-}
 
 /** @brief A slab of a plan: a detail, or a room's main ceiling or floor. */
 using SlabId = std::pair<std::uint32_t, int>;
@@ -62,20 +23,27 @@ using SlabId = std::pair<std::uint32_t, int>;
 struct Overlap {
   const PlanRoom* room = nullptr;
   std::size_t cells = 0;
+  Eigen::Vector3d sum =
+      Eigen::Vector3d::Zero();          ///< of its cells' middles, at its height
   std::size_t known = 0;                ///< cells that are in rooms of the other plan
   std::size_t same = 0;                 ///< of them at the same height
   std::map<SlabId, std::size_t> others; ///< cells over each slab of the other plan
   std::map<SlabId, std::vector<double>> rises; ///< heights of the other less ours
+
+  Eigen::Vector3d middle() const { return sum / static_cast<double>(cells); }
 };
 
 std::map<SlabId, Overlap>
 overlapsOf(const Slabs& slabs, const Slabs& others, double tolerance)
 {
+  const CellGrid grid(slab_cell);
   std::map<SlabId, Overlap> overlaps;
   for (const auto& [key, spot] : slabs) {
     Overlap& overlap = overlaps[{spot.room->id, spot.detail}];
     overlap.room = spot.room;
     ++overlap.cells;
+    const Eigen::Vector2d place = grid.centre(cellOf(key));
+    overlap.sum += Eigen::Vector3d(place.x(), place.y(), spot.height);
     const auto other = others.find(key);
     if (other == others.end())
       continue;
@@ -154,6 +122,7 @@ public:
   std::vector<Change> changes() const
   {
     std::vector<Change> changes;
+    std::vector<SlabId> gone;
     for (const auto& [id, overlap] : before_) {
       if (!hasChanged(overlap))
         continue;
@@ -161,11 +130,23 @@ public:
       if (successor && (successor->second < 0) == (id.second < 0))
         changes.push_back(moved(id, overlap, *successor));
       else if (id.second >= 0)
-        changes.push_back(single(id, overlap, ChangeKind::Vanished));
+        gone.push_back(id);
     }
-    for (const auto& [id, overlap] : after_)
-      if (id.second >= 0 && hasChanged(overlap) && !isSuccessor(overlap))
+    for (const auto& [id, overlap] : after_) {
+      if (id.second < 0 || !hasChanged(overlap) || isSuccessor(overlap))
+        continue;
+      const auto old =
+          std::find_if(gone.begin(), gone.end(),
+                       [&, now = id](SlabId was) { return isShifted(was, now); });
+      if (old == gone.end()) {
         changes.push_back(single(id, overlap, ChangeKind::Appeared));
+        continue;
+      }
+      changes.push_back(shifted(*old, id));
+      gone.erase(old);
+    }
+    for (const auto& id : gone)
+      changes.push_back(single(id, before_.at(id), ChangeKind::Vanished));
     return changes;
   }
 
@@ -176,7 +157,7 @@ private:
   {
     const double other = static_cast<double>(overlap.known - overlap.same);
     return other > half * static_cast<double>(overlap.known) &&
-           other * cell * cell >= settings_.minimum_area;
+           other * slab_cell * slab_cell >= settings_.minimum_area;
   }
 
   /** @brief Whether a slab of the second plan was told as one that has moved there. */
@@ -184,6 +165,30 @@ private:
   {
     const auto predecessor = successorOf(overlap);
     return predecessor && predecessor->second >= 0;
+  }
+
+  /** @brief Whether a detail that is gone may be one that has come elsewhere: of one
+   * kind, like size and the same height, not too far away. */
+  bool isShifted(SlabId was, SlabId now) const
+  {
+    constexpr double most_ratio = 1.3; // of areas
+    const Overlap& a = before_.at(was);
+    const Overlap& b = after_.at(now);
+    const double ratio = static_cast<double>(a.cells) / static_cast<double>(b.cells);
+    const Eigen::Vector3d shift = b.middle() - a.middle();
+    return wordFor(*a.room, was.second, is_floor_) ==
+               wordFor(*b.room, now.second, is_floor_) &&
+           std::max(ratio, 1 / ratio) < most_ratio &&
+           std::abs(shift.z()) <= settings_.tolerance &&
+           shift.head<2>().norm() <= settings_.farthest;
+  }
+
+  Change shifted(SlabId was, SlabId now) const
+  {
+    Change change = single(was, before_.at(was), ChangeKind::Moved);
+    change.after = {nameOf(now, is_floor_)};
+    change.shift = after_.at(now).middle() - before_.at(was).middle();
+    return change;
   }
 
   Change moved(SlabId id, const Overlap& overlap, SlabId successor) const
@@ -201,7 +206,7 @@ private:
     change.what = wordFor(*overlap.room, id.second, is_floor_);
     (kind == ChangeKind::Appeared ? change.after : change.before)
         .push_back(nameOf(id, is_floor_));
-    change.size = static_cast<double>(overlap.cells) * cell * cell;
+    change.size = static_cast<double>(overlap.cells) * slab_cell * slab_cell;
     return change;
   }
 
@@ -211,49 +216,7 @@ private:
   std::map<SlabId, Overlap> after_;
 };
 
-/** @brief The rooms of a plan of which less than half is room in the other. */
-std::vector<Change>
-lostRooms(const Floorplan& plan,
-          const Floorplan& other,
-          ChangeKind kind,
-          std::vector<std::uint32_t>& ids)
-{
-  std::vector<Change> changes;
-  const Slabs slabs = slabsOf(plan, true);
-  const Slabs others = slabsOf(other, true);
-  std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> cells; // all, in both
-  for (const auto& [key, spot] : slabs) {
-    auto& [all, shared] = cells[spot.room->id];
-    ++all;
-    shared += others.count(key);
-  }
-  for (const auto& room : plan.rooms) {
-    const auto& [all, shared] = cells[room.id];
-    if (all == 0 || static_cast<double>(shared) >= half * static_cast<double>(all))
-      continue;
-    ids.push_back(room.id);
-    Change change;
-    change.kind = kind;
-    change.what = "room";
-    (kind == ChangeKind::Appeared ? change.after : change.before)
-        .push_back("room_" + std::to_string(room.id));
-    change.size = room.area();
-    changes.push_back(change);
-  }
-  return changes;
-}
-
 } // namespace
-
-RoomChanges
-roomChanges(const Floorplan& before, const Floorplan& after)
-{
-  RoomChanges rooms;
-  rooms.changes = lostRooms(before, after, ChangeKind::Vanished, rooms.before);
-  const auto come = lostRooms(after, before, ChangeKind::Appeared, rooms.after);
-  rooms.changes.insert(rooms.changes.end(), come.begin(), come.end());
-  return rooms;
-}
 
 std::vector<Change>
 slabChanges(const Floorplan& before,

@@ -7,16 +7,6 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Rooms that are new or gone as a whole: less than half of their floor is floor
- * in the other plan. */
-struct RoomChanges {
-  std::vector<Change> changes;
-  std::vector<std::uint32_t> before; ///< ids of those that vanished
-  std::vector<std::uint32_t> after;  ///< of those that appeared
-};
-
-RoomChanges roomChanges(const Floorplan& before, const Floorplan& after);
-
 /** @brief Ceilings and floors at another height, and soffits, recesses, steps and
  * platforms that have moved up or down, appeared or vanished. A detail is where it was
  * if over half of it the other plan has the same height, whatever it calls it. */

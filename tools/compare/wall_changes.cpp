@@ -1,166 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/wall_changes.h"
 
+#include "compare/wall_faces.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
 namespace {
-
-constexpr double step = 0.05;                // between samples of a wall, metres
-constexpr double thickest = 0.6;             // of a partition, metres
-const double alike = std::cos(M_PI / 9);     // of directions of one surface
-const double parallel = std::cos(M_PI / 18); // of a wall that has moved
-
-/** @brief The part of a wall that the other plan does not have. */
-struct Face {
-  const PlanElement* wall = nullptr;
-  std::uint32_t room = 0;
-  std::size_t number = 0; ///< of the wall in its room, from 0
-  std::size_t walls = 0;  ///< of that room
-  double from = 0;        ///< along the wall, metres
-  double to = 0;
-
-  std::string name() const
-  {
-    return "room_" + std::to_string(room) + "_wall_" + std::to_string(number + 1);
-  }
-
-  double length() const { return to - from; }
-
-  /** @brief Whether nearly all of the wall is missing: only then it may have moved. */
-  bool isWhole() const { return length() > 0.7 * wall->length(); }
-
-  double middle() const { return (from + to) / 2; }
-  Eigen::Vector2d place() const { return wall->pointAt(middle()); }
-  Eigen::Vector2d normal() const { return wall->normalAt(middle()); }
-
-  Eigen::Vector2d direction() const
-  {
-    const Eigen::Vector2d n = normal();
-    return {n.y(), -n.x()};
-  }
-};
-
-bool
-isKept(std::uint32_t room, const std::vector<std::uint32_t>& ignored)
-{
-  return std::find(ignored.begin(), ignored.end(), room) == ignored.end();
-}
-
-/** @brief Whether a plan has a wall at a place that faces the same way. */
-bool
-hasWallAt(const Floorplan& plan,
-          const Eigen::Vector2d& place,
-          const Eigen::Vector2d& normal,
-          double tolerance)
-{
-  for (const auto& room : plan.rooms)
-    for (const auto& wall : room.boundary.elements) {
-      const double s = wall.project(place);
-      if ((wall.pointAt(s) - place).norm() <= tolerance &&
-          wall.normalAt(s).dot(normal) > alike)
-        return true;
-    }
-  return false;
-}
-
-/** @brief The longest piece of a wall that another plan does not have; of no length
- * where it has all. */
-Face
-missingPiece(const PlanElement& wall, const Floorplan& other, double tolerance)
-{
-  Face longest;
-  longest.wall = &wall;
-  const auto count = static_cast<std::size_t>(std::max(1.0, wall.length() / step));
-  const double width = wall.length() / static_cast<double>(count);
-  std::size_t first = 0;
-  for (std::size_t k = 0; k <= count; ++k) {
-    const double s = (static_cast<double>(k) + 0.5) * width;
-    if (k < count && !hasWallAt(other, wall.pointAt(s), wall.normalAt(s), tolerance))
-      continue;
-    if (static_cast<double>(k - first) * width > longest.length()) {
-      longest.from = static_cast<double>(first) * width;
-      longest.to = static_cast<double>(k) * width;
-    }
-    first = k + 1;
-  }
-  return longest;
-}
-
-std::vector<Face>
-missingFaces(const Floorplan& plan,
-             const Floorplan& other,
-             const CompareSettings& settings,
-             const std::vector<std::uint32_t>& ignored)
-{
-  std::vector<Face> faces;
-  for (const auto& room : plan.rooms) {
-    if (!isKept(room.id, ignored))
-      continue;
-    const auto& walls = room.boundary.elements;
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      Face face = missingPiece(walls[k], other, settings.tolerance);
-      if (face.length() < settings.minimum_length)
-        continue;
-      face.room = room.id;
-      face.number = k;
-      face.walls = walls.size();
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-/** @brief Whether two faces lie side by side over half of the shorter one's length. */
-bool
-overlap(const Face& a, const Face& b)
-{
-  const Eigen::Vector2d way = a.direction();
-  const auto extentOf = [&](const Face& f) {
-    return std::minmax({way.dot(f.wall->pointAt(f.from)), way.dot(f.place()),
-                        way.dot(f.wall->pointAt(f.to))});
-  };
-  const auto [a_low, a_high] = extentOf(a);
-  const auto [b_low, b_high] = extentOf(b);
-  return std::min(a_high, b_high) - std::max(a_low, b_low) >
-         std::min(a_high - a_low, b_high - b_low) / 2;
-}
-
-/** @brief How far a face has moved along its normal if `b` is where it is now; infinite
- * if it cannot be. */
-double
-moveOf(const Face& a, const Face& b)
-{
-  constexpr double no = std::numeric_limits<double>::infinity();
-  if (!a.isWhole() || !b.isWhole() || a.wall->isArc() != b.wall->isArc() ||
-      a.normal().dot(b.normal()) < parallel || !overlap(a, b))
-    return no;
-  return a.normal().dot(b.place() - a.place());
-}
-
-/** @brief Both faces of one partition: opposite each other, closer than it can be
- * thick, nothing of a room between them. */
-bool
-isPartition(const Face& a, const Face& b)
-{
-  if (a.room == b.room || a.normal().dot(b.normal()) > -parallel || !overlap(a, b))
-    return false;
-  const double thickness = -a.normal().dot(b.place() - a.place());
-  return thickness > 0 && thickness < thickest;
-}
-
-bool
-areNeighbours(const Face& a, const Face& b)
-{
-  const std::size_t apart =
-      a.number > b.number ? a.number - b.number : b.number - a.number;
-  return a.room == b.room && (apart == 1 || apart + 1 == a.walls);
-}
 
 /** @brief Faces that are one change. */
 struct Group {

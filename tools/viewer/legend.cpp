@@ -43,7 +43,7 @@ addLabels(const ViewedResult& result, const ViewState& state, Lines& lines)
   if (result.structure.labels.empty())
     return;
   if (!state.isShownRight(Layer::Structure))
-    lines.push_back({"points of the structure, not shown:"});
+    lines.push_back({"structure, not shown:"});
   std::map<StructureLabel, std::size_t> points;
   for (const auto label : result.structure.labels)
     ++points[static_cast<StructureLabel>(label)];

@@ -12,6 +12,9 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace pcl {
 namespace sedr {
 namespace tools {
@@ -64,13 +67,30 @@ chooseSides(vtkActor& actor, Layer layer, const ViewState& state)
   actor.GetProperty()->SetFrontfaceCulling(is_open && !faces_room);
 }
 
-constexpr unsigned char paper_alpha = 170;
+/** @brief How far its text reaches to the right, in each row of an image and those near
+ * it; 0 where there is none. */
+std::vector<int>
+textEnds(const Image& image)
+{
+  constexpr int near = 6; // pixels
+  std::vector<int> ends(static_cast<std::size_t>(image.height), 0);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (image.at(x, y) != colours::paper)
+        for (int row = std::max(0, y - near);
+             row <= std::min(image.height - 1, y + near); ++row)
+          ends[static_cast<std::size_t>(row)] =
+              std::max(ends[static_cast<std::size_t>(row)], x + near);
+  return ends;
+}
 
-/** @brief An image whose paper veils what is behind it, so that its text can be read.
- */
+/** @brief An image whose paper veils what is behind its text, so that it can be read,
+ * and is seen through elsewhere. */
 vtkSmartPointer<vtkImageData>
 imageDataOf(const Image& image)
 {
+  constexpr unsigned char veil = 150; // of 255
+  const std::vector<int> ends = textEnds(image);
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(image.width, image.height, 1);
   data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
@@ -79,10 +99,11 @@ imageDataOf(const Image& image)
       auto* pixel = static_cast<unsigned char*>(
           data->GetScalarPointer(x, image.height - 1 - y, 0));
       const Colour colour = image.at(x, y);
+      const bool is_near_text = x < ends[static_cast<std::size_t>(y)];
       pixel[0] = colour.red;
       pixel[1] = colour.green;
       pixel[2] = colour.blue;
-      pixel[3] = colour == colours::paper ? paper_alpha : 255;
+      pixel[3] = colour != colours::paper ? 255 : is_near_text ? veil : 0;
     }
   return data;
 }
