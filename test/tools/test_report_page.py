@@ -69,7 +69,7 @@ def sample_report():
                  "within_1cm": 0.9, "within_5cm": 0.99, "beyond_5cm": 0.01, "histogram_range": 0.1,
                  "histogram": [900, 50, 20, 10, 10], "beyond_histogram": 10}
     return {"format": "sedr-report", "version": 1, "input": {"path": NASTY, "points": 4800, "unit": 1.0},
-            "parameters": {"voxel_size": 0.05, "plane_tolerance": 0.07, "tree_depth": 9},
+            "parameters": {"voxel_size": 0.05, "plane_tolerance": 0.07, "tree_depth": 9, "poisson_solver": "screened"},
             "stages": [{"stage": "ParallelVoxelGrid", "points_in": 1234567, "points_out": 4800, "seconds": 0.25},
                        {"stage": "StructuralPoisson", "points_in": 4800, "points_out": 9000, "seconds": 1.5}],
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
@@ -250,6 +250,7 @@ class ReportPage(ReportCase):
         stage = page.row("ParallelVoxelGrid")
         self.assertEqual(stage[1:4], ["1\u202f234\u202f567", "4\u202f800", "0.25"])
         self.assertIn("voxel\u00a00.05\u00a0m", stage[4])
+        self.assertIn("solver\u00a0screened, depth", page.row("StructuralPoisson")[4])
         self.assertEqual(page.row("together")[3], "1.75")
         self.assertIn("17.8\u00a0m²", page.words, "floor area of all")
         self.assertEqual(page.row("plane_tolerance")[1], "0.07")

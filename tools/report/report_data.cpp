@@ -158,7 +158,9 @@ readReportData(const ResultFolder& folder)
   if (parameters.is_object())
     for (const auto& [name, value] : parameters.items())
       data.parameters.emplace_back(
-          name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+          name, value.is_string()
+                    ? value.get<std::string>()
+                    : value.dump(-1, ' ', false, Json::error_handler_t::replace));
   for (const auto& warning : member(report, "warnings"))
     if (warning.is_string())
       data.warnings.push_back(warning.get<std::string>());
