@@ -1,145 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "field_means.h"
+
 #include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_filters/voxel_visit.h>
 
 #include <array>
-#include <map>
-#include <numeric>
 
 namespace pcl {
 
 namespace {
 
-constexpr std::size_t points_at_once = 4096;
+constexpr std::size_t voxels_at_once = 4096;
 
-/** @brief The points of one voxel, as the addresses of their bytes. */
-class VoxelBytes {
+bool
+isCoordinate(const pcl::PCLPointField& field)
+{
+  return field.name == "x" || field.name == "y" || field.name == "z";
+}
+
+/** @brief Whether the sums of voxels hold the mean of a field. */
+bool
+isSummed(const pcl::PCLPointField& field)
+{
+  return isCoordinate(field) && field.datatype == pcl::PCLPointField::FLOAT32 &&
+         field.count <= 1;
+}
+
+/** @brief A blob in one piece. */
+class BlobRows : public sedr::RowSource {
 public:
-  VoxelBytes(const pcl::PCLPointCloud2& cloud,
-             const pcl::index_t* first,
-             const pcl::index_t* last)
-      : cloud_(cloud)
-      , first_(first)
-      , last_(last)
+  explicit BlobRows(const pcl::PCLPointCloud2& blob)
+      : blob_(blob)
   {}
 
-  template <typename FunctionT>
-  void forEach(FunctionT f) const
+  const std::vector<pcl::PCLPointField>& fields() const override
   {
-    for (const auto* i = first_; i != last_; ++i)
-      f(cloud_.data.data() + static_cast<std::size_t>(*i) * cloud_.point_step);
+    return blob_.fields;
+  }
+  std::size_t rowSize() const override { return blob_.point_step; }
+  std::size_t size() const override { return std::size_t{blob_.width} * blob_.height; }
+
+  std::string problem() const override
+  {
+    if (blob_.data.size() >= size() * rowSize())
+      return {};
+    return "the cloud holds " + std::to_string(blob_.data.size()) + " bytes, " +
+           std::to_string(size()) + " points of " + std::to_string(rowSize()) +
+           " bytes need " + std::to_string(size() * rowSize());
   }
 
-  double size() const { return static_cast<double>(last_ - first_); }
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    see({blob_.data.data(), 0, size()});
+  }
 
 private:
-  const pcl::PCLPointCloud2& cloud_;
-  const pcl::index_t* first_;
-  const pcl::index_t* last_;
+  const pcl::PCLPointCloud2& blob_;
 };
-
-bool
-isColour(const pcl::PCLPointField& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") &&
-         sedr::fieldSize(field.datatype) == sizeof(std::uint32_t);
-}
-
-bool
-isLabel(const pcl::PCLPointField& field)
-{
-  return field.name == "label" || field.name == "room";
-}
-
-/** @brief The mean by channel, truncated as pcl::CentroidPoint does. */
-void
-meanColour(const VoxelBytes& points, std::size_t offset, std::uint8_t* to)
-{
-  std::array<std::uint64_t, sizeof(std::uint32_t)> sums{};
-  points.forEach([&](const std::uint8_t* point) {
-    for (std::size_t c = 0; c < sums.size(); ++c)
-      sums[c] += point[offset + c];
-  });
-  for (std::size_t c = 0; c < sums.size(); ++c)
-    to[offset + c] =
-        static_cast<std::uint8_t>(static_cast<double>(sums[c]) / points.size());
-}
-
-/** @brief The most frequent value, the smallest of equally frequent ones. */
-void
-majority(const VoxelBytes& points,
-         std::size_t offset,
-         std::uint8_t datatype,
-         std::uint8_t* to)
-{
-  std::map<double, std::size_t> votes;
-  points.forEach([&](const std::uint8_t* point) {
-    const double value = sedr::readField(point + offset, datatype);
-    ++votes[std::isnan(value) ? 0 : value];
-  });
-  const auto most =
-      std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-        return a.second < b.second;
-      });
-  sedr::writeField(to + offset, datatype, most->first);
-}
-
-void
-meanNumber(const VoxelBytes& points,
-           std::size_t offset,
-           std::uint8_t datatype,
-           std::uint8_t* to)
-{
-  double sum = 0;
-  points.forEach([&](const std::uint8_t* point) {
-    sum += sedr::readField(point + offset, datatype);
-  });
-  sedr::writeField(to + offset, datatype, sum / points.size());
-}
-
-/** @brief Writes the means of all fields, or of x, y and z alone, to the point at `to`.
- */
-void
-meanPoint(const std::vector<pcl::PCLPointField>& fields,
-          bool all_fields,
-          const VoxelBytes& points,
-          std::uint8_t* to)
-{
-  for (const auto& field : fields) {
-    const bool is_coordinate =
-        field.name == "x" || field.name == "y" || field.name == "z";
-    if (field.name == "_" || (!all_fields && !is_coordinate))
-      continue;
-    const std::size_t size = sedr::fieldSize(field.datatype);
-    for (std::size_t k = 0; k < std::max<std::size_t>(field.count, 1); ++k) {
-      const std::size_t offset = field.offset + k * size;
-      if (isColour(field))
-        meanColour(points, offset, to);
-      else if (isLabel(field))
-        majority(points, offset, field.datatype, to);
-      else
-        meanNumber(points, offset, field.datatype, to);
-    }
-  }
-}
-
-const pcl::PCLPointField*
-findField(const std::vector<pcl::PCLPointField>& fields, const std::string& name)
-{
-  const auto it = std::find_if(fields.begin(), fields.end(),
-                               [&](const auto& f) { return f.name == name; });
-  return it == fields.end() ? nullptr : &*it;
-}
 
 /** @brief Makes the normal at `point` unit length, if there is one and it is not null.
  */
 void
 normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
 {
-  std::array<const pcl::PCLPointField*, 3> normal{findField(fields, "normal_x"),
-                                                  findField(fields, "normal_y"),
-                                                  findField(fields, "normal_z")};
+  std::array<const pcl::PCLPointField*, 3> normal{sedr::findField(fields, "normal_x"),
+                                                  sedr::findField(fields, "normal_y"),
+                                                  sedr::findField(fields, "normal_z")};
   double square = 0;
   for (const auto* f : normal) {
     if (!f)
@@ -157,50 +84,46 @@ normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
 
 /** @brief What keeps `cloud` from being read, a sentence; empty if nothing does. */
 std::string
-layoutProblem(const pcl::PCLPointCloud2& cloud)
+layoutProblem(const sedr::RowSource& cloud)
 {
-  const std::size_t size = std::size_t{cloud.width} * cloud.height;
-  if (cloud.data.size() < size * cloud.point_step)
-    return "the cloud holds " + std::to_string(cloud.data.size()) + " bytes, " +
-           std::to_string(size) + " points of " + std::to_string(cloud.point_step) +
-           " bytes need " + std::to_string(size * cloud.point_step);
+  const std::size_t size = cloud.size();
   if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
     return "the cloud has " + std::to_string(size) +
            " points, more than indices can count";
   for (const char* name : {"x", "y", "z"}) {
-    const auto* field = findField(cloud.fields, name);
-    if (!field)
+    if (!sedr::findField(cloud.fields(), name))
       return std::string("the cloud has no field '") + name + "'";
   }
-  for (const auto& field : cloud.fields) {
+  for (const auto& field : cloud.fields()) {
     const std::size_t bytes =
         sedr::fieldSize(field.datatype) * std::max<std::size_t>(field.count, 1);
-    if (field.name != "_" && field.offset + bytes > cloud.point_step)
+    if (field.name != "_" && field.offset + bytes > cloud.rowSize())
       return "field '" + field.name + "' ends at byte " +
              std::to_string(field.offset + bytes) + " of points of " +
-             std::to_string(cloud.point_step) + " bytes";
+             std::to_string(cloud.rowSize()) + " bytes";
   }
   return {};
 }
 
-std::vector<Eigen::Vector3f>
-readCoordinates(const pcl::PCLPointCloud2& cloud, unsigned threads)
+/** @brief Those of `indices`, or (null) of all rows of a piece, whose filter field
+ * passes. */
+template <typename Passes>
+pcl::Indices
+passingRows(const sedr::RowSource& source,
+            const sedr::RowSource::Piece& piece,
+            const pcl::Indices* indices,
+            const pcl::PCLPointField& field,
+            const Passes& passes)
 {
-  const std::array<const pcl::PCLPointField*, 3> xyz{findField(cloud.fields, "x"),
-                                                     findField(cloud.fields, "y"),
-                                                     findField(cloud.fields, "z")};
-  std::vector<Eigen::Vector3f> points(std::size_t{cloud.width} * cloud.height);
-  sedr::parallelBlocks(
-      points.size(), points_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          for (int axis = 0; axis < 3; ++axis) {
-            const auto* field = xyz[static_cast<std::size_t>(axis)];
-            points[i][axis] = static_cast<float>(sedr::readField(
-                cloud.data.data() + i * cloud.point_step + field->offset,
-                field->datatype));
-          }
-      });
-  return points;
+  pcl::Indices passing;
+  const std::size_t n = indices ? indices->size() : piece.size;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
+    const std::size_t at = static_cast<std::size_t>(i) * source.rowSize();
+    if (passes(sedr::readField(piece.rows + at + field.offset, field.datatype)))
+      passing.push_back(i);
+  }
+  return passing;
 }
 
 } // namespace
@@ -208,83 +131,146 @@ readCoordinates(const pcl::PCLPointCloud2& cloud, unsigned threads)
 void
 ParallelVoxelGrid<pcl::PCLPointCloud2>::filter(PCLPointCloud2& output)
 {
-  clearError();
   if (!input_) {
+    clearError();
     fail("ParallelVoxelGrid", "no input cloud was set");
     clearLayout();
     removed_indices_->clear();
     output = PCLPointCloud2();
     return;
   }
-  Filter<pcl::PCLPointCloud2>::filter(output);
+  if (use_indices_ || extract_removed_indices_) {
+    Filter<pcl::PCLPointCloud2>::filter(output);
+    return;
+  }
+  // PCL would list the indices of all points first.
+  PCLPointCloud2 thinned;
+  thin(BlobRows(*input_), nullptr, thinned);
+  thinned.header = input_->header;
+  thinned.is_bigendian = input_->is_bigendian;
+  output = std::move(thinned);
+}
+
+void
+ParallelVoxelGrid<pcl::PCLPointCloud2>::filter(const sedr::RowSource& source,
+                                               PCLPointCloud2& output)
+{
+  thin(source, nullptr, output);
 }
 
 void
 ParallelVoxelGrid<pcl::PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
 {
+  const BlobRows rows(*input_);
+  const bool is_done = thin(rows, indices_.get(), output);
+  output.is_bigendian = input_->is_bigendian;
+  if (!is_done && extract_removed_indices_)
+    *removed_indices_ = sedr::indicesInRange(*indices_, rows.size());
+}
+
+bool
+ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
+                                             const pcl::Indices* indices,
+                                             PCLPointCloud2& output)
+{
+  using Piece = sedr::RowSource::Piece;
   clearError();
   clearLayout();
   removed_indices_->clear();
   output = PCLPointCloud2();
-  output.fields = input_->fields;
-  output.point_step = input_->point_step;
-  output.is_bigendian = input_->is_bigendian;
+  output.fields = source.fields();
+  output.point_step = static_cast<pcl::uindex_t>(source.rowSize());
   output.height = 1;
   output.is_dense = true;
 
-  const auto& cloud = *input_;
+  const unsigned threads = getNumberOfThreads();
   std::string problem = parameterProblem();
   if (problem.empty())
-    problem = layoutProblem(cloud);
+    problem = source.problem();
   if (problem.empty())
-    problem = sedr::indicesProblem(*indices_, std::size_t{cloud.width} * cloud.height);
-  const auto* limited = findField(cloud.fields, getFilterFieldName());
+    problem = layoutProblem(source);
+  if (problem.empty() && indices)
+    problem = sedr::indicesProblem(*indices, source.size());
+  const auto* limited = sedr::findField(source.fields(), getFilterFieldName());
   if (problem.empty() && !getFilterFieldName().empty() && !limited)
     problem = "the points have no field '" + getFilterFieldName() + "' to filter by";
-  if (!problem.empty()) {
-    fail("ParallelVoxelGrid", problem);
-    if (extract_removed_indices_)
-      *removed_indices_ =
-          sedr::indicesInRange(*indices_, std::size_t{cloud.width} * cloud.height);
-    return;
+  if (!problem.empty())
+    return fail("ParallelVoxelGrid", problem);
+
+  sedr::RowCoordinates coordinates(source.fields(), source.rowSize());
+  // Calls see(points, the indices that count) for every piece.
+  const auto forEachPiece = [&](const auto& see) {
+    source.forEachPiece([&](const Piece& piece) {
+      const sedr::PointView points = coordinates.of(piece.rows, piece.size, threads);
+      if (!limited) {
+        see(piece, points, indices);
+        return true;
+      }
+      const pcl::Indices passing =
+          passingRows(source, piece, indices, *limited,
+                      [&](double value) { return passesLimits(value); });
+      see(piece, points, &passing);
+      return true;
+    });
+  };
+  sedr::VoxelSums sums(inverseLeaf());
+  forEachPiece([&](const Piece&, const sedr::PointView& points,
+                   const pcl::Indices* chosen) {
+    if (chosen)
+      sums.add(points, *chosen, threads);
+    else
+      sums.add(points, threads);
+  });
+  const std::vector<sedr::VoxelSum> voxels = finish(sums);
+
+  std::vector<pcl::PCLPointField> others;
+  for (const auto& field : source.fields())
+    if (field.name != "_" && !isSummed(field) &&
+        (getDownsampleAllData() || isCoordinate(field)))
+      others.push_back(field);
+  sedr::FieldMeans means(others, voxels.size());
+  if (!others.empty() || extract_removed_indices_) {
+    const sedr::VoxelIndex index(sums.frame(), voxels);
+    std::vector<bool> stays(extract_removed_indices_ ? source.size() : 0, false);
+    forEachPiece([&](const Piece& piece, const sedr::PointView& points,
+                     const pcl::Indices* chosen) {
+      if (!others.empty())
+        sedr::visitVoxels(index, voxels.size(), points, chosen, threads,
+                          [&](std::size_t voxel, std::size_t i) {
+                            means.add(voxel, piece.rows + i * source.rowSize());
+                          });
+      if (chosen && extract_removed_indices_)
+        for (const auto i : *chosen)
+          stays[static_cast<std::size_t>(i)] =
+              index.find(points[static_cast<std::size_t>(i)]) >= 0;
+    });
+    if (indices && extract_removed_indices_)
+      for (const auto i : *indices)
+        if (!stays[static_cast<std::size_t>(i)])
+          removed_indices_->push_back(i);
   }
 
-  pcl::Indices selected = *indices_;
-  if (limited)
-    selected.erase(
-        std::remove_if(selected.begin(), selected.end(),
-                       [&](pcl::index_t i) {
-                         const std::size_t at =
-                             static_cast<std::size_t>(i) * cloud.point_step;
-                         return !passesLimits(sedr::readField(
-                             &cloud.data[at + limited->offset], limited->datatype));
-                       }),
-        selected.end());
-  const auto coordinates = readCoordinates(cloud, getNumberOfThreads());
-  const sedr::PointView points(coordinates.empty() ? nullptr : coordinates[0].data(),
-                               sizeof(Eigen::Vector3f), coordinates.size());
-  auto partition =
-      sedr::partitionVoxels(points, selected, inverseLeaf(), getNumberOfThreads());
-  finishPartition(points, partition);
-
-  output.width = static_cast<std::uint32_t>(partition.size());
+  output.width = static_cast<std::uint32_t>(voxels.size());
   output.row_step = output.width * output.point_step;
-  output.data.assign(partition.size() * output.point_step, 0);
-  sedr::parallelBlocks(partition.size(), points_at_once, getNumberOfThreads(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v) {
-                           const auto* order = partition.order.data();
-                           auto* to = output.data.data() + v * output.point_step;
-                           meanPoint(output.fields, getDownsampleAllData(),
-                                     VoxelBytes(cloud, order + partition.begin[v],
-                                                order + partition.begin[v + 1]),
-                                     to);
-                           if (getDownsampleAllData())
-                             normalise(output.fields, to);
-                         }
-                       });
-  if (extract_removed_indices_)
-    *removed_indices_ = removedIndices(*indices_, partition, points.size());
+  output.data.assign(voxels.size() * output.point_step, 0);
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  sedr::parallelBlocks(
+      voxels.size(), voxels_at_once, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          auto* to = output.data.data() + v * output.point_step;
+          means.write(v, voxels[v].count, to);
+          const Eigen::Vector3f mean = sums.frame().mean(voxels[v]);
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto* field = sedr::findField(output.fields, axes[axis]);
+            if (isSummed(*field))
+              sedr::writeField(to + field->offset, field->datatype,
+                               mean[static_cast<int>(axis)]);
+          }
+          if (getDownsampleAllData())
+            normalise(output.fields, to);
+        }
+      });
+  return true;
 }
 
 } // namespace pcl

@@ -17,7 +17,7 @@ constexpr std::int64_t layout_limit = std::int64_t{1} << 27;
 
 /** @brief Voxels sort by z, then y, then x. */
 bool
-isBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
+precedes(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
 {
   return std::make_tuple(a.z(), a.y(), a.x()) < std::make_tuple(b.z(), b.y(), b.x());
 }
@@ -45,7 +45,7 @@ VoxelGridSettings::getDivisionMultiplier() const
 int
 VoxelGridSettings::getCentroidIndexAt(const Eigen::Vector3i& ijk) const
 {
-  const auto it = std::lower_bound(layout_.begin(), layout_.end(), ijk, isBefore);
+  const auto it = std::lower_bound(layout_.begin(), layout_.end(), ijk, precedes);
   return it != layout_.end() && *it == ijk ? static_cast<int>(it - layout_.begin())
                                            : -1;
 }
@@ -93,47 +93,30 @@ VoxelGridSettings::clearLayout()
   layout_.clear();
 }
 
-void
-VoxelGridSettings::finishPartition(const PointView& points, VoxelPartition& partition)
+std::vector<VoxelSum>
+VoxelGridSettings::finish(VoxelSums& sums)
 {
-  min_box_ = partition.min;
-  max_box_ = partition.max;
-  if (min_points_per_voxel_ > 1) {
-    VoxelPartition kept;
-    for (std::size_t v = 0; v < partition.size(); ++v) {
-      if (partition.pointsIn(v) < min_points_per_voxel_)
-        continue;
-      kept.begin.push_back(kept.order.size());
-      for (std::size_t i = partition.begin[v]; i < partition.begin[v + 1]; ++i)
-        kept.order.push_back(partition.order[i]);
+  std::vector<VoxelSum> voxels = sums.take(threads_);
+  clearLayout();
+  if (voxels.empty())
+    return voxels;
+  auto low = voxels.front().code;
+  auto high = low;
+  for (const VoxelSum& voxel : voxels)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], voxel.code[axis]);
+      high[axis] = std::max(high[axis], voxel.code[axis]);
     }
-    kept.begin.push_back(kept.order.size());
-    partition.order.swap(kept.order);
-    partition.begin.swap(kept.begin);
-  }
-  layout_.clear();
-  if (!save_leaf_layout_)
-    return;
-  layout_.reserve(partition.size());
-  for (std::size_t v = 0; v < partition.size(); ++v)
-    layout_.push_back(
-        voxelOf(points[static_cast<std::size_t>(partition.order[partition.begin[v]])],
-                inverseLeaf()));
-}
-
-pcl::Indices
-VoxelGridSettings::removedIndices(const pcl::Indices& indices,
-                                  const VoxelPartition& partition,
-                                  std::size_t cloud_size)
-{
-  std::vector<bool> stayed(cloud_size, false);
-  for (const auto i : partition.order)
-    stayed[static_cast<std::size_t>(i)] = true;
-  pcl::Indices removed;
-  for (const auto i : indices)
-    if (!stayed[static_cast<std::size_t>(i)])
-      removed.push_back(i);
-  return removed;
+  min_box_ = voxelAt(low);
+  max_box_ = voxelAt(high);
+  const auto holds_few = [&](const VoxelSum& voxel) {
+    return voxel.count < min_points_per_voxel_;
+  };
+  voxels.erase(std::remove_if(voxels.begin(), voxels.end(), holds_few), voxels.end());
+  if (save_leaf_layout_)
+    for (const VoxelSum& voxel : voxels)
+      layout_.push_back(voxelAt(voxel.code));
+  return voxels;
 }
 
 } // namespace sedr

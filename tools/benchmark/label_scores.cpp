@@ -3,10 +3,11 @@
 
 #include "benchmark/nearest_points.h"
 
-#include <pcl/sedr_filters/voxel_partition.h>
+#include <pcl/sedr_filters/voxel_sums.h>
+#include <pcl/sedr_filters/voxel_visit.h>
 
+#include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -47,18 +48,22 @@ scoredAs(std::uint32_t label)
 LabelledPoints
 thinned(const LabelledPoints& cloud, double spacing)
 {
-  pcl::Indices all(cloud.points->size());
-  std::iota(all.begin(), all.end(), 0);
-  const auto inverse = static_cast<float>(1 / spacing);
-  const VoxelPartition voxels = partitionVoxels(PointView(*cloud.points), all,
-                                                Eigen::Array3f::Constant(inverse), 0);
+  const PointView all(*cloud.points);
+  VoxelSums sums(Eigen::Array3f::Constant(static_cast<float>(1 / spacing)));
+  sums.add(all);
+  const std::vector<VoxelSum> voxels = sums.take();
+  const VoxelIndex index(sums.frame(), voxels);
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> first(voxels.size(), none);
+  visitVoxels(index, voxels.size(), all, nullptr, 0,
+              [&](std::size_t voxel, std::size_t i) {
+                first[voxel] = std::min(first[voxel], i);
+              });
   LabelledPoints result;
   pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
-  // Not by copyPointCloud(): as many indices as points it takes for all in order.
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    const auto first = static_cast<std::size_t>(voxels.order[voxels.begin[v]]);
-    points->push_back((*cloud.points)[first]);
-    result.labels.push_back(cloud.labels[first]);
+  for (const std::size_t i : first) {
+    points->push_back((*cloud.points)[i]);
+    result.labels.push_back(cloud.labels[i]);
   }
   result.points = points;
   return result;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <pcl/filters/filter.h>
+#include <pcl/sedr_filters/row_source.h>
 #include <pcl/sedr_filters/stage_filter.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
+#include <pcl/sedr_filters/voxel_index.h>
 
 #include <vector>
 
@@ -47,6 +49,9 @@ public:
     filter_name_ = "ParallelVoxelGrid";
   }
 
+  /** @brief Writes one point a voxel to `output`, which may be the input. */
+  void filter(PointCloud& output);
+
   /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there
    * is none or the layout was not saved. */
   int getCentroidIndex(const PointT& p) const
@@ -72,11 +77,23 @@ protected:
   void clearResults() override;
 
 private:
-  /** @brief Checks the parameters; selects the points within the limits of the filter
-   * field, if there is one. */
-  bool selectPoints(pcl::Indices& selected);
+  /** @brief Thins `indices` of the input, or (null) all of it.
+   * @return false after a failure */
+  bool thin(const pcl::Indices* indices, PointCloud& output);
 
-  PointT meanOf(const pcl::index_t* first, const pcl::index_t* last) const;
+  bool validate(const pcl::Indices* indices);
+
+  /** @brief Whether the filter field, if there is one, lets a point pass. */
+  bool isWithinLimits(std::size_t i) const;
+
+  pcl::Indices indicesWithinLimits(const pcl::Indices* indices) const;
+
+  /** @brief Averages all fields of the points of each voxel. */
+  void averageFields(const sedr::VoxelIndex& index,
+                     const pcl::Indices* indices,
+                     PointCloud& output) const;
+
+  pcl::PCLPointField limited_field_; ///< of the filter, while there is one
 };
 
 /** @brief The same for a cloud of any fields: every field is averaged, integers rounded
@@ -101,8 +118,20 @@ public:
   /** @brief Writes one point a voxel to `output`, which may be the input. */
   void filter(PCLPointCloud2& output);
 
+  /** @brief The same for a cloud that comes in pieces and need not stand in memory: the
+   * same bytes. No input cloud, indices or removed indices are used. It is gone through
+   * once, or twice where other fields than x, y and z as FLOAT32 are averaged. */
+  void filter(const sedr::RowSource& source, PCLPointCloud2& output);
+
 protected:
   void applyFilter(PCLPointCloud2& output) override;
+
+private:
+  /** @brief Thins `indices` of the rows of the first piece, or (null) all pieces.
+   * @return false after a failure */
+  bool thin(const sedr::RowSource& source,
+            const pcl::Indices* indices,
+            PCLPointCloud2& output);
 };
 
 } // namespace pcl

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace pcl {
 
@@ -20,10 +21,10 @@ class PointView {
 public:
   PointView() = default;
 
-  /** @brief `size` points, the x of the first at `first_x`, `stride` bytes from one to
-   * the next; y and z follow x. */
-  PointView(const float* first_x, std::size_t stride, std::size_t size)
-      : first_(reinterpret_cast<const char*>(first_x))
+  /** @brief `size` points, the x of the first, a float, at `first_x`, `stride` bytes
+   * from one to the next; y and z follow x. They need not be aligned. */
+  PointView(const void* first_x, std::size_t stride, std::size_t size)
+      : first_(static_cast<const char*>(first_x))
       , stride_(stride)
       , size_(size)
   {}
@@ -37,13 +38,14 @@ public:
 
   Eigen::Vector3f operator[](std::size_t i) const
   {
-    const float* p = reinterpret_cast<const float*>(first_ + i * stride_);
-    return {p[0], p[1], p[2]};
+    Eigen::Vector3f p;
+    std::memcpy(p.data(), first_ + i * stride_, 3 * sizeof(float));
+    return p;
   }
 
   bool isFinite(std::size_t i) const
   {
-    const float* p = reinterpret_cast<const float*>(first_ + i * stride_);
+    const Eigen::Vector3f p = (*this)[i];
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   }
 

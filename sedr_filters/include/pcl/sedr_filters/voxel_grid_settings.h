@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/voxel_partition.h>
+#include <pcl/sedr_filters/voxel_sums.h>
 
 #include <Eigen/Core>
 
@@ -106,7 +106,8 @@ public:
    */
   Eigen::Vector3i getGridCoordinates(float x, float y, float z) const
   {
-    return voxelOf({x, y, z}, inverseLeaf());
+    const std::array<float, 3> point{x, y, z};
+    return voxelAt(VoxelFrame(inverseLeaf()).codes(point.data()));
   }
 
   /** @brief Index of the point that came of voxel `ijk`; -1 if the voxel is empty,
@@ -141,14 +142,9 @@ protected:
   /** @brief Forgets what the last run left. */
   void clearLayout();
 
-  /** @brief Drops the voxels with too few points from `partition` and keeps the box,
-   * and the layout if asked for. */
-  void finishPartition(const PointView& points, VoxelPartition& partition);
-
-  /** @brief `indices` without what stayed in `partition`, in their order. */
-  static pcl::Indices removedIndices(const pcl::Indices& indices,
-                                     const VoxelPartition& partition,
-                                     std::size_t cloud_size);
+  /** @brief The voxels of all points that were added up, without those that hold too
+   * few; keeps the box, and the layout if asked for. */
+  std::vector<VoxelSum> finish(VoxelSums& sums);
 
 private:
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);

@@ -6,38 +6,50 @@
 #include <pcl/conversions.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/voxel_visit.h>
 
 #include <boost/mpl/size.hpp>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief The most frequent room of some points, the smallest of equally frequent ones:
- * what pcl::CentroidPoint does with `label` but not with `room`. */
+/** @brief The points of a voxel while their fields are averaged. */
 template <typename PointT>
-void
-majorityRoom(const pcl::PointCloud<PointT>& cloud,
-             const pcl::index_t* first,
-             const pcl::index_t* last,
-             PointT& mean)
-{
-  if constexpr (pcl::traits::has_field<PointT, pcl::fields::room>::value) {
-    std::map<decltype(mean.room), std::size_t> votes;
-    for (const auto* i = first; i != last; ++i)
-      ++votes[cloud[*i].room];
-    mean.room =
-        std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-          return a.second < b.second;
-        })->first;
+class VoxelPoint {
+  static constexpr bool has_room =
+      pcl::traits::has_field<PointT, pcl::fields::room>::value;
+
+public:
+  void add(const PointT& point)
+  {
+    centroid_.add(point);
+    if constexpr (has_room)
+      ++rooms_[point.room];
   }
-}
+
+  /** @brief The means; the most frequent room, the smallest of equally frequent ones,
+   * as pcl::CentroidPoint does with `label` but not with `room`. */
+  void get(PointT& mean) const
+  {
+    centroid_.get(mean);
+    if constexpr (has_room)
+      mean.room =
+          std::max_element(
+              rooms_.begin(), rooms_.end(),
+              [](const auto& a, const auto& b) { return a.second < b.second; })
+              ->first;
+  }
+
+private:
+  pcl::CentroidPoint<PointT> centroid_;
+  std::map<std::uint32_t, std::size_t> rooms_;
+};
 
 } // namespace sedr
 
@@ -50,15 +62,33 @@ ParallelVoxelGrid<PointT>::clearResults()
 }
 
 template <typename PointT>
+void
+ParallelVoxelGrid<PointT>::filter(PointCloud& output)
+{
+  if (!input_ || this->use_indices_ || this->extract_removed_indices_) {
+    sedr::StageFilter<PointT>::filter(output);
+    return;
+  }
+  // PCL would list the indices of all points first.
+  PointCloud thinned;
+  thin(nullptr, thinned);
+  thinned.header = input_->header;
+  thinned.sensor_origin_ = input_->sensor_origin_;
+  thinned.sensor_orientation_ = input_->sensor_orientation_;
+  output = std::move(thinned);
+}
+
+template <typename PointT>
 bool
-ParallelVoxelGrid<PointT>::selectPoints(pcl::Indices& selected)
+ParallelVoxelGrid<PointT>::validate(const pcl::Indices* indices)
 {
   constexpr const char* name = "ParallelVoxelGrid";
   std::string problem = parameterProblem();
-  if (problem.empty())
-    problem = sedr::indicesProblem(*indices_, input_->size());
+  if (problem.empty() && indices)
+    problem = sedr::indicesProblem(*indices, input_->size());
   if (!problem.empty())
     return fail(name, problem);
+  limited_field_ = pcl::PCLPointField();
   if (getFilterFieldName().empty())
     return true;
   std::vector<pcl::PCLPointField> fields;
@@ -66,69 +96,109 @@ ParallelVoxelGrid<PointT>::selectPoints(pcl::Indices& selected)
   if (field < 0)
     return fail(name,
                 "the points have no field '" + getFilterFieldName() + "' to filter by");
-  const auto& f = fields[static_cast<std::size_t>(field)];
-  for (const auto i : *indices_) {
-    const auto* point = reinterpret_cast<const std::uint8_t*>(&(*input_)[i]);
-    if (passesLimits(sedr::readField(point + f.offset, f.datatype)))
-      selected.push_back(i);
-  }
+  limited_field_ = fields[static_cast<std::size_t>(field)];
   return true;
 }
 
 template <typename PointT>
-PointT
-ParallelVoxelGrid<PointT>::meanOf(const pcl::index_t* first,
-                                  const pcl::index_t* last) const
+bool
+ParallelVoxelGrid<PointT>::isWithinLimits(std::size_t i) const
 {
-  PointT mean;
-  if constexpr (boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value >
-                3) {
-    if (getDownsampleAllData()) {
-      pcl::CentroidPoint<PointT> centroid;
-      std::for_each(first, last, [&](pcl::index_t i) { centroid.add((*input_)[i]); });
-      centroid.get(mean);
-      sedr::majorityRoom(*input_, first, last, mean);
-    }
+  if (getFilterFieldName().empty())
+    return true;
+  const auto* point = reinterpret_cast<const std::uint8_t*>(&(*input_)[i]);
+  return passesLimits(
+      sedr::readField(point + limited_field_.offset, limited_field_.datatype));
+}
+
+template <typename PointT>
+pcl::Indices
+ParallelVoxelGrid<PointT>::indicesWithinLimits(const pcl::Indices* indices) const
+{
+  pcl::Indices within;
+  const std::size_t n = indices ? indices->size() : input_->size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
+    if (isWithinLimits(static_cast<std::size_t>(i)))
+      within.push_back(i);
   }
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  std::for_each(first, last, [&](pcl::index_t i) {
-    const auto& p = (*input_)[i];
-    sum += Eigen::Vector3d(p.x, p.y, p.z);
-  });
-  sum /= static_cast<double>(last - first);
-  mean.x = static_cast<float>(sum.x());
-  mean.y = static_cast<float>(sum.y());
-  mean.z = static_cast<float>(sum.z());
-  return mean;
+  return within;
+}
+
+template <typename PointT>
+void
+ParallelVoxelGrid<PointT>::averageFields(const sedr::VoxelIndex& index,
+                                         const pcl::Indices* indices,
+                                         PointCloud& output) const
+{
+  std::vector<sedr::VoxelPoint<PointT>> means(output.size());
+  sedr::visitVoxels(
+      index, output.size(), sedr::PointView(*input_), indices, getNumberOfThreads(),
+      [&](std::size_t voxel, std::size_t i) { means[voxel].add((*input_)[i]); });
+  constexpr std::size_t voxels_at_once = 4096;
+  sedr::parallelBlocks(means.size(), voxels_at_once, getNumberOfThreads(),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t v = begin; v < end; ++v)
+                           means[v].get(output[v]);
+                       });
+}
+
+template <typename PointT>
+bool
+ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
+{
+  this->startRun(output);
+  if (!validate(indices))
+    return false;
+  const sedr::PointView points(*input_);
+  const pcl::Indices* chosen = indices;
+  pcl::Indices within;
+  if (!getFilterFieldName().empty()) {
+    within = indicesWithinLimits(indices);
+    chosen = &within;
+  }
+  sedr::VoxelSums sums(inverseLeaf());
+  if (chosen)
+    sums.add(points, *chosen, getNumberOfThreads());
+  else
+    sums.add(points, getNumberOfThreads());
+  const std::vector<sedr::VoxelSum> voxels = this->finish(sums);
+
+  output.resize(voxels.size());
+  constexpr bool has_more_fields =
+      boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;
+  const bool averages = has_more_fields && getDownsampleAllData();
+  if (averages || this->extract_removed_indices_) {
+    const sedr::VoxelIndex index(sums.frame(), voxels);
+    if constexpr (has_more_fields)
+      if (averages)
+        averageFields(index, chosen, output);
+    if (this->extract_removed_indices_)
+      for (const auto i : *indices) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!isWithinLimits(at) || index.find(points[at]) < 0)
+          removed_indices_->push_back(i);
+      }
+  }
+  constexpr std::size_t voxels_at_once = 4096;
+  sedr::parallelBlocks(voxels.size(), voxels_at_once, getNumberOfThreads(),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t v = begin; v < end; ++v) {
+                           const Eigen::Vector3f mean = sums.frame().mean(voxels[v]);
+                           output[v].x = mean.x();
+                           output[v].y = mean.y();
+                           output[v].z = mean.z();
+                         }
+                       });
+  return true;
 }
 
 template <typename PointT>
 void
 ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
 {
-  this->startRun(output);
-  pcl::Indices selected;
-  if (!selectPoints(selected)) {
+  if (!thin(indices_.get(), output))
     this->removeAll();
-    return;
-  }
-  const sedr::PointView points(*input_);
-  const bool takes_all = getFilterFieldName().empty();
-  auto partition = sedr::partitionVoxels(points, takes_all ? *indices_ : selected,
-                                         inverseLeaf(), getNumberOfThreads());
-  finishPartition(points, partition);
-
-  output.resize(partition.size());
-  constexpr std::size_t voxels_at_once = 4096;
-  sedr::parallelBlocks(partition.size(), voxels_at_once, getNumberOfThreads(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v)
-                           output[v] =
-                               meanOf(partition.order.data() + partition.begin[v],
-                                      partition.order.data() + partition.begin[v + 1]);
-                       });
-  if (this->extract_removed_indices_)
-    *removed_indices_ = removedIndices(*indices_, partition, input_->size());
 }
 
 template <typename PointT>

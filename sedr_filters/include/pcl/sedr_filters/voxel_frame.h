@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A voxel and the sum of its points; plain bytes that may be sent to another
+ * process as they are. What the numbers mean only its VoxelFrame knows. */
+struct VoxelSum {
+  std::array<std::int32_t, 3> code; ///< of the voxel along x, y and z, see codeOf()
+  std::uint32_t count;              ///< points in it
+  std::array<std::uint64_t, 3> sum; ///< of their steps along x, y and z, modulo 2^64
+
+  /** @brief Adds other points of the same voxel. */
+  VoxelSum& operator+=(const VoxelSum& other)
+  {
+    count += other.count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum[axis] += other.sum[axis];
+    return *this;
+  }
+};
+
+inline std::uint32_t
+bitsOf(float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+inline float
+floatOf(std::uint32_t bits)
+{
+  float value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+constexpr float code_limit = 1073741824.f; // 2^30
+
+/** @brief A number that orders floor(scaled) among all others, whatever its size: the
+ * integer itself up to 2^30, beyond that the floats there are, counted. */
+inline std::int32_t
+codeOf(float scaled)
+{
+  if (std::abs(scaled) < code_limit) {
+    const auto cell = static_cast<std::int32_t>(scaled);
+    return cell - (scaled < static_cast<float>(cell) ? 1 : 0);
+  }
+  const auto beyond =
+      static_cast<std::int32_t>(bitsOf(std::abs(scaled)) - bitsOf(code_limit));
+  const auto code = static_cast<std::int32_t>(code_limit) + beyond;
+  return scaled < 0 ? -code : code;
+}
+
+/** @brief The floor(scaled) that a code stands for. */
+inline double
+cellOf(std::int32_t code)
+{
+  constexpr auto limit = static_cast<std::int32_t>(code_limit);
+  if (std::abs(code) < limit)
+    return code;
+  const auto beyond = static_cast<std::uint32_t>(std::abs(code) - limit);
+  return std::copysign(static_cast<double>(floatOf(bitsOf(code_limit) + beyond)), code);
+}
+
+/** @brief The voxel coordinates that codes stand for, saturated to the range of an int.
+ */
+inline Eigen::Vector3i
+voxelAt(const std::array<std::int32_t, 3>& code)
+{
+  constexpr double lowest = std::numeric_limits<int>::min();
+  constexpr double highest = std::numeric_limits<int>::max();
+  Eigen::Vector3i voxel;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    voxel[static_cast<int>(axis)] =
+        static_cast<int>(std::clamp(cellOf(code[axis]), lowest, highest));
+  return voxel;
+}
+
+/** @brief Where the voxels lie, and how their points are added up so that the order
+ * does not matter: as whole steps, whose sums are exact.
+ *
+ * A step is a power of two of between 2^-31 and 2^-30 leaves. The coordinates of points
+ * farther from 0 than 2^-7 leaves are whole numbers of steps as they are; nearer ones
+ * are cut off to one, 0.05 nm at a leaf of 5 cm. Sums are taken modulo 2^64, and means
+ * from the voxel's corner on: its points lie within 1.5 leaves of it, less than 1.5 x
+ * 2^31 steps, so that 2^31 points add up to less than 2^63. Along an axis where the
+ * voxel is more than 2^22 leaves from 0 (210 km at 5 cm), where floats are hardly finer
+ * than voxels, the floats there are counted instead, which are below 2^31 too. */
+class VoxelFrame {
+public:
+  /** @param inverse_leaf one over the edges of a voxel, per metre, finite and > 0 */
+  explicit VoxelFrame(const Eigen::Array3f& inverse_leaf)
+      : inverse_leaf_(inverse_leaf)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double leaf = 1 / static_cast<double>(inverse_leaf[static_cast<int>(axis)]);
+      steps_[axis] = std::ldexp(1., 30 - std::ilogb(leaf));
+      corner_steps_[axis] = leaf * steps_[axis];
+    }
+  }
+
+  const Eigen::Array3f& inverseLeaf() const { return inverse_leaf_; }
+
+  /** @brief The voxel of a finite point. */
+  std::array<std::int32_t, 3> codes(const float* point) const
+  {
+    return {codeOf(point[0] * inverse_leaf_[0]), codeOf(point[1] * inverse_leaf_[1]),
+            codeOf(point[2] * inverse_leaf_[2])};
+  }
+
+  /** @brief The voxels of `n` finite points, given and told axis by axis. */
+  template <std::size_t size>
+  void codes(const std::array<std::array<float, size>, 3>& points,
+             std::array<std::array<std::int32_t, size>, 3>& codes,
+             std::size_t n) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float inverse = inverse_leaf_[static_cast<int>(axis)];
+      const float* from = points[axis].data();
+      std::int32_t* to = codes[axis].data();
+      float farthest = 0;
+      for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
+        const float scaled = from[i] * inverse;
+        const float size_of = std::abs(scaled);
+        farthest = farthest < size_of ? size_of : farthest;
+        const float held = size_of < code_limit ? scaled : 0;
+        const auto cell = static_cast<std::int32_t>(held);
+        to[i] = cell - (held < static_cast<float>(cell) ? 1 : 0);
+      }
+      for (std::size_t i = 0; i < n && farthest >= code_limit; ++i)
+        to[i] = codeOf(from[i] * inverse);
+    }
+  }
+
+  /** @brief The sum of `n` coordinates along an axis, in steps, of points whose code
+   * along it is `code`. */
+  std::uint64_t
+  steps(const float* values, std::size_t n, std::size_t axis, std::int32_t code) const
+  {
+    std::uint64_t sum = 0;
+    if (isNear(code))
+      for (std::size_t i = 0; i < n; ++i)
+        sum += static_cast<std::uint64_t>(
+            static_cast<std::int64_t>(static_cast<double>(values[i]) * steps_[axis]));
+    else
+      for (std::size_t i = 0; i < n; ++i)
+        sum += floatsTo(values[i]);
+    return sum;
+  }
+
+  /** @brief The mean of a voxel's points; its count must not be 0. */
+  Eigen::Vector3f mean(const VoxelSum& voxel) const
+  {
+    return {meanAlong(voxel, 0), meanAlong(voxel, 1), meanAlong(voxel, 2)};
+  }
+
+private:
+  static constexpr std::int32_t near_limit = 1 << 22;
+
+  static bool isNear(std::int32_t code)
+  {
+    return code >= -near_limit && code < near_limit;
+  }
+
+  /** @brief The floats between 0 and this one. */
+  static std::uint64_t floatsTo(float value)
+  {
+    const auto floats = static_cast<std::int64_t>(bitsOf(std::abs(value)));
+    return static_cast<std::uint64_t>(std::signbit(value) ? -floats : floats);
+  }
+
+  float meanAlong(const VoxelSum& voxel, std::size_t axis) const
+  {
+    const double count = voxel.count;
+    if (isNear(voxel.code[axis])) {
+      const std::int64_t corner = std::llround(voxel.code[axis] * corner_steps_[axis]);
+      const std::uint64_t corners = voxel.count * static_cast<std::uint64_t>(corner);
+      const auto sum = static_cast<std::int64_t>(voxel.sum[axis] - corners);
+      return static_cast<float>(
+          (static_cast<double>(corner) + static_cast<double>(sum) / count) /
+          steps_[axis]);
+    }
+    const auto sum = static_cast<std::int64_t>(voxel.sum[axis]);
+    const std::int64_t bits = std::llround(static_cast<double>(sum) / count);
+    const float size = floatOf(static_cast<std::uint32_t>(std::abs(bits)));
+    return bits < 0 ? -size : size;
+  }
+
+  Eigen::Array3f inverse_leaf_;
+  std::array<double, 3> steps_{};        ///< per metre, powers of two
+  std::array<double, 3> corner_steps_{}; ///< from a voxel's corner to the next
+};
+
+} // namespace sedr
+} // namespace pcl

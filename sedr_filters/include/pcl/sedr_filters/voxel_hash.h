@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+
+using VoxelCode = std::array<std::int32_t, 3>;
+
+/** @brief Scatters the codes of a voxel over all 32-bit numbers. */
+inline std::uint32_t
+hashOf(const VoxelCode& code)
+{
+  const auto widened = [](std::int32_t c) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(c));
+  };
+  std::uint64_t h = widened(code[0]) * 0x9e3779b97f4a7c15u +
+                    widened(code[1]) * 0xc2b2ae3d27d4eb4fu +
+                    widened(code[2]) * 0x165667b19e3779f9u;
+  h ^= h >> 32;
+  h *= 0xd6e8feb86659fd93u;
+  return static_cast<std::uint32_t>(h >> 32);
+}
+
+/** @brief Whether two voxels are the same; faster than by memcmp(). */
+inline bool
+isSame(const VoxelCode& a, const VoxelCode& b)
+{
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
+}
+
+} // namespace sedr
+} // namespace pcl
