@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what a Debian 12 lacks to build SEDR, and nothing that is there already.
-#   tools/install_dependencies.sh [--with-tests]
+#   tools/install_dependencies.sh [--with-tests] [--with-benchmarks]
 set -euo pipefail
 
 with_tests=no
-case "${1-}" in
-  "") ;;
-  --with-tests) with_tests=yes ;;
-  *) echo "usage: $0 [--with-tests]" >&2; exit 1 ;;
-esac
+with_benchmarks=no
+for argument in "$@"; do
+  case "$argument" in
+    --with-tests) with_tests=yes ;;
+    --with-benchmarks) with_benchmarks=yes ;;
+    *) echo "usage: $0 [--with-tests] [--with-benchmarks]" >&2; exit 1 ;;
+  esac
+done
 
 # package             why
 needed=(
@@ -31,6 +34,9 @@ if [ "$with_tests" = yes ]; then
     "python3-ezdxf       reads the DXF there"
     "librsvg2-bin        draws the SVG there"
   )
+fi
+if [ "$with_benchmarks" = yes ]; then
+  needed+=("libbenchmark-dev    google-benchmark, for -DSEDR_BUILD_BENCHMARKS=ON")
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -2,6 +2,7 @@
 #include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "scan_file.h"
 #include "thinning_picture.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -29,11 +30,10 @@ struct Settings {
 };
 
 pcl::PCLPointCloud2
-compute(const Settings& settings, const pcl::PCLPointCloud2::ConstPtr& cloud)
+compute(const Settings& settings, const ScanFile& scan)
 {
   const Progress progress("thinning");
   pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
-  grid.setInputCloud(cloud);
   grid.setLeafSize(settings.leaf, settings.leaf, settings.leaf);
   grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
   grid.setNumberOfThreads(settings.threads);
@@ -42,20 +42,22 @@ compute(const Settings& settings, const pcl::PCLPointCloud2::ConstPtr& cloud)
   grid.setFilterLimitsNegative(settings.outside);
   grid.setDownsampleAllData(!settings.only_xyz);
   pcl::PCLPointCloud2 thinned;
-  grid.filter(thinned);
+  grid.filter(scan, thinned);
   if (!grid.getErrorMessage().empty())
     throw ToolError(grid.getErrorMessage());
   return thinned;
 }
 
 void
-savePicture(const Settings& settings, const ToolCloud& cloud)
+savePicture(const Settings& settings,
+            const ScanFile& scan,
+            const pcl::PCLPointCloud2& blob)
 {
   pcl::PointCloud<pcl::PointXYZ> thinned;
-  pcl::fromPCLPointCloud2(cloud.blob, thinned);
+  pcl::fromPCLPointCloud2(blob, thinned);
   pcl::sedr::tools::savePicture(
-      settings.picture, drawThinning(pcl::sedr::PointView(*cloud.points),
-                                     pcl::sedr::PointView(thinned), settings.leaf));
+      settings.picture,
+      drawThinning(scan, pcl::sedr::PointView(thinned), settings.leaf));
 }
 
 int
@@ -63,20 +65,23 @@ run(const Settings& settings)
 {
   checkCloudOutput(settings.output);
   checkPictureOutput(settings.picture);
-  ToolCloud cloud = loadCloud(settings.input);
-  const std::size_t before = cloud.size();
-  const auto blob = pcl::make_shared<pcl::PCLPointCloud2>(std::move(cloud.blob));
-  cloud.blob = compute(settings, blob);
+  const ScanFile scan(settings.input);
+  ToolCloud cloud;
+  cloud.path = settings.input;
+  cloud.blob = compute(settings, scan);
+  cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
+  cloud.points->sensor_origin_ = scan.origin();
+  cloud.points->sensor_orientation_ = scan.orientation();
   if (rowsOf(cloud.blob) == 0)
     throw ToolError("no voxel of " + std::to_string(settings.leaf) + " m holds " +
                         std::to_string(settings.minimum_points) + " or more of the " +
-                        std::to_string(before) + " points within the limits",
+                        std::to_string(scan.size()) + " points within the limits",
                     NothingFound);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   if (!settings.picture.empty())
-    savePicture(settings, cloud);
-  say(std::to_string(before) + " points -> " + std::to_string(rowsOf(cloud.blob)));
+    savePicture(settings, scan, cloud.blob);
+  say(std::to_string(scan.size()) + " points -> " + std::to_string(rowsOf(cloud.blob)));
   return Done;
 }
 

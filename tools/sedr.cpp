@@ -2,6 +2,7 @@
 #include "progress.h"
 #include "report/report_page.h"
 #include "run_tool.h"
+#include "scan_file.h"
 #include "sedr/chain_pictures.h"
 #include "sedr/output_folder.h"
 #include "sedr/report.h"
@@ -52,7 +53,7 @@ timed(const std::string& name, const std::function<void(StageReport&)>& step)
 /** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
  */
 void
-reconstruct(Reconstruction& chain)
+reconstruct(Reconstruction& chain, bool with_mesh)
 {
   std::unique_ptr<Progress> progress;
   chain.getChain().on_stage = [&](const std::string& stage) {
@@ -60,10 +61,16 @@ reconstruct(Reconstruction& chain)
     progress = std::make_unique<Progress>(stage);
   };
   pcl::PolygonMesh mesh;
-  chain.reconstruct(mesh);
+  bool is_done = false;
+  if (with_mesh) {
+    chain.reconstruct(mesh);
+    is_done = !mesh.polygons.empty();
+  }
+  else
+    is_done = chain.findStructure();
   chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
   progress.reset();
-  if (mesh.polygons.empty())
+  if (!is_done)
     throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
 }
 
@@ -93,13 +100,15 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 
 /** @brief Writes the model: all but the report. */
 void
-writeModel(const OutputFolder& folder, const Reconstruction& chain)
+writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
   pcl::PCLPointCloud2 structure;
   pcl::toPCLPointCloud2(*chain.getStructure(), structure);
   saveCloud(folder.file("structure.pcd"), structure);
   const std::string problem =
-      pcl::sedr::savePly(folder.file("mesh.ply"), chain.getChain().poisson.getMesh());
+      with_mesh ? pcl::sedr::savePly(folder.file("mesh.ply"),
+                                     chain.getChain().poisson.getMesh())
+                : std::string();
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
@@ -156,6 +165,7 @@ struct Settings {
   bool z_up;
   bool fixed_grid = false;
   bool mesh_from_plan;
+  bool no_mesh = false;
   bool pictures = false;
   bool report = false;
 };
@@ -199,6 +209,8 @@ addOptions(Options& options, Settings& s)
                "take z as up even if another axis seems to be, or the scan leans");
   options.flag("mesh-from-plan", s.mesh_from_plan,
                "sample the floor plan for mesh.ply, not the points");
+  options.flag("no-mesh", s.no_mesh,
+               "stop at the plan and its solid: no mesh.ply and no distances to it");
   options.flag("pictures", s.pictures,
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   options.flag("report", s.report,
@@ -239,6 +251,8 @@ writeReportPage(const Settings& settings)
 int
 run(const Settings& settings, Reconstruction& chain)
 {
+  if (settings.no_mesh && (settings.pictures || settings.report))
+    throw ToolError("--pictures and --report show the mesh, which --no-mesh leaves out");
   std::vector<std::string> names = output_names;
   if (settings.report)
     names.emplace_back("report.html");
@@ -253,23 +267,25 @@ run(const Settings& settings, Reconstruction& chain)
   record.path = settings.input;
   record.unit = settings.unit;
   const StageReport reading = timed("reading", [&](StageReport& report) {
-    const auto scan = loadCloud(settings.input, settings.unit).points;
+    // What is not in its header is read while it is thinned.
+    const auto scan = std::make_shared<ScanFile>(settings.input, settings.unit);
     record.points = report.points_in = report.points_out = scan->size();
-    chain.setInputCloud(scan);
+    chain.setInputSource(scan);
   });
-  reconstruct(chain);
+  reconstruct(chain, !settings.no_mesh);
   record.stages = chain.getStageReports();
   record.stages.insert(record.stages.begin(), reading);
-  record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
-    record.figures = evaluate(chain, settings.threads, report);
-  }));
+  if (!settings.no_mesh)
+    record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
+      record.figures = evaluate(chain, settings.threads, report);
+    }));
   std::vector<PictureFile> drawn;
   if (pictures)
     record.stages.push_back(
         timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
-      writeModel(folder, chain);
+      writeModel(folder, chain, !settings.no_mesh);
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

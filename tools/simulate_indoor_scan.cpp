@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "simulator/building.h"
 #include "simulator/files.h"
 #include "simulator/room_truth.h"
 #include "simulator/scan.h"
@@ -34,6 +35,7 @@ struct Arguments {
   std::int64_t seed = static_cast<std::int64_t>(sim::ScanOptions{}.seed);
   std::int64_t threads = sim::ScanOptions{}.threads;
   std::int64_t rays = 0;
+  std::int64_t building = 0;
   double noise = 0.0;
   double max_range = 0.0;
   sim::ScanOptions scan;
@@ -61,6 +63,9 @@ visibleOptions(Arguments& arguments)
       "rays a scanner position, about (default: see --list)");
   add("max-range", po::value(&arguments.max_range)->value_name("M"),
       "longest range in metres (default: see --list)");
+  add("building", po::value(&arguments.building)->value_name("N"),
+      "write a storey of copies of the scene side by side instead, of about N points "
+      "in all: scan.pcd alone, of x y z label");
   add("threads",
       po::value(&arguments.threads)->default_value(arguments.threads)->value_name("N"),
       "threads; 0: as many as the machine has");
@@ -124,6 +129,9 @@ applyNumbers(Arguments& arguments, const po::variables_map& given)
             "--max-range must be a positive number of metres");
     arguments.scan.max_range = arguments.max_range;
   }
+  if (given.count("building") > 0)
+    require(arguments.building >= 1 && arguments.building <= 2'000'000'000,
+            "--building must be from 1 to 2000000000 points");
   if (given.count("rays") > 0) {
     require(arguments.rays >= 1 && arguments.rays <= 100'000'000,
             "--rays must be from 1 to 100000000");
@@ -186,6 +194,14 @@ simulate(Arguments& arguments)
   prepareFolder(arguments.folder);
   if (isatty(STDERR_FILENO) != 0)
     arguments.scan.progress = showProgress;
+  if (arguments.building > 0) {
+    const sim::BuildingScan building = sim::writeBuilding(
+        arguments.folder / "scan.pcd", scene,
+        static_cast<std::size_t>(arguments.building), arguments.scan);
+    std::cout << scene.name << ": " << building.points << " points of "
+              << building.copies << " copies\n";
+    return;
+  }
   const sim::Mesh truth = sim::truthMesh(scene);
   const sim::Scan scan = sim::scan(scene, arguments.scan);
   sim::writePly(arguments.folder / "truth.ply", truth, scene.placement);

@@ -82,50 +82,6 @@ normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
                          std::sqrt(square));
 }
 
-/** @brief What keeps `cloud` from being read, a sentence; empty if nothing does. */
-std::string
-layoutProblem(const sedr::RowSource& cloud)
-{
-  const std::size_t size = cloud.size();
-  if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
-    return "the cloud has " + std::to_string(size) +
-           " points, more than indices can count";
-  for (const char* name : {"x", "y", "z"}) {
-    if (!sedr::findField(cloud.fields(), name))
-      return std::string("the cloud has no field '") + name + "'";
-  }
-  for (const auto& field : cloud.fields()) {
-    const std::size_t bytes =
-        sedr::fieldSize(field.datatype) * std::max<std::size_t>(field.count, 1);
-    if (field.name != "_" && field.offset + bytes > cloud.rowSize())
-      return "field '" + field.name + "' ends at byte " +
-             std::to_string(field.offset + bytes) + " of points of " +
-             std::to_string(cloud.rowSize()) + " bytes";
-  }
-  return {};
-}
-
-/** @brief Those of `indices`, or (null) of all rows of a piece, whose filter field
- * passes. */
-template <typename Passes>
-pcl::Indices
-passingRows(const sedr::RowSource& source,
-            const sedr::RowSource::Piece& piece,
-            const pcl::Indices* indices,
-            const pcl::PCLPointField& field,
-            const Passes& passes)
-{
-  pcl::Indices passing;
-  const std::size_t n = indices ? indices->size() : piece.size;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
-    const std::size_t at = static_cast<std::size_t>(i) * source.rowSize();
-    if (passes(sedr::readField(piece.rows + at + field.offset, field.datatype)))
-      passing.push_back(i);
-  }
-  return passing;
-}
-
 } // namespace
 
 void
@@ -184,43 +140,13 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
   output.is_dense = true;
 
   const unsigned threads = getNumberOfThreads();
-  std::string problem = parameterProblem();
-  if (problem.empty())
-    problem = source.problem();
-  if (problem.empty())
-    problem = layoutProblem(source);
+  std::string problem = rowsProblem(source);
   if (problem.empty() && indices)
     problem = sedr::indicesProblem(*indices, source.size());
-  const auto* limited = sedr::findField(source.fields(), getFilterFieldName());
-  if (problem.empty() && !getFilterFieldName().empty() && !limited)
-    problem = "the points have no field '" + getFilterFieldName() + "' to filter by";
   if (!problem.empty())
     return fail("ParallelVoxelGrid", problem);
-
-  sedr::RowCoordinates coordinates(source.fields(), source.rowSize());
-  // Calls see(points, the indices that count) for every piece.
-  const auto forEachPiece = [&](const auto& see) {
-    source.forEachPiece([&](const Piece& piece) {
-      const sedr::PointView points = coordinates.of(piece.rows, piece.size, threads);
-      if (!limited) {
-        see(piece, points, indices);
-        return true;
-      }
-      const pcl::Indices passing =
-          passingRows(source, piece, indices, *limited,
-                      [&](double value) { return passesLimits(value); });
-      see(piece, points, &passing);
-      return true;
-    });
-  };
   sedr::VoxelSums sums(inverseLeaf());
-  forEachPiece([&](const Piece&, const sedr::PointView& points,
-                   const pcl::Indices* chosen) {
-    if (chosen)
-      sums.add(points, *chosen, threads);
-    else
-      sums.add(points, threads);
-  });
+  addRows(source, indices, sums);
   const std::vector<sedr::VoxelSum> voxels = finish(sums);
 
   std::vector<pcl::PCLPointField> others;
@@ -232,7 +158,8 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
   if (!others.empty() || extract_removed_indices_) {
     const sedr::VoxelIndex index(sums.frame(), voxels);
     std::vector<bool> stays(extract_removed_indices_ ? source.size() : 0, false);
-    forEachPiece([&](const Piece& piece, const sedr::PointView& points,
+    forEachPiece(source, indices,
+                 [&](const Piece& piece, const sedr::PointView& points,
                      const pcl::Indices* chosen) {
       if (!others.empty())
         sedr::visitVoxels(index, voxels.size(), points, chosen, threads,

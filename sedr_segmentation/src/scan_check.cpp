@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/scan_check.h>
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,10 @@ text(const char* format, double a, double b = 0, double c = 0, double d = 0)
   std::snprintf(buffer.data(), buffer.size(), format, a, b, c, d);
   return buffer.data();
 }
+
+// No building, nor a scan of one, is larger, metres.
+constexpr double highest = 200;
+constexpr double longest = 20000;
 
 /** @brief Extent along one axis of all but the outermost hundredth of the points at
  * each end. */
@@ -87,31 +92,53 @@ bestPair(const PointView& points,
 
 } // namespace
 
+void
+ScanSample::add(const PointView& points, unsigned threads)
+{
+  constexpr std::size_t block = std::size_t{1} << 16;
+  const std::size_t blocks = (points.size() + block - 1) / block;
+  std::vector<std::size_t> finite(blocks, 0);
+  parallelBlocks(points.size(), block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     finite[begin / block] += points.isFinite(i) ? 1 : 0;
+                 });
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t begin = b * block;
+    const std::size_t end = std::min(begin + block, points.size());
+    if (finite[b] < end - begin) {
+      for (std::size_t i = begin; i < end; ++i)
+        add(points[i]);
+      continue;
+    }
+    for (std::size_t k = (step_ - finite_ % step_) % step_; k < finite[b]; k += step_)
+      sample_.push_back(points[begin + k]);
+    finite_ += finite[b];
+  }
+}
+
+bool
+ScanSample::isTooLarge() const
+{
+  return !sample_.empty() &&
+         (extentAlong(sample_, 2) > highest ||
+          std::min(extentAlong(sample_, 0), extentAlong(sample_, 1)) > longest);
+}
+
 std::string
-scanProblem(const PointView& points, const std::vector<int>& indices)
+ScanSample::problem() const
 {
   constexpr std::size_t fewest = 1000;
-  constexpr std::size_t most_looked_at = 100000;
-  std::vector<Eigen::Vector3f> sample;
-  std::size_t finite = 0;
-  const std::size_t step = indices.size() / most_looked_at + 1;
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    const auto i = static_cast<std::size_t>(indices[k]);
-    if (!points.isFinite(i))
-      continue;
-    if (finite++ % step == 0)
-      sample.push_back(points[i]);
-  }
-  if (finite < fewest)
+  if (finite_ < fewest)
     return text("%.0f of %.0f points are finite, a room needs at least %.0f",
-                static_cast<double>(finite), static_cast<double>(indices.size()),
+                static_cast<double>(finite_), static_cast<double>(size_),
                 static_cast<double>(fewest));
-  const double x = extentAlong(sample, 0);
-  const double y = extentAlong(sample, 1);
-  const double z = extentAlong(sample, 2);
-  if (z > 200 || std::min(x, y) > 20000) {
+  const double x = extentAlong(sample_, 0);
+  const double y = extentAlong(sample_, 1);
+  const double z = extentAlong(sample_, 2);
+  if (isTooLarge()) {
     // The unit in which the scan would be up to a few storeys high.
-    const bool is_centimetre = z < 2000 && std::min(x, y) < 20000;
+    const bool is_centimetre = z < 10 * highest && std::min(x, y) < longest;
     return text(is_centimetre
                     ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
                       "the centimetre, scale it by 0.01"
@@ -125,6 +152,15 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
                 "the metre",
                 x, y, z);
   return {};
+}
+
+std::string
+scanProblem(const PointView& points, const std::vector<int>& indices)
+{
+  ScanSample sample(indices.size());
+  for (const int i : indices)
+    sample.add(points[static_cast<std::size_t>(i)]);
+  return sample.problem();
 }
 
 std::string

@@ -82,6 +82,22 @@ readNumbers(std::string_view line,
   return read;
 }
 
+pcl::PCLPointCloud2
+readPoints(const MappedFile& file, const FileLayout& layout, const std::string& path)
+{
+  pcl::PCLPointCloud2 blob = layout.blob;
+  if (layout.data == FileData::Compressed)
+    readCompressedPcd(file, layout, path, blob);
+  else if (layout.data == FileData::Ascii)
+    layout.is_ply ? readAsciiPly(file, layout, path, blob)
+                  : readAsciiPcd(file, layout, path, blob);
+  else {
+    const auto* first = file.data() + layout.begin;
+    blob.data.assign(first, first + std::size_t{blob.width} * blob.point_step);
+  }
+  return blob;
+}
+
 void
 layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path)
 {

@@ -15,21 +15,53 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A cloud as it stands in a file. */
-struct FileCloud {
-  pcl::PCLPointCloud2 blob;
+enum class FileData { Ascii, Binary, BinaryBigEndian, Compressed };
+
+/** @brief Where the points of a file stand, and how. */
+struct FileLayout {
+  pcl::PCLPointCloud2 blob; ///< fields and sizes as in the file, without the data
+  FileData data = FileData::Binary;
+  std::size_t begin = 0; ///< of the points, bytes from the start of the file
+  bool is_ply = false;
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 };
 
-/** @brief Reads PCD 0.5 to 0.7, ascii, binary or binary_compressed. The header is
- * checked against the size of the file before anything is read; what is wrong is thrown
- * as a ToolError. */
-FileCloud readPcd(const MappedFile& file, const std::string& path);
+/** @brief Reads the header of a PCD 0.5 to 0.7, ascii, binary or binary_compressed, and
+ * checks it against the size of the file: what is wrong, or cut off, is thrown as a
+ * ToolError. */
+FileLayout readPcdLayout(const MappedFile& file, const std::string& path);
 
-/** @brief Reads the vertices of a PLY file, ascii or binary of either byte order, faces
- * skipped. */
-FileCloud readPly(const MappedFile& file, const std::string& path);
+/** @brief The same of a PLY file, ascii or binary of either byte order: its vertices.
+ */
+FileLayout readPlyLayout(const MappedFile& file, const std::string& path);
+
+/** @brief Reads all points, as they stand in the file. What is cut off or damaged is
+ * thrown as a ToolError. */
+pcl::PCLPointCloud2
+readPoints(const MappedFile& file, const FileLayout& layout, const std::string& path);
+
+void readAsciiPcd(const MappedFile& file,
+                  const FileLayout& layout,
+                  const std::string& path,
+                  pcl::PCLPointCloud2& blob);
+
+void readCompressedPcd(const MappedFile& file,
+                       const FileLayout& layout,
+                       const std::string& path,
+                       pcl::PCLPointCloud2& blob);
+
+void readAsciiPly(const MappedFile& file,
+                  const FileLayout& layout,
+                  const std::string& path,
+                  pcl::PCLPointCloud2& blob);
+
+/** @brief Turns the bytes of every value round. */
+void swapBytes(pcl::PCLPointCloud2& blob);
+
+/** @brief Gives the properties of a PLY file the names of PCL's fields, and joins red,
+ * green, blue and alpha of one byte each into `rgb`, or `rgba` with alpha. */
+void nameAsPcl(pcl::PCLPointCloud2& blob);
 
 bool looksLikePcd(const MappedFile& file);
 

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -41,6 +42,33 @@ MappedFile::MappedFile(const std::string& path)
     refuse(std::strerror(map_error));
   data_ = static_cast<const std::uint8_t*>(mapped);
   size_ = static_cast<std::size_t>(status.st_size);
+}
+
+namespace {
+
+/** @brief Advises about the pages that lie between two bytes of a mapping; that is a
+ * hint, which may fail. */
+void
+advise(const std::uint8_t* data, std::size_t begin, std::size_t end, int advice)
+{
+  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  begin = begin / page * page;
+  if (begin < end)
+    madvise(const_cast<std::uint8_t*>(data) + begin, end - begin, advice);
+}
+
+} // namespace
+
+void
+MappedFile::expect(std::size_t begin, std::size_t size) const
+{
+  advise(data_, std::min(begin, size_), std::min(begin + size, size_), MADV_WILLNEED);
+}
+
+void
+MappedFile::release(std::size_t begin, std::size_t size) const
+{
+  advise(data_, std::min(begin, size_), std::min(begin + size, size_), MADV_DONTNEED);
 }
 
 MappedFile::~MappedFile()

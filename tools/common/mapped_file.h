@@ -22,6 +22,13 @@ public:
 
   std::size_t size() const { return size_; }
 
+  /** @brief Tells that these bytes will soon be read. */
+  void expect(std::size_t begin, std::size_t size) const;
+
+  /** @brief Tells that these bytes are not needed now: their pages are no longer this
+   * program's, and are read again if they are. */
+  void release(std::size_t begin, std::size_t size) const;
+
 private:
   const std::uint8_t* data_ = nullptr;
   std::size_t size_ = 0;

@@ -143,7 +143,7 @@ readSize(const PcdHeader& header, const std::string& path)
 }
 
 void
-readViewpoint(const PcdHeader& header, FileCloud& cloud)
+readViewpoint(const PcdHeader& header, FileLayout& layout)
 {
   const Words* words = header.find("VIEWPOINT");
   std::array<float, 7> v{0, 0, 0, 1, 0, 0, 0};
@@ -154,8 +154,8 @@ readViewpoint(const PcdHeader& header, FileCloud& cloud)
     if (std::from_chars(word.data(), word.data() + word.size(), v[i]).ec != std::errc())
       return;
   }
-  cloud.origin = {v[0], v[1], v[2], 0};
-  cloud.orientation = {v[3], v[4], v[5], v[6]};
+  layout.origin = {v[0], v[1], v[2], 0};
+  layout.orientation = {v[3], v[4], v[5], v[6]};
 }
 
 [[noreturn]] void
@@ -169,12 +169,52 @@ refuseCutOff(const std::string& path, const pcl::PCLPointCloud2& blob, std::size
                    " bytes follow");
 }
 
-void
-readAscii(const MappedFile& file,
-          std::size_t begin,
-          const std::string& path,
-          pcl::PCLPointCloud2& blob)
+} // namespace
+
+bool
+looksLikePcd(const MappedFile& file)
 {
+  TextCursor cursor(file, 0);
+  for (std::string_view line; cursor.nextLine(line);) {
+    const Words words = wordsOf(line.substr(0, 256));
+    if (!words.empty() && words[0][0] != '#')
+      return isKeyword(words[0]);
+  }
+  return false;
+}
+
+FileLayout
+readPcdLayout(const MappedFile& file, const std::string& path)
+{
+  const PcdHeader header = readHeader(file, path);
+  FileLayout layout;
+  auto& blob = layout.blob;
+  blob.fields = readFields(header, path);
+  layOut(blob, readSize(header, path), path);
+  readViewpoint(header, layout);
+  layout.begin = header.data_begin;
+
+  const Words& format = *header.find("DATA");
+  const std::string_view name = format.empty() ? std::string_view() : format.front();
+  const std::size_t left = file.size() - layout.begin;
+  if (name == "ascii")
+    layout.data = FileData::Ascii;
+  else if (name == "binary_compressed")
+    layout.data = FileData::Compressed;
+  else if (name != "binary")
+    refuse(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
+  else if (left < std::size_t{blob.width} * blob.point_step)
+    refuseCutOff(path, blob, left);
+  return layout;
+}
+
+void
+readAsciiPcd(const MappedFile& file,
+             const FileLayout& layout,
+             const std::string& path,
+             pcl::PCLPointCloud2& blob)
+{
+  const std::size_t begin = layout.begin;
   std::size_t values = 0;
   for (const auto& field : blob.fields)
     values += field.count;
@@ -204,11 +244,12 @@ readAscii(const MappedFile& file,
 }
 
 void
-readCompressed(const MappedFile& file,
-               std::size_t begin,
-               const std::string& path,
-               pcl::PCLPointCloud2& blob)
+readCompressedPcd(const MappedFile& file,
+                  const FileLayout& layout,
+                  const std::string& path,
+                  pcl::PCLPointCloud2& blob)
 {
+  const std::size_t begin = layout.begin;
   std::uint32_t compressed = 0;
   std::uint32_t whole = 0;
   const std::size_t left = file.size() - begin;
@@ -239,48 +280,6 @@ readCompressed(const MappedFile& file,
       std::memcpy(&blob.data[i * blob.point_step + field.offset],
                   by_field.data() + from, size);
   }
-}
-
-} // namespace
-
-bool
-looksLikePcd(const MappedFile& file)
-{
-  TextCursor cursor(file, 0);
-  for (std::string_view line; cursor.nextLine(line);) {
-    const Words words = wordsOf(line.substr(0, 256));
-    if (!words.empty() && words[0][0] != '#')
-      return isKeyword(words[0]);
-  }
-  return false;
-}
-
-FileCloud
-readPcd(const MappedFile& file, const std::string& path)
-{
-  const PcdHeader header = readHeader(file, path);
-  FileCloud cloud;
-  auto& blob = cloud.blob;
-  blob.fields = readFields(header, path);
-  layOut(blob, readSize(header, path), path);
-  readViewpoint(header, cloud);
-
-  const Words& format = *header.find("DATA");
-  const std::string_view name = format.empty() ? std::string_view() : format.front();
-  const std::size_t left = file.size() - header.data_begin;
-  if (name == "ascii")
-    readAscii(file, header.data_begin, path, blob);
-  else if (name == "binary_compressed")
-    readCompressed(file, header.data_begin, path, blob);
-  else if (name != "binary")
-    refuse(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
-  else if (left < std::size_t{blob.width} * blob.point_step)
-    refuseCutOff(path, blob, left);
-  else
-    blob.data.assign(file.data() + header.data_begin,
-                     file.data() + header.data_begin +
-                         std::size_t{blob.width} * blob.point_step);
-  return cloud;
 }
 
 } // namespace tools

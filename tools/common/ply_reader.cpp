@@ -110,46 +110,11 @@ readHeader(const MappedFile& file, const std::string& path)
 
 [[noreturn]] void
 refuseCutOff(const std::string& path,
-             const PlyElement& vertices,
+             std::uint64_t vertices,
              const std::string& found)
 {
   refuse(path, "the file is cut off, its header promises " +
-                   std::to_string(vertices.count) + " vertices, " + found);
-}
-
-void
-readAscii(const MappedFile& file,
-          TextCursor& cursor,
-          const std::string& path,
-          const PlyElement& vertices,
-          pcl::PCLPointCloud2& blob)
-{
-  const std::size_t values = blob.fields.size();
-  const std::size_t left = file.size() - std::min(cursor.position(), file.size());
-  if ((left + 1) / 2 < vertices.count * values)
-    refuseCutOff(path, vertices, "but " + std::to_string(left) + " bytes follow");
-  blob.data.resize(std::size_t{blob.width} * blob.point_step);
-  std::size_t point = 0;
-  for (std::string_view line; point < blob.width && cursor.nextLine(line); ++point) {
-    const std::size_t read =
-        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
-    if (read != values)
-      refuse(path, "vertex " + std::to_string(point + 1) + " has " +
-                       std::to_string(read) + " of " + std::to_string(values) +
-                       " numbers");
-  }
-  if (point < blob.width)
-    refuseCutOff(path, vertices, "it holds " + std::to_string(point));
-}
-
-void
-swapBytes(pcl::PCLPointCloud2& blob)
-{
-  for (std::size_t i = 0; i < blob.width; ++i)
-    for (const auto& field : blob.fields) {
-      auto* first = &blob.data[i * blob.point_step + field.offset];
-      std::reverse(first, first + fieldSize(field.datatype));
-    }
+                   std::to_string(vertices) + " vertices, " + found);
 }
 
 /** @brief Gives the properties the names of PCL's fields. */
@@ -215,8 +180,8 @@ looksLikePly(const MappedFile& file)
   return cursor.nextLine(line) && line == "ply";
 }
 
-FileCloud
-readPly(const MappedFile& file, const std::string& path)
+FileLayout
+readPlyLayout(const MappedFile& file, const std::string& path)
 {
   const PlyHeader header = readHeader(file, path);
   const bool ascii = header.format == "ascii";
@@ -228,8 +193,9 @@ readPly(const MappedFile& file, const std::string& path)
   if (vertices == header.elements.end() || vertices->has_lists)
     refuse(path, "it has no element 'vertex' without lists");
 
-  FileCloud cloud;
-  auto& blob = cloud.blob;
+  FileLayout layout;
+  layout.is_ply = true;
+  auto& blob = layout.blob;
   blob.fields = vertices->fields;
   layOut(blob, vertices->count, path);
   TextCursor cursor(file, header.data_begin);
@@ -243,24 +209,64 @@ readPly(const MappedFile& file, const std::string& path)
     for (const auto& field : e->fields)
       skip += fieldSize(field.datatype) * e->count;
   }
-  if (ascii)
-    readAscii(file, cursor, path, *vertices, blob);
-  else {
-    const std::size_t needed = std::size_t{blob.width} * blob.point_step;
-    const std::size_t follow = file.size() - header.data_begin;
-    if (follow < skip || follow - skip < needed)
-      refuseCutOff(path, *vertices,
-                   std::to_string(needed) + " bytes, but " +
-                       std::to_string(follow - std::min(skip, follow)) +
-                       " bytes follow");
-    const auto* first = file.data() + header.data_begin + skip;
-    blob.data.assign(first, first + needed);
-    if (header.format == "binary_big_endian")
-      swapBytes(blob);
+  if (ascii) {
+    layout.data = FileData::Ascii;
+    layout.begin = cursor.position();
+    return layout;
   }
+  if (header.format == "binary_big_endian")
+    layout.data = FileData::BinaryBigEndian;
+  layout.begin = header.data_begin + skip;
+  const std::size_t needed = std::size_t{blob.width} * blob.point_step;
+  const std::size_t follow = file.size() - header.data_begin;
+  if (follow < skip || follow - skip < needed)
+    refuseCutOff(path, vertices->count,
+                 std::to_string(needed) + " bytes, but " +
+                     std::to_string(follow - std::min(skip, follow)) +
+                     " bytes follow");
+  return layout;
+}
+
+void
+readAsciiPly(const MappedFile& file,
+             const FileLayout& layout,
+             const std::string& path,
+             pcl::PCLPointCloud2& blob)
+{
+  TextCursor cursor(file, layout.begin);
+  const std::size_t values = blob.fields.size();
+  const std::size_t left = file.size() - std::min(cursor.position(), file.size());
+  if ((left + 1) / 2 < std::size_t{blob.width} * values)
+    refuseCutOff(path, blob.width, "but " + std::to_string(left) + " bytes follow");
+  blob.data.resize(std::size_t{blob.width} * blob.point_step);
+  std::size_t point = 0;
+  for (std::string_view line; point < blob.width && cursor.nextLine(line); ++point) {
+    const std::size_t read =
+        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
+    if (read != values)
+      refuse(path, "vertex " + std::to_string(point + 1) + " has " +
+                       std::to_string(read) + " of " + std::to_string(values) +
+                       " numbers");
+  }
+  if (point < blob.width)
+    refuseCutOff(path, blob.width, "it holds " + std::to_string(point));
+}
+
+void
+swapBytes(pcl::PCLPointCloud2& blob)
+{
+  for (std::size_t i = 0; i < blob.width; ++i)
+    for (const auto& field : blob.fields) {
+      auto* first = &blob.data[i * blob.point_step + field.offset];
+      std::reverse(first, first + fieldSize(field.datatype));
+    }
+}
+
+void
+nameAsPcl(pcl::PCLPointCloud2& blob)
+{
   renameNormals(blob.fields);
   joinColours(blob);
-  return cloud;
 }
 
 } // namespace tools

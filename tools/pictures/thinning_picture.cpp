@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace pcl {
@@ -41,22 +42,36 @@ boxOf(const Box& view, double cell_size)
           {cell(view.high.x()), cell(view.high.y())}};
 }
 
+/** @brief Some points, all at once or piece by piece. */
+struct PointPieces {
+  std::size_t size;
+  std::function<void(const std::function<void(const PointView&)>&)> forEach;
+};
+
+PointPieces
+piecesOf(const PointView& points)
+{
+  return {points.size(), [&points](const auto& see) { see(points); }};
+}
+
 Panel
 densityPanel(const std::string& title,
-             const PointView& points,
+             const PointPieces& pieces,
              const CellGrid& grid,
              const CellBox& box)
 {
   CellMask shade(box);
   std::vector<std::uint32_t> count(shade.values().size(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = points[i];
-    if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
-      continue;
-    const Cell cell = grid.at(p.x(), p.y());
-    if (shade.isInside(cell))
-      ++count[shade.indexOf(cell)];
-  }
+  pieces.forEach([&](const PointView& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3f p = points[i];
+      if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
+        continue;
+      const Cell cell = grid.at(p.x(), p.y());
+      if (shade.isInside(cell))
+        ++count[shade.indexOf(cell)];
+    }
+  });
   Panel panel(title);
   for (std::size_t s = 0; s < shades.size(); ++s) {
     for (std::size_t i = 0; i < count.size(); ++i)
@@ -70,10 +85,8 @@ densityPanel(const std::string& title,
   return panel;
 }
 
-} // namespace
-
 Picture
-drawThinning(const PointView& before, const PointView& after, double leaf)
+draw(const PointPieces& before, const PointView& after, double leaf)
 {
   constexpr std::size_t least_piece = 400; // what is smaller lies outside, scattered
   pcl::Indices all(after.size());
@@ -91,9 +104,10 @@ drawThinning(const PointView& before, const PointView& after, double leaf)
   const CellGrid grid(size);
   const CellBox box = boxOf(view, size);
   Panel scan =
-      densityPanel("scan: " + counted(before.size(), "point"), before, grid, box);
+      densityPanel("scan: " + counted(before.size, "point"), before, grid, box);
   Panel thinned =
-      densityPanel("thinned: " + counted(after.size(), "point"), after, grid, box);
+      densityPanel("thinned: " + counted(after.size(), "point"), piecesOf(after),
+                   grid, box);
   for (Panel* panel : {&scan, &thinned})
     panel->setView(view);
   Picture picture("Thinning: the mean of the points of each voxel, seen from above");
@@ -101,6 +115,27 @@ drawThinning(const PointView& before, const PointView& after, double leaf)
   for (const auto& shade : shades)
     picture.addLegend(shade.meaning, shade.colour);
   return picture;
+}
+
+} // namespace
+
+Picture
+drawThinning(const PointView& before, const PointView& after, double leaf)
+{
+  return draw(piecesOf(before), after, leaf);
+}
+
+Picture
+drawThinning(const RowSource& before, const PointView& after, double leaf)
+{
+  const auto for_each = [&](const std::function<void(const PointView&)>& see) {
+    RowCoordinates coordinates(before.fields(), before.rowSize());
+    before.forEachPiece([&](const RowSource::Piece& piece) {
+      see(coordinates.of(piece.rows, piece.size));
+      return true;
+    });
+  };
+  return draw({before.size(), for_each}, after, leaf);
 }
 
 } // namespace tools

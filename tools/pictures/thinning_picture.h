@@ -4,6 +4,7 @@
 #include "picture.h"
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/row_source.h>
 
 namespace pcl {
 namespace sedr {
@@ -13,6 +14,9 @@ namespace tools {
  * before and after.
  * @param leaf edge of a voxel and of a cell, metres */
 Picture drawThinning(const PointView& before, const PointView& after, double leaf);
+
+/** @brief The same of a scan that comes in pieces. */
+Picture drawThinning(const RowSource& before, const PointView& after, double leaf);
 
 } // namespace tools
 } // namespace sedr

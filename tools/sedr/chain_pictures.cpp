@@ -91,7 +91,7 @@ ChainPictures::draw() const
   const PointView points(*chain.cloud);
   const std::vector<std::uint32_t> labels = labelsOf(*chain.refinement.getInputCloud());
   const std::vector<Picture> pictures{
-      drawThinning(PointView(*chain_.getInputCloud()), thinnedPoints(chain_),
+      drawThinning(*chain_.getInputSource(), thinnedPoints(chain_),
                    chain_.getVoxelSize()),
       drawPlanes(chain.planes, chain.plane_detection.getHeightHistogram(), points,
                  chain_.getGridSize()),

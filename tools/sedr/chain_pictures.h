@@ -27,7 +27,8 @@ class ChainPictures {
 public:
   using Chain = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-  /** @brief Listens to `chain`, which must outlive this, until the end of this. */
+  /** @brief Listens to `chain`, which must have an input source when it runs and
+   * outlive this, until the end of this. */
   explicit ChainPictures(Chain& chain);
   ~ChainPictures();
   ChainPictures(const ChainPictures&) = delete;

@@ -163,15 +163,19 @@ roomsOf(const Reconstruction& chain)
 std::string
 makeReport(const RunRecord& run, const Reconstruction& chain)
 {
-  std::ostringstream evaluation;
-  writeJson(evaluation, run.figures);
+  Json evaluation;
+  if (run.figures) {
+    std::ostringstream stream;
+    writeJson(stream, *run.figures);
+    evaluation = Json::parse(stream.str());
+  }
   Json json{{"format", format_name},
             {"version", format_version},
             {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
             {"rooms", roomsOf(chain)},
-            {"evaluation", Json::parse(evaluation.str())},
+            {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);
   // A path may hold any bytes: what is no UTF-8 becomes U+FFFD.
@@ -192,10 +196,15 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
     closed += report.closed ? 1 : 0;
   const std::size_t rooms = chain.getFloorplan()->rooms.size();
   char text[160];
-  std::snprintf(text, sizeof text, "%zu %s, %.1f square metres, %zu closed %s, %.1f s",
-                rooms, rooms == 1 ? "room" : "rooms", area, closed,
-                closed == 1 ? "mesh" : "meshes", seconds);
-  return text;
+  std::snprintf(text, sizeof text, "%zu %s, %.1f square metres, ", rooms,
+                rooms == 1 ? "room" : "rooms", area);
+  std::string summary = text;
+  std::snprintf(text, sizeof text, "%zu closed %s, ", closed,
+                closed == 1 ? "mesh" : "meshes");
+  if (run.figures)
+    summary += text;
+  std::snprintf(text, sizeof text, "%.1f s", seconds);
+  return summary + text;
 }
 
 } // namespace tools

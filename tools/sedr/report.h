@@ -5,6 +5,7 @@
 #include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct RunRecord {
   std::size_t points = 0;
   double unit = 1;                 ///< length of one unit of the file, metres
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
-  MeshEvaluationResult figures;
+  std::optional<MeshEvaluationResult> figures; ///< none without a mesh
 };
 
 /** @brief report.json: input, parameters, stages, rooms, mesh, distances, warnings.

@@ -42,8 +42,7 @@ failToWrite(const std::filesystem::path& path, const std::string& reason)
 void
 writeWhole(const std::filesystem::path& path,
            const std::string& header,
-           const char* data,
-           std::size_t size)
+           const std::function<void(std::ostream&)>& write_data)
 {
   std::filesystem::path part = path;
   part += ".part";
@@ -53,7 +52,7 @@ writeWhole(const std::filesystem::path& path,
     if (!file)
       failToWrite(path, std::strerror(errno));
     file << header;
-    file.write(data, static_cast<std::streamsize>(size));
+    write_data(file);
     file.close();
     if (!file) {
       std::filesystem::remove(part, ignored);
@@ -68,16 +67,28 @@ writeWhole(const std::filesystem::path& path,
   }
 }
 
+void
+writeWhole(const std::filesystem::path& path,
+           const std::string& header,
+           const char* data,
+           std::size_t size)
+{
+  writeWhole(path, header, [&](std::ostream& file) {
+    file.write(data, static_cast<std::streamsize>(size));
+  });
+}
+
+/** @brief The header of points of x y z label, and room if there is one. */
 std::string
-pcdHeader(std::size_t count)
+pcdHeader(std::size_t count, bool has_room)
 {
   std::ostringstream header;
   header << "# .PCD v0.7 - Point Cloud Data file format\n"
          << "VERSION 0.7\n"
-         << "FIELDS x y z label room\n"
-         << "SIZE 4 4 4 4 4\n"
-         << "TYPE F F F U U\n"
-         << "COUNT 1 1 1 1 1\n"
+         << "FIELDS x y z label" << (has_room ? " room\n" : "\n")
+         << "SIZE 4 4 4 4" << (has_room ? " 4\n" : "\n")
+         << "TYPE F F F U" << (has_room ? " U\n" : "\n")
+         << "COUNT 1 1 1 1" << (has_room ? " 1\n" : "\n")
          << "WIDTH " << count << "\n"
          << "HEIGHT 1\n"
          << "VIEWPOINT 0 0 0 1 0 0 0\n"
@@ -111,9 +122,32 @@ plyHeader(const Mesh& mesh)
 void
 writePcd(const std::filesystem::path& path, const std::vector<ScanPoint>& points)
 {
-  writeWhole(path, pcdHeader(points.size()),
+  writeWhole(path, pcdHeader(points.size(), true),
              reinterpret_cast<const char*>(points.data()),
              points.size() * sizeof(ScanPoint));
+}
+
+void
+writePcdStream(const std::filesystem::path& path,
+               std::size_t count,
+               const std::function<void(const PointSink&)>& make)
+{
+  static_assert(sizeof(LabelledPoint) == 16, "a point is written as it lies in memory");
+  constexpr std::size_t at_once = 1 << 16;
+  writeWhole(path, pcdHeader(count, false), [&](std::ostream& file) {
+    std::vector<LabelledPoint> points;
+    const auto flush = [&] {
+      file.write(reinterpret_cast<const char*>(points.data()),
+                 static_cast<std::streamsize>(points.size() * sizeof(LabelledPoint)));
+      points.clear();
+    };
+    make([&](const LabelledPoint& point) {
+      points.push_back(point);
+      if (points.size() == at_once)
+        flush();
+    });
+    flush();
+  });
 }
 
 void

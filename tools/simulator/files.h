@@ -5,7 +5,10 @@
 #include "scene.h"
 #include "truth_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,23 @@ namespace pcl::sedr::sim {
 
 /** @brief Writes x y z (float32) label room (uint32) as an unorganised binary PCD. */
 void writePcd(const std::filesystem::path& path, const std::vector<ScanPoint>& points);
+
+/** @brief A point of a building: what a row of its file holds. */
+struct LabelledPoint {
+  float x;
+  float y;
+  float z;
+  std::uint32_t label;
+};
+
+using PointSink = std::function<void(const LabelledPoint&)>;
+
+/** @brief Writes x y z (float32) label (uint32) as an unorganised binary PCD, as the
+ * points come: `make` is to hand `count` of them to the sink it gets.
+ */
+void writePcdStream(const std::filesystem::path& path,
+                    std::size_t count,
+                    const std::function<void(const PointSink&)>& make);
 
 /** @brief Writes the mesh, moved by @p placement, as a binary PLY.
  *

@@ -52,6 +52,11 @@ public:
   /** @brief Writes one point a voxel to `output`, which may be the input. */
   void filter(PointCloud& output);
 
+  /** @brief The same for a cloud that comes in pieces and need not stand in memory: x, y
+   * and z alone, as setDownsampleAllData(false) gives them, the same bytes. No input
+   * cloud, indices or removed indices are used. It is gone through once. */
+  void filter(const sedr::RowSource& source, PointCloud& output);
+
   /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there
    * is none or the layout was not saved. */
   int getCentroidIndex(const PointT& p) const
@@ -82,6 +87,11 @@ private:
   bool thin(const pcl::Indices* indices, PointCloud& output);
 
   bool validate(const pcl::Indices* indices);
+
+  /** @brief Writes the means of x, y and z. */
+  void writeMeans(const sedr::VoxelFrame& frame,
+                  const std::vector<sedr::VoxelSum>& voxels,
+                  PointCloud& output) const;
 
   /** @brief Whether the filter field, if there is one, lets a point pass. */
   bool isWithinLimits(std::size_t i) const;

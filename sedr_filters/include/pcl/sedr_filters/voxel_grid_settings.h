@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/row_source.h>
 #include <pcl/sedr_filters/voxel_sums.h>
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -141,6 +143,22 @@ protected:
 
   /** @brief Forgets what the last run left. */
   void clearLayout();
+
+  /** @brief What keeps rows from being thinned, a sentence; empty if nothing does. */
+  std::string rowsProblem(const RowSource& source) const;
+
+  /** @brief Calls `see(piece, points, indices)` for every piece of a source without a
+   * problem: its coordinates, and which of them count, null for all. `indices` choose
+   * among the rows of a single piece, null: all. */
+  void forEachPiece(
+      const RowSource& source,
+      const pcl::Indices* indices,
+      const std::function<
+          void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see)
+      const;
+
+  /** @brief Adds up the points that count. */
+  void addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
 
   /** @brief The voxels of all points that were added up, without those that hold too
    * few; keeps the box, and the layout if asked for. */

@@ -11,6 +11,14 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief Of a scan of `points`, every which is taken so that no more than `most` are:
+ * 1 for all, at least. What is left needs no further thinning. */
+inline std::size_t
+rawStep(std::size_t points, std::size_t most)
+{
+  return most > 0 && points > most ? (points + most - 1) / most : 1;
+}
+
 /** @brief How a plan is fitted to the scan it came from. */
 struct RefitParameters {
   double reach = 0.06;    ///< points farther from a surface are not its own, metres

@@ -9,6 +9,41 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief Looks at no more than 100,000 of the finite points of a scan that comes piece
+ * by piece, and says what is wrong with it. */
+class ScanSample {
+public:
+  /** @param size of the whole scan, points */
+  explicit ScanSample(std::size_t size)
+      : size_(size)
+      , step_(size / most_points + 1)
+  {}
+
+  /** @brief Takes the next points of the scan, in their order; `threads` 0: all. */
+  void add(const PointView& points, unsigned threads = 0);
+
+  void add(const Eigen::Vector3f& point)
+  {
+    if (point.allFinite() && finite_++ % step_ == 0)
+      sample_.push_back(point);
+  }
+
+  /** @brief The sentence of scanProblem(). */
+  std::string problem() const;
+
+  /** @brief Whether what was seen so far is so large that the metre cannot be the unit.
+   */
+  bool isTooLarge() const;
+
+private:
+  static constexpr std::size_t most_points = 100000;
+
+  std::size_t size_;
+  std::size_t step_;
+  std::size_t finite_ = 0;
+  std::vector<Eigen::Vector3f> sample_;
+};
+
 /** @brief What is wrong with a scan as a whole, a sentence with its numbers; empty if
  * it may be one of rooms in metres: too few finite points, too small, or so large that
  * its unit cannot be the metre. Looks at no more than 100,000 of the points. */

@@ -8,6 +8,7 @@
 #include <pcl/surface/reconstruction.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,15 @@ public:
   using PointCloud = pcl::PointCloud<PointT>;
 
   IndoorStructureReconstruction();
+
+  /** @brief A scan that comes in pieces and need not stand in memory, in place of an
+   * input cloud and its indices: the same result, in memory that grows with the thinned
+   * scan and not with the scan. Null (default): the input cloud. */
+  void setInputSource(const std::shared_ptr<const sedr::RowSource>& source)
+  {
+    source_ = source;
+  }
+  std::shared_ptr<const sedr::RowSource> getInputSource() const { return source_; }
 
   /** @brief Size of a voxel in down-sampling, metres. Default 0.05. */
   void setVoxelSize(float size);
@@ -149,8 +159,20 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
+  bool refuseInput(const std::string& problem);
+
+  bool checkSizes();
+
+  /** @brief Thins the input cloud; the raw cloud of the fit is the cloud itself. */
+  bool thinCloud(PointCloud& means);
+
+  /** @brief Thins the input source, in one pass; the raw cloud of the fit is every k-th
+   * of its points. */
+  bool thinSource(PointCloud& means);
+
   bool thin(sedr::StructureChain::Cloud& thinned);
 
+  std::shared_ptr<const sedr::RowSource> source_;
   ParallelVoxelGrid<PointT> voxel_grid_;
   sedr::StructureChain chain_;
   std::vector<sedr::StageReport> reports_;

@@ -144,6 +144,41 @@ ParallelVoxelGrid<PointT>::averageFields(const sedr::VoxelIndex& index,
 }
 
 template <typename PointT>
+void
+ParallelVoxelGrid<PointT>::writeMeans(const sedr::VoxelFrame& frame,
+                                      const std::vector<sedr::VoxelSum>& voxels,
+                                      PointCloud& output) const
+{
+  constexpr std::size_t voxels_at_once = 4096;
+  sedr::parallelBlocks(voxels.size(), voxels_at_once, getNumberOfThreads(),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t v = begin; v < end; ++v) {
+                           const Eigen::Vector3f mean = frame.mean(voxels[v]);
+                           output[v].x = mean.x();
+                           output[v].y = mean.y();
+                           output[v].z = mean.z();
+                         }
+                       });
+}
+
+template <typename PointT>
+void
+ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& output)
+{
+  this->startRun(output);
+  const std::string problem = this->rowsProblem(source);
+  if (!problem.empty()) {
+    fail("ParallelVoxelGrid", problem);
+    return;
+  }
+  sedr::VoxelSums sums(inverseLeaf());
+  this->addRows(source, nullptr, sums);
+  const std::vector<sedr::VoxelSum> voxels = this->finish(sums);
+  output.resize(voxels.size());
+  writeMeans(sums.frame(), voxels, output);
+}
+
+template <typename PointT>
 bool
 ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
 {
@@ -180,16 +215,7 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
           removed_indices_->push_back(i);
       }
   }
-  constexpr std::size_t voxels_at_once = 4096;
-  sedr::parallelBlocks(voxels.size(), voxels_at_once, getNumberOfThreads(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v) {
-                           const Eigen::Vector3f mean = sums.frame().mean(voxels[v]);
-                           output[v].x = mean.x();
-                           output[v].y = mean.y();
-                           output[v].z = mean.z();
-                         }
-                       });
+  writeMeans(sums.frame(), voxels, output);
   return true;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_segmentation/scan_excerpt.h>
 
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
@@ -74,37 +76,78 @@ IndoorStructureReconstruction<PointT>::setSeed(std::uint64_t seed)
 
 template <typename PointT>
 bool
-IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
+IndoorStructureReconstruction<PointT>::refuseInput(const std::string& problem)
 {
-  constexpr const char* name = "IndoorStructureReconstruction";
+  chain_.failed_stage = "input";
+  return fail("IndoorStructureReconstruction", "input: " + problem);
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::checkSizes()
+{
+  return getVoxelSize() <= 1.001 * getGridSize() ||
+         refuseInput("the voxel size " + std::to_string(getVoxelSize()) +
+                     " m must not be above the grid size " +
+                     std::to_string(getGridSize()) + " m, or cells stay empty");
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
+{
   std::string problem = sedr::indicesProblem(*indices_, input_->size());
   // Before thinning: a scan in millimetres would not get any smaller.
   if (problem.empty())
     problem = sedr::scanProblem(sedr::PointView(*input_), *indices_);
-  if (problem.empty() && getVoxelSize() > 1.001 * getGridSize())
-    problem = "the voxel size " + std::to_string(getVoxelSize()) +
-              " m must not be above the grid size " + std::to_string(getGridSize()) +
-              " m, or cells stay empty";
-  if (!problem.empty()) {
-    chain_.failed_stage = "input";
-    return fail(name, "input: " + problem);
-  }
+  if (!problem.empty())
+    return refuseInput(problem);
+  if (!checkSizes())
+    return false;
   if (chain_.on_stage)
     chain_.on_stage("ParallelVoxelGrid");
-  const auto start = std::chrono::steady_clock::now();
-  PointCloud means;
   voxel_grid_.setInputCloud(input_);
   voxel_grid_.setIndices(indices_);
   voxel_grid_.filter(means);
+  chain_.floorplan_fitting.template setRawCloud<PointT>(input_, indices_);
+  return true;
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
+{
+  if (!checkSizes())
+    return false;
+  if (chain_.on_stage)
+    chain_.on_stage("ParallelVoxelGrid");
+  const sedr::ScanExcerpt scan(*source_, sedr::RefitParameters().most_points, threads_);
+  voxel_grid_.filter(scan, means);
+  const std::string problem = scan.problem();
+  if (!problem.empty())
+    return refuseInput(problem);
+  chain_.floorplan_fitting.template setRawCloud<pcl::PointXYZ>(scan.points());
+  return true;
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
+{
+  const auto start = std::chrono::steady_clock::now();
+  PointCloud means;
+  if (!(source_ ? thinSource(means) : thinCloud(means)))
+    return false;
   if (!voxel_grid_.getErrorMessage().empty()) {
     chain_.failed_stage = "ParallelVoxelGrid";
-    return fail(name, "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
+    return fail("IndoorStructureReconstruction",
+                "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
   pcl::copyPointCloud(means, thinned);
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
-  reports_.push_back(
-      {"ParallelVoxelGrid", indices_->size(), thinned.size(), seconds.count()});
+  reports_.push_back({"ParallelVoxelGrid", source_ ? source_->size() : indices_->size(),
+                      thinned.size(), seconds.count()});
   return true;
 }
 
@@ -117,20 +160,20 @@ IndoorStructureReconstruction<PointT>::findStructure()
   reports_.clear();
   const sedr::StructureChain::Cloud::Ptr thinned(new sedr::StructureChain::Cloud);
   chain_.reset(thinned);
-  if (!this->initCompute()) {
+  if (!source_ && !this->initCompute()) {
     chain_.failed_stage = "input";
     return fail(name, "no input cloud was set");
   }
   bool is_done = thin(*thinned);
   if (is_done) {
-    chain_.floorplan_fitting.template setRawCloud<PointT>(input_, indices_);
     is_done = chain_.findStructure(thinned);
-    chain_.floorplan_fitting.template setRawCloud<PointT>(nullptr);
     reports_.insert(reports_.end(), chain_.reports.begin(), chain_.reports.end());
     if (!is_done)
       fail(name, chain_.failed_stage + ": " + chain_.problem);
   }
-  this->deinitCompute();
+  chain_.floorplan_fitting.template setRawCloud<PointT>(nullptr);
+  if (!source_)
+    this->deinitCompute();
   return is_done;
 }
 

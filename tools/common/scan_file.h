@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_readers.h"
+
+#include <pcl/sedr_filters/row_source.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief A PCD or PLY file, told apart by its content, that is read as it is needed.
+ *
+ * Its rows have every field of the file, x, y and z as FLOAT32 metres, no padding.
+ * Those of a binary file come piece by piece from the mapped file, and from there
+ * without a copy if they stand there as they are wanted; the pages of a piece are given
+ * back after it, so that a scan of any size takes no more memory than one piece.
+ * binary_compressed and ascii are unpacked into memory first.
+ *
+ * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
+ * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most
+ * coordinates so large that a float resolves them no finer than 1 mm (above 8388 m);
+ * that is told by up to 100,000 of the points. */
+class ScanFile : public RowSource {
+public:
+  /** @param unit metres that one unit of the file stands for: coordinates and viewpoint
+   * are brought to metres, in double precision, before anything is checked or made a
+   * float
+   * @param piece_bytes about how much of the file makes a piece */
+  explicit ScanFile(const std::string& path,
+                    double unit = 1,
+                    std::size_t piece_bytes = std::size_t{1} << 26);
+
+  const std::string& path() const { return path_; }
+
+  const std::vector<pcl::PCLPointField>& fields() const override { return tidy_.fields; }
+  std::size_t rowSize() const override { return tidy_.point_step; }
+  std::size_t size() const override { return layout_.blob.width; }
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
+
+  /** @brief Where the scan was seen from, metres. */
+  Eigen::Vector4f origin() const;
+  const Eigen::Quaternionf& orientation() const { return layout_.orientation; }
+
+private:
+  /** @brief Some rows as they stand in the file, but for the byte order. */
+  pcl::PCLPointCloud2 rawRows(std::size_t first, std::size_t size) const;
+
+  /** @brief Brings rows into the form that is given out. */
+  void tidy(pcl::PCLPointCloud2& blob) const;
+
+  void checkExtent() const;
+
+  std::string path_;
+  double unit_;
+  std::size_t piece_bytes_;
+  MappedFile file_;
+  FileLayout layout_;
+  std::vector<std::uint8_t> unpacked_; ///< rows of a file that is not mapped as it is
+  const std::uint8_t* rows_ = nullptr;
+  pcl::PCLPointCloud2 tidy_; ///< the form of the rows that are given out
+  bool is_plain_ = false;    ///< whether they stand in the file like that
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
