@@ -61,7 +61,7 @@ public:
       VoxelSum& voxel = slotOf(code, point.hash);
       ++voxel.count;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        voxel.sum[axis] += frame.steps(&point.xyz[axis], 1, axis, code[axis]);
+        voxel.sum[axis] += frame.steps(point.xyz[axis], axis, code[axis]);
     });
   }
 

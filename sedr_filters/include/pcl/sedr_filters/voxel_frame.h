@@ -131,30 +131,34 @@ public:
       const float inverse = inverse_leaf_[static_cast<int>(axis)];
       const float* from = points[axis].data();
       std::int32_t* to = codes[axis].data();
-      float farthest = 0;
+      std::uint32_t far = 0;
       for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
         const float scaled = from[i] * inverse;
-        const float size_of = std::abs(scaled);
-        farthest = farthest < size_of ? size_of : farthest;
-        const float held = size_of < code_limit ? scaled : 0;
+        const std::uint32_t is_far = bitsOf(std::abs(scaled)) >= bitsOf(code_limit);
+        far |= is_far;
+        const float held = floatOf(bitsOf(scaled) & (is_far - 1));
         const auto cell = static_cast<std::int32_t>(held);
         to[i] = cell - (held < static_cast<float>(cell) ? 1 : 0);
       }
-      for (std::size_t i = 0; i < n && farthest >= code_limit; ++i)
+      for (std::size_t i = 0; i < n && far != 0; ++i)
         to[i] = codeOf(from[i] * inverse);
     }
   }
 
-  /** @brief The sum of `n` coordinates along an axis, in steps, of points whose code
-   * along it is `code`. */
+  /** @brief A coordinate in steps, of a point whose code along this axis is `code`. */
+  std::uint64_t steps(float value, std::size_t axis, std::int32_t code) const
+  {
+    return isNear(code) ? nearSteps(value, axis) : floatsTo(value);
+  }
+
+  /** @brief The sum of `n` such coordinates. */
   std::uint64_t
   steps(const float* values, std::size_t n, std::size_t axis, std::int32_t code) const
   {
     std::uint64_t sum = 0;
     if (isNear(code))
       for (std::size_t i = 0; i < n; ++i)
-        sum += static_cast<std::uint64_t>(
-            static_cast<std::int64_t>(static_cast<double>(values[i]) * steps_[axis]));
+        sum += nearSteps(values[i], axis);
     else
       for (std::size_t i = 0; i < n; ++i)
         sum += floatsTo(values[i]);
@@ -173,6 +177,12 @@ private:
   static bool isNear(std::int32_t code)
   {
     return code >= -near_limit && code < near_limit;
+  }
+
+  std::uint64_t nearSteps(float value, std::size_t axis) const
+  {
+    return static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(static_cast<double>(value) * steps_[axis]));
   }
 
   /** @brief The floats between 0 and this one. */
