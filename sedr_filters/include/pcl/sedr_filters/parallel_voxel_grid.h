@@ -15,8 +15,11 @@ namespace pcl {
  * drop-in for pcl::VoxelGrid that uses all processors and works at any extent.
  *
  * Voxels, means and the order of the output are those of pcl::VoxelGrid: voxel
- * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed in
- * double. The other fields are averaged as pcl::CentroidPoint does (colours by channel,
+ * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed exactly,
+ * as whole steps of 2^-30 leaves (see sedr::VoxelFrame), so that neither the order of
+ * the points nor the number of threads matters; up to 2^31 points a voxel cannot
+ * overflow them. The means are right to the last digit of a float, but for 2^-30 leaves
+ * beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by channel,
  * normals made unit length, labels and rooms by majority), or left at their defaults
  * with setDownsampleAllData(false).
  *
@@ -26,8 +29,9 @@ namespace pcl {
  * says why. The removed indices are those that took part in no output point:
  * non-finite, outside the limits, or in a voxel with too few points.
  *
- * O(n), about 20 bytes a point beside input and output. The same bytes for any number
- * of threads.
+ * O(n) for n points, about 110 bytes a voxel at the most beside input and output,
+ * nothing a point; 20 MiB a thread. Where other fields are averaged, a second pass and
+ * what pcl::CentroidPoint takes a voxel. The same bytes for any number of threads.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
  * grid.setInputCloud(scan);

@@ -20,9 +20,9 @@ namespace sedr {
  * whatever order, pieces and number of threads the points are added, and on however
  * many machines.
  *
- * Points are dealt out to 64 tables by their voxel, a few hundred at a time, so that no
- * voxel stands in memory twice however many threads there are. O(n) for n points;
- * about 65 bytes a voxel.
+ * Points are dealt out to 256 tables by their voxel, by the handful, so that no voxel
+ * stands in memory twice however many threads there are. O(n) for n points; about 65
+ * bytes a voxel, and 20 MiB a thread.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
