@@ -36,8 +36,8 @@ FieldMeans::FieldMeans(const std::vector<pcl::PCLPointField>& fields,
                         : isLabel(field) ? Kind::Label
                                          : Kind::Number;
       std::size_t& used = kind == Kind::Label ? votes_a_voxel_ : sums_a_voxel_;
-      values_.push_back({kind, field.offset + k * fieldSize(field.datatype),
-                         field.datatype, used});
+      values_.push_back(
+          {kind, field.offset + k * fieldSize(field.datatype), field.datatype, used});
       used += kind == Kind::Colour ? channels : 1;
     }
   sums_.resize(voxels * sums_a_voxel_, 0);
@@ -77,10 +77,9 @@ FieldMeans::write(std::size_t voxel, std::size_t count, std::uint8_t* row) const
         where[c] = static_cast<std::uint8_t>(sums[value.place + c] / size);
     else { // the most frequent, the smallest of equally frequent ones
       const auto& votes = votes_[voxel * votes_a_voxel_ + value.place];
-      const auto most =
-          std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
-            return a.second < b.second;
-          });
+      const auto most = std::max_element(
+          votes.begin(), votes.end(),
+          [](const auto& a, const auto& b) { return a.second < b.second; });
       writeField(where, value.datatype, most->first);
     }
   }

@@ -161,16 +161,17 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
     forEachPiece(source, indices,
                  [&](const Piece& piece, const sedr::PointView& points,
                      const pcl::Indices* chosen) {
-      if (!others.empty())
-        sedr::visitVoxels(index, voxels.size(), points, chosen, threads,
-                          [&](std::size_t voxel, std::size_t i) {
-                            means.add(voxel, piece.rows + i * source.rowSize());
-                          });
-      if (chosen && extract_removed_indices_)
-        for (const auto i : *chosen)
-          stays[static_cast<std::size_t>(i)] =
-              index.find(points[static_cast<std::size_t>(i)]) >= 0;
-    });
+                   if (!others.empty())
+                     sedr::visitVoxels(index, voxels.size(), points, chosen, threads,
+                                       [&](std::size_t voxel, std::size_t i) {
+                                         means.add(voxel,
+                                                   piece.rows + i * source.rowSize());
+                                       });
+                   if (chosen && extract_removed_indices_)
+                     for (const auto i : *chosen)
+                       stays[static_cast<std::size_t>(i)] =
+                           index.find(points[static_cast<std::size_t>(i)]) >= 0;
+                 });
     if (indices && extract_removed_indices_)
       for (const auto i : *indices)
         if (!stays[static_cast<std::size_t>(i)])

@@ -43,7 +43,8 @@ RowCoordinates::of(const std::uint8_t* rows, std::size_t size, unsigned threads)
             readField(rows + i * row_size_ + field.offset, field.datatype));
       }
   });
-  return copy_.empty() ? PointView() : PointView(copy_[0].data(), sizeof copy_[0], size);
+  return copy_.empty() ? PointView()
+                       : PointView(copy_[0].data(), sizeof copy_[0], size);
 }
 
 } // namespace sedr

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "voxel_batch.h"
 #include "voxel_table.h"
 
 #include <array>
@@ -48,9 +49,9 @@ private:
 
 /** @brief Brings the points of one thread to their tables.
  *
- * A scanner sees the same voxel many times over before it turns away: what lies in one
- * voxel in a row is added up first, then what lies in those seen last, in a small table
- * of the thread's own. What that has to give up goes to the tables of all. */
+ * A scanner sees the same voxel many times over before it turns away: the voxels seen
+ * last are added up in a small table of the thread's own. What that has to give up goes
+ * to the tables of all. */
 class VoxelDealer {
 public:
   VoxelDealer(const VoxelFrame& frame, VoxelTable* tables)
@@ -65,11 +66,11 @@ public:
   {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3f p = point_at(i);
+      // Most sums are finite, and then all of them are; large ones may overflow.
       if (!std::isfinite(p.x() + p.y() + p.z()) && !p.allFinite())
         continue;
-      for (int axis = 0; axis < 3; ++axis)
-        batch_[static_cast<std::size_t>(axis)][batched_] = p[axis];
-      if (++batched_ == batch_size)
+      batch_.push(p);
+      if (batch_.isFull())
         dealBatch();
     }
     dealBatch();
@@ -87,8 +88,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t recent_count = 1024;
-  static constexpr std::size_t batch_size = 256;
+  static constexpr std::size_t recent_count = 2048;
 
   /** @brief One of the voxels seen last. */
   struct Recent {
@@ -98,36 +98,23 @@ private:
 
   void dealBatch()
   {
-    const std::size_t n = batched_;
-    batched_ = 0;
-    frame_.codes(batch_, codes_, n);
-    for (std::size_t i = 0; i < n;) {
-      std::size_t end = i + 1;
-      while (end < n && codes_[0][end] == codes_[0][i] &&
-             codes_[1][end] == codes_[1][i] && codes_[2][end] == codes_[2][i])
-        ++end;
-      dealRun(i, end);
-      i = end;
+    batch_.find(frame_);
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      const VoxelCode code = batch_.code(i);
+      Recent& recent = recent_[batch_.hash(i) % recent_count];
+      if (recent.voxel.count == 0 || !isSame(recent.voxel.code, code)) {
+        giveUp(recent);
+        recent.voxel = VoxelSum();
+        recent.voxel.code = code;
+        recent.first = {
+            {batch_.coordinate(0, i), batch_.coordinate(1, i), batch_.coordinate(2, i)},
+            batch_.hash(i)};
+      }
+      ++recent.voxel.count;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        recent.voxel.sum[axis] += batch_.steps(axis, i);
     }
-  }
-
-  /** @brief Deals out the points of the batch from `begin` to `end`, all in one voxel.
-   */
-  void dealRun(std::size_t begin, std::size_t end)
-  {
-    const VoxelCode code{codes_[0][begin], codes_[1][begin], codes_[2][begin]};
-    const std::uint32_t hash = hashOf(code);
-    Recent& recent = recent_[hash % recent_count];
-    if (recent.voxel.count == 0 || !isSame(recent.voxel.code, code)) {
-      giveUp(recent);
-      recent.voxel = VoxelSum();
-      recent.voxel.code = code;
-      recent.first = {{batch_[0][begin], batch_[1][begin], batch_[2][begin]}, hash};
-    }
-    recent.voxel.count += static_cast<std::uint32_t>(end - begin);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      recent.voxel.sum[axis] +=
-          frame_.steps(&batch_[axis][begin], end - begin, axis, code[axis]);
+    batch_.clear();
   }
 
   void giveUp(const Recent& recent)
@@ -141,9 +128,7 @@ private:
   const VoxelFrame& frame_;
   VoxelTable* tables_;
   std::vector<Recent> recent_;
-  std::array<std::array<float, batch_size>, 3> batch_; ///< x, y and z of some points
-  std::array<std::array<std::int32_t, batch_size>, 3> codes_;
-  std::size_t batched_ = 0;
+  VoxelBatch batch_;
   Handfuls<DealtPoint, 4096> points_;
   Handfuls<DealtSum, 256> sums_;
 };

@@ -14,15 +14,16 @@ VoxelGridSettings::rowsProblem(const RowSource& source) const
     return parameterProblem();
   if (!source.problem().empty())
     return source.problem();
-  if (source.size() > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
+  if (source.size() >
+      static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
     return "the cloud has " + std::to_string(source.size()) +
            " points, more than indices can count";
   for (const char* name : {"x", "y", "z"})
     if (!findField(source.fields(), name))
       return std::string("the cloud has no field '") + name + "'";
   for (const auto& field : source.fields()) {
-    const std::size_t end =
-        field.offset + fieldSize(field.datatype) * std::max<std::size_t>(field.count, 1);
+    const std::size_t end = field.offset + fieldSize(field.datatype) *
+                                               std::max<std::size_t>(field.count, 1);
     if (field.name != "_" && end > source.rowSize())
       return "field '" + field.name + "' ends at byte " + std::to_string(end) +
              " of points of " + std::to_string(source.rowSize()) + " bytes";
@@ -37,7 +38,8 @@ VoxelGridSettings::forEachPiece(
     const RowSource& source,
     const pcl::Indices* indices,
     const std::function<
-        void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see) const
+        void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see)
+    const
 {
   RowCoordinates coordinates(source.fields(), source.rowSize());
   const auto* limited = findField(source.fields(), filter_field_name_);

@@ -76,7 +76,8 @@ VoxelSums::frame() const
 void
 VoxelSums::add(const PointView& points, unsigned threads)
 {
-  state_->add(points.size(), [&](std::size_t i) { return points[i]; }, threads);
+  state_->add(
+      points.size(), [&](std::size_t i) { return points[i]; }, threads);
 }
 
 void

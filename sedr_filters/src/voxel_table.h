@@ -68,9 +68,8 @@ public:
   /** @brief Adds sums of points. */
   void add(const VoxelFrame&, const DealtSum* sums, std::size_t n)
   {
-    addAll(sums, n, [&](const DealtSum& sum) {
-      slotOf(sum.voxel.code, sum.hash) += sum.voxel;
-    });
+    addAll(sums, n,
+           [&](const DealtSum& sum) { slotOf(sum.voxel.code, sum.hash) += sum.voxel; });
   }
 
 private:

@@ -24,8 +24,8 @@ enum class Order { Scan, Random };
 constexpr float leaf = 0.05f;
 constexpr std::size_t points_a_room = 1000000;
 
-/** @brief The n-th of the points of a terrestrial scan of rooms of 6 x 5 x 2.8 m side by
- * side: column after column of a turning mirror, noise of 2 mm along the ray. */
+/** @brief The n-th of the points of a terrestrial scan of rooms of 6 x 5 x 2.8 m side
+ * by side: column after column of a turning mirror, noise of 2 mm along the ray. */
 pcl::PointXYZ
 pointOf(std::size_t i, std::mt19937& random)
 {

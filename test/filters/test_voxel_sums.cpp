@@ -73,8 +73,8 @@ TEST(VoxelSums, OrderPiecesAndThreadsLeaveTheSameBytes)
   for (const unsigned threads : {2u, 3u, 8u})
     EXPECT_TRUE(areSame(sumsOf(points, inverse, threads), expected)) << threads;
 
-  for (const std::size_t piece : {std::size_t{1000}, std::size_t{65536},
-                                  points.size() - 1}) {
+  for (const std::size_t piece :
+       {std::size_t{1000}, std::size_t{65536}, points.size() - 1}) {
     VoxelSums sums(inverse);
     for (std::size_t i = 0; i < points.size(); i += piece)
       sums.add(PointView(points[i].data(), sizeof points[i],
@@ -162,8 +162,9 @@ expectMeansAreExact(const std::vector<Eigen::Vector3f>& points,
 TEST(VoxelSums, MeansAreExactToTheLastPlaceNearAndFar)
 {
   for (const Eigen::Vector3f& middle :
-       {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(-40, 3, 1), Eigen::Vector3f(8000, 0, 0),
-        Eigen::Vector3f(500000, 5500000, 90), Eigen::Vector3f(26000, -26214, 52428)}) {
+       {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(-40, 3, 1),
+        Eigen::Vector3f(8000, 0, 0), Eigen::Vector3f(500000, 5500000, 90),
+        Eigen::Vector3f(26000, -26214, 52428)}) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> coordinate(-0.4f, 0.4f);
     std::vector<Eigen::Vector3f> points;

@@ -109,12 +109,10 @@ readHeader(const MappedFile& file, const std::string& path)
 }
 
 [[noreturn]] void
-refuseCutOff(const std::string& path,
-             std::uint64_t vertices,
-             const std::string& found)
+refuseCutOff(const std::string& path, std::uint64_t vertices, const std::string& found)
 {
-  refuse(path, "the file is cut off, its header promises " +
-                   std::to_string(vertices) + " vertices, " + found);
+  refuse(path, "the file is cut off, its header promises " + std::to_string(vertices) +
+                   " vertices, " + found);
 }
 
 /** @brief Gives the properties the names of PCL's fields. */
@@ -222,8 +220,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   if (follow < skip || follow - skip < needed)
     refuseCutOff(path, vertices->count,
                  std::to_string(needed) + " bytes, but " +
-                     std::to_string(follow - std::min(skip, follow)) +
-                     " bytes follow");
+                     std::to_string(follow - std::min(skip, follow)) + " bytes follow");
   return layout;
 }
 

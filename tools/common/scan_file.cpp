@@ -129,7 +129,8 @@ ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes
 {
   if (!looksLikePly(file_) && !looksLikePcd(file_))
     throw ToolError("'" + path + "' is neither a PCD nor a PLY file");
-  layout_ = looksLikePly(file_) ? readPlyLayout(file_, path) : readPcdLayout(file_, path);
+  layout_ =
+      looksLikePly(file_) ? readPlyLayout(file_, path) : readPcdLayout(file_, path);
   if (layout_.data == FileData::Ascii || layout_.data == FileData::Compressed) {
     unpacked_ = readPoints(file_, layout_, path).data;
     rows_ = unpacked_.data();
@@ -141,14 +142,14 @@ ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes
 
   tidy_ = rawRows(0, 1);
   tidy(tidy_);
-  is_plain_ = layout_.data != FileData::BinaryBigEndian && unit == 1 &&
-              tidy_.point_step == layout_.blob.point_step &&
-              std::equal(tidy_.fields.begin(), tidy_.fields.end(),
-                         layout_.blob.fields.begin(), layout_.blob.fields.end(),
-                         [](const auto& a, const auto& b) {
-                           return a.offset == b.offset && a.datatype == b.datatype &&
-                                  a.count == b.count;
-                         });
+  is_plain_ =
+      layout_.data != FileData::BinaryBigEndian && unit == 1 &&
+      tidy_.point_step == layout_.blob.point_step &&
+      std::equal(tidy_.fields.begin(), tidy_.fields.end(), layout_.blob.fields.begin(),
+                 layout_.blob.fields.end(), [](const auto& a, const auto& b) {
+                   return a.offset == b.offset && a.datatype == b.datatype &&
+                          a.count == b.count;
+                 });
 }
 
 Eigen::Vector4f

@@ -36,7 +36,10 @@ public:
 
   const std::string& path() const { return path_; }
 
-  const std::vector<pcl::PCLPointField>& fields() const override { return tidy_.fields; }
+  const std::vector<pcl::PCLPointField>& fields() const override
+  {
+    return tidy_.fields;
+  }
   std::size_t rowSize() const override { return tidy_.point_step; }
   std::size_t size() const override { return layout_.blob.width; }
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;

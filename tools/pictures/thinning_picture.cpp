@@ -105,9 +105,8 @@ draw(const PointPieces& before, const PointView& after, double leaf)
   const CellBox box = boxOf(view, size);
   Panel scan =
       densityPanel("scan: " + counted(before.size, "point"), before, grid, box);
-  Panel thinned =
-      densityPanel("thinned: " + counted(after.size(), "point"), piecesOf(after),
-                   grid, box);
+  Panel thinned = densityPanel("thinned: " + counted(after.size(), "point"),
+                               piecesOf(after), grid, box);
   for (Panel* panel : {&scan, &thinned})
     panel->setView(view);
   Picture picture("Thinning: the mean of the points of each voxel, seen from above");

@@ -49,7 +49,8 @@ hitsOf(Scene scene, const ScanOptions& options)
   return hits;
 }
 
-/** @brief How far the rooms reach from side to side, and the next copy from this one. */
+/** @brief How far the rooms reach from side to side, and the next copy from this one.
+ */
 Vec2
 pitchOf(const Scene& scene)
 {
@@ -78,7 +79,8 @@ writeBuilding(const std::filesystem::path& path,
   building.copies = std::max<std::size_t>(1, (points + hits.size() / 2) / hits.size());
   building.points = building.copies * hits.size();
   const Vec2 pitch = pitchOf(scene);
-  const double side = std::sqrt(static_cast<double>(building.copies) * pitch.y / pitch.x);
+  const double side =
+      std::sqrt(static_cast<double>(building.copies) * pitch.y / pitch.x);
   const auto in_row = static_cast<std::size_t>(std::max(1.0, std::round(side)));
 
   writePcdStream(path, building.points, [&](const PointSink& write) {

@@ -19,10 +19,11 @@ struct BuildingScan {
  * (float32) and label (uint32): copies of a scene side by side, 30 cm of wall between
  * them.
  *
- * The scene is scanned once, without noise and without what lies outside; each copy gets
- * noise of its own along the rays. There are as many copies as come nearest to `points`,
- * one at least, in rows that make about a square. Memory is that of the points of one
- * copy, however many there are. Same scene, number, seed and options: same bytes.
+ * The scene is scanned once, without noise and without what lies outside; each copy
+ * gets noise of its own along the rays. There are as many copies as come nearest to
+ * `points`, one at least, in rows that make about a square. Memory is that of the
+ * points of one copy, however many there are. Same scene, number, seed and options:
+ * same bytes.
  * @throw std::invalid_argument if the scene cannot be built, std::runtime_error if the
  * file cannot be written
  */

@@ -85,11 +85,9 @@ pcdHeader(std::size_t count, bool has_room)
   std::ostringstream header;
   header << "# .PCD v0.7 - Point Cloud Data file format\n"
          << "VERSION 0.7\n"
-         << "FIELDS x y z label" << (has_room ? " room\n" : "\n")
-         << "SIZE 4 4 4 4" << (has_room ? " 4\n" : "\n")
-         << "TYPE F F F U" << (has_room ? " U\n" : "\n")
-         << "COUNT 1 1 1 1" << (has_room ? " 1\n" : "\n")
-         << "WIDTH " << count << "\n"
+         << "FIELDS x y z label" << (has_room ? " room\n" : "\n") << "SIZE 4 4 4 4"
+         << (has_room ? " 4\n" : "\n") << "TYPE F F F U" << (has_room ? " U\n" : "\n")
+         << "COUNT 1 1 1 1" << (has_room ? " 1\n" : "\n") << "WIDTH " << count << "\n"
          << "HEIGHT 1\n"
          << "VIEWPOINT 0 0 0 1 0 0 0\n"
          << "POINTS " << count << "\n"

@@ -19,9 +19,9 @@ namespace pcl {
  * as whole steps of 2^-30 leaves (see sedr::VoxelFrame), so that neither the order of
  * the points nor the number of threads matters; up to 2^31 points a voxel cannot
  * overflow them. The means are right to the last digit of a float, but for 2^-30 leaves
- * beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by channel,
- * normals made unit length, labels and rooms by majority), or left at their defaults
- * with setDownsampleAllData(false).
+ * beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by
+ * channel, normals made unit length, labels and rooms by majority), or left at their
+ * defaults with setDownsampleAllData(false).
  *
  * An empty cloud, or one of nothing but NaN, gives an empty output. Non-finite points
  * are skipped. A leaf that is not above 0, an unknown filter field or an index beyond
@@ -56,8 +56,8 @@ public:
   /** @brief Writes one point a voxel to `output`, which may be the input. */
   void filter(PointCloud& output);
 
-  /** @brief The same for a cloud that comes in pieces and need not stand in memory: x, y
-   * and z alone, as setDownsampleAllData(false) gives them, the same bytes. No input
+  /** @brief The same for a cloud that comes in pieces and need not stand in memory: x,
+   * y and z alone, as setDownsampleAllData(false) gives them, the same bytes. No input
    * cloud, indices or removed indices are used. It is gone through once. */
   void filter(const sedr::RowSource& source, PointCloud& output);
 

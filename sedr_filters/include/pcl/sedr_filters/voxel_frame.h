@@ -94,11 +94,11 @@ voxelAt(const std::array<std::int32_t, 3>& code)
  *
  * A step is a power of two of between 2^-31 and 2^-30 leaves. The coordinates of points
  * farther from 0 than 2^-7 leaves are whole numbers of steps as they are; nearer ones
- * are cut off to one, 0.05 nm at a leaf of 5 cm. Sums are taken modulo 2^64, and means
+ * are rounded to one, 0.05 nm at a leaf of 5 cm. Sums are taken modulo 2^64, and means
  * from the voxel's corner on: its points lie within 1.5 leaves of it, less than 1.5 x
  * 2^31 steps, so that 2^31 points add up to less than 2^63. Along an axis where the
- * voxel is more than 2^22 leaves from 0 (210 km at 5 cm), where floats are hardly finer
- * than voxels, the floats there are counted instead, which are below 2^31 too. */
+ * voxel is more than 2^19 leaves from 0 (26 km at 5 cm), the floats that there are up
+ * to the coordinate are counted instead, which are fewer than 2^31 too. */
 class VoxelFrame {
 public:
   /** @param inverse_leaf one over the edges of a voxel, per metre, finite and > 0 */
@@ -121,48 +121,38 @@ public:
             codeOf(point[2] * inverse_leaf_[2])};
   }
 
-  /** @brief The voxels of `n` finite points, given and told axis by axis. */
-  template <std::size_t size>
-  void codes(const std::array<std::array<float, size>, 3>& points,
-             std::array<std::array<std::int32_t, size>, 3>& codes,
-             std::size_t n) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float inverse = inverse_leaf_[static_cast<int>(axis)];
-      const float* from = points[axis].data();
-      std::int32_t* to = codes[axis].data();
-      std::uint32_t far = 0;
-      for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
-        const float scaled = from[i] * inverse;
-        const std::uint32_t is_far = bitsOf(std::abs(scaled)) >= bitsOf(code_limit);
-        far |= is_far;
-        const float held = floatOf(bitsOf(scaled) & (is_far - 1));
-        const auto cell = static_cast<std::int32_t>(held);
-        to[i] = cell - (held < static_cast<float>(cell) ? 1 : 0);
-      }
-      for (std::size_t i = 0; i < n && far != 0; ++i)
-        to[i] = codeOf(from[i] * inverse);
-    }
-  }
-
   /** @brief A coordinate in steps, of a point whose code along this axis is `code`. */
   std::uint64_t steps(float value, std::size_t axis, std::int32_t code) const
   {
     return isNear(code) ? nearSteps(value, axis) : floatsTo(value);
   }
 
-  /** @brief The sum of `n` such coordinates. */
-  std::uint64_t
-  steps(const float* values, std::size_t n, std::size_t axis, std::int32_t code) const
+  /** @brief Codes and steps of `n` finite coordinates along an axis. */
+  void find(std::size_t axis,
+            const float* values,
+            std::size_t n,
+            std::int32_t* codes,
+            std::uint64_t* steps) const
   {
-    std::uint64_t sum = 0;
-    if (isNear(code))
-      for (std::size_t i = 0; i < n; ++i)
-        sum += nearSteps(values[i], axis);
-    else
-      for (std::size_t i = 0; i < n; ++i)
-        sum += floatsTo(values[i]);
-    return sum;
+    const float inverse = inverse_leaf_[static_cast<Eigen::Index>(axis)];
+    const std::uint32_t limit = bitsOf(static_cast<float>(near_limit));
+    std::uint32_t far = 0;
+    for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
+      const float scaled = values[i] * inverse;
+      const std::uint32_t is_far = bitsOf(std::abs(scaled)) >= limit ? 1 : 0;
+      far |= is_far;
+      const float held = floatOf(bitsOf(scaled) & (is_far - 1));
+      const auto cell = static_cast<std::int32_t>(held);
+      codes[i] = cell - (held < static_cast<float>(cell) ? 1 : 0);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      steps[i] = nearSteps(values[i], axis);
+    if (far == 0)
+      return;
+    for (std::size_t i = 0; i < n; ++i) {
+      codes[i] = codeOf(values[i] * inverse);
+      steps[i] = this->steps(values[i], axis, codes[i]);
+    }
   }
 
   /** @brief The mean of a voxel's points; its count must not be 0. */
@@ -172,17 +162,23 @@ public:
   }
 
 private:
-  static constexpr std::int32_t near_limit = 1 << 22;
+  static constexpr std::int32_t near_limit = 1 << 19;
 
   static bool isNear(std::int32_t code)
   {
     return code >= -near_limit && code < near_limit;
   }
 
+  /** @brief The whole number nearest to a coordinate in steps, of less than 2^51. */
   std::uint64_t nearSteps(float value, std::size_t axis) const
   {
-    return static_cast<std::uint64_t>(
-        static_cast<std::int64_t>(static_cast<double>(value) * steps_[axis]));
+    // In a number as large as this one, the last bit stands for 1.
+    constexpr double shift = 6755399441055744.; // 1.5 x 2^52
+    constexpr std::uint64_t shift_bits = 0x4338000000000000u;
+    const double shifted = static_cast<double>(value) * steps_[axis] + shift;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &shifted, sizeof bits);
+    return bits - shift_bits;
   }
 
   /** @brief The floats between 0 and this one. */

@@ -150,15 +150,15 @@ protected:
   /** @brief Calls `see(piece, points, indices)` for every piece of a source without a
    * problem: its coordinates, and which of them count, null for all. `indices` choose
    * among the rows of a single piece, null: all. */
-  void forEachPiece(
-      const RowSource& source,
-      const pcl::Indices* indices,
-      const std::function<
-          void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see)
-      const;
+  void forEachPiece(const RowSource& source,
+                    const pcl::Indices* indices,
+                    const std::function<void(const RowSource::Piece&,
+                                             const PointView&,
+                                             const pcl::Indices*)>& see) const;
 
   /** @brief Adds up the points that count. */
-  void addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
+  void
+  addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
 
   /** @brief The voxels of all points that were added up, without those that hold too
    * few; keeps the box, and the layout if asked for. */

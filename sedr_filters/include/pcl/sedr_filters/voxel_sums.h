@@ -46,8 +46,7 @@ public:
   void add(const PointView& points, unsigned threads = 0);
 
   /** @brief The same for `points[indices]`, which must be within the cloud. */
-  void
-  add(const PointView& points, const pcl::Indices& indices, unsigned threads = 0);
+  void add(const PointView& points, const pcl::Indices& indices, unsigned threads = 0);
 
   /** @brief Adds what another one with the same leaf has added up, here or on another
    * machine. */

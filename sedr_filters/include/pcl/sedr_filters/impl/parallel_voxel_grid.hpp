@@ -39,11 +39,10 @@ public:
   {
     centroid_.get(mean);
     if constexpr (has_room)
-      mean.room =
-          std::max_element(
-              rooms_.begin(), rooms_.end(),
-              [](const auto& a, const auto& b) { return a.second < b.second; })
-              ->first;
+      mean.room = std::max_element(
+                      rooms_.begin(), rooms_.end(),
+                      [](const auto& a, const auto& b) { return a.second < b.second; })
+                      ->first;
   }
 
 private:

@@ -3,8 +3,8 @@
 
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/scan_check.h>
-#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_segmentation/scan_excerpt.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
