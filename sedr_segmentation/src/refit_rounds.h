@@ -29,7 +29,7 @@ public:
   {
     const std::size_t enough = std::max<std::size_t>(
         1, parameters.points_per_patch * targets_.shownPatches());
-    raw_.step = std::max(raw_.step, raw_.size() * raw_.step / enough);
+    raw_.step *= std::max<std::size_t>(1, raw_.size() / enough); // of an excerpt too
   }
 
   void run()
