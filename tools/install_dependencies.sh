@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what a Debian 12 lacks to build SEDR, and nothing that is there already.
-#   tools/install_dependencies.sh [--with-tests] [--with-benchmarks]
+#   tools/install_dependencies.sh [--with-tests] [--with-benchmarks] [--with-docs]
 set -euo pipefail
 
 with_tests=no
 with_benchmarks=no
+with_docs=no
 for argument in "$@"; do
   case "$argument" in
     --with-tests) with_tests=yes ;;
     --with-benchmarks) with_benchmarks=yes ;;
-    *) echo "usage: $0 [--with-tests] [--with-benchmarks]" >&2; exit 1 ;;
+    --with-docs) with_docs=yes ;;
+    *) echo "usage: $0 [--with-tests] [--with-benchmarks] [--with-docs]" >&2; exit 1 ;;
   esac
 done
 
@@ -37,6 +39,13 @@ if [ "$with_tests" = yes ]; then
 fi
 if [ "$with_benchmarks" = yes ]; then
   needed+=("libbenchmark-dev    google-benchmark, for -DSEDR_BUILD_BENCHMARKS=ON")
+fi
+if [ "$with_docs" = yes ]; then
+  needed+=(
+    "python3-sphinx      makes HTML of doc/"
+    "python3-myst-parser reads its Markdown there"
+    "doxygen             makes the API reference"
+  )
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <iostream>
+
+int
+main(int argc, char** argv)
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
+  if (argc != 2 || pcl::io::loadPCDFile(argv[1], *scan) < 0) {
+    std::cerr << "usage: from_scan_to_model SCAN.pcd\n";
+    return 1;
+  }
+
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> reconstruction;
+  reconstruction.setInputCloud(scan);
+  pcl::PolygonMesh mesh;
+  reconstruction.reconstruct(mesh);
+  if (mesh.polygons.empty()) {
+    std::cerr << reconstruction.getErrorMessage() << '\n';
+    return 2;
+  }
+
+  for (const auto& stage : reconstruction.getStageReports())
+    std::cout << stage.name << ": " << stage.points_in << " points in, "
+              << stage.points_out << " out\n";
+  for (const auto& warning : reconstruction.getChain().warnings)
+    std::cout << "warning: " << warning << '\n';
+  for (const auto& room : reconstruction.getFloorplan()->rooms)
+    std::cout << "room " << room.id << ": " << room.area() << " m2, "
+              << room.boundary.elements.size() << " walls\n";
+
+  // A pcl::PolygonMesh has no place for the label and room of a face: save the mesh
+  // that has.
+  const std::string problem =
+      pcl::sedr::savePly("mesh.ply", reconstruction.getChain().poisson.getMesh());
+  if (!problem.empty()) {
+    std::cerr << problem << '\n';
+    return 1;
+  }
+  return 0;
+}

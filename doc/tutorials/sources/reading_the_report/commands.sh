@@ -1,0 +1,15 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# [first]
+pcl_simulate_indoor_scan bls_room noisy --rays 6000 --noise 0.04
+pcl_sedr noisy/scan.pcd noisy/model --report
+# [first]
+# [second]
+pcl_sedr noisy/scan.pcd noisy/better --report --plane-tolerance 0.1
+# [second]
+# [third]
+pcl_sedr noisy/scan.pcd noisy/too_far --report --plane-tolerance 0.15
+# [third]
+for model in model better too_far; do
+  python3 "$SOURCES/reading_the_report/rooms.py" noisy/$model
+done
