@@ -27,7 +27,7 @@ if ! have; then
   exit 77
 fi
 
-/usr/bin/sphinx-build -q -W --keep-going -b html -d "$folder/doctrees" doc "$folder/html"
+/usr/bin/sphinx-build -q -E -W --keep-going -b html -d "$folder/doctrees" doc "$folder/html"
 # Doxygen's settings from stdin: where to write is known here only.
 (cat doc/Doxyfile && echo "OUTPUT_DIRECTORY = $folder/html") | doxygen -
 echo "$folder/html/index.html"

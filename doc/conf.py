@@ -15,5 +15,7 @@ html_theme_options = {
     "page_width": "1100px",
     "sidebar_width": "260px",
 }
+html_static_path = ["static"]
+html_css_files = ["pages.css"]
 html_show_sphinx = False
 highlight_language = "none"
