@@ -103,12 +103,16 @@ PlanElement::project(const Eigen::Vector2d& p) const
     const double s = total > 0 ? (p - start).dot(end - start) / total : 0;
     return std::clamp(s, 0.0, total);
   }
-  if (!isBeside(p))
-    return (p - start).norm() < (p - end).norm() ? 0 : length();
-  const double from = angleOf(start - centre);
-  const double to = angleOf(p - centre);
-  return radius *
-         (counter_clockwise ? positiveAngle(to - from) : positiveAngle(from - to));
+  if (isBeside(p)) {
+    const double from = angleOf(start - centre);
+    const double to = angleOf(p - centre);
+    const double s = radius * (counter_clockwise ? positiveAngle(to - from)
+                                                 : positiveAngle(from - to));
+    // What is before the start by rounding alone is a whole turn behind it.
+    if (s <= length())
+      return s;
+  }
+  return (p - start).norm() < (p - end).norm() ? 0 : length();
 }
 
 bool

@@ -124,6 +124,21 @@ TEST(PlanElement, ProjectStopsAtTheEnds)
   EXPECT_EQ(back.project({-3, 1}), 0);
 }
 
+TEST(PlanElement, WhatIsBesideTheStartOfAnArcProjectsToIt)
+{
+  for (int from = 0; from < 360; ++from)
+    for (const int sweep : {20, -20, 300, -300}) {
+      const PlanElement e = arc({0.3, -1.7}, 2.1, from, from + sweep);
+      for (const double share : {0.0, 0.7, 0.9, 1.1, 1.3}) {
+        const Vector2d p = e.centre + share * (e.start - e.centre);
+        EXPECT_LE(e.project(p), e.length()) << from << ' ' << sweep << ' ' << share;
+        if (share > 0) {
+          EXPECT_NEAR(e.project(p), 0, 1e-9) << from << ' ' << sweep << ' ' << share;
+        }
+      }
+    }
+}
+
 TEST(PlanElement, IsBesideWhatItsNormalsLeadTo)
 {
   PlanElement line;
