@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -22,14 +24,16 @@ constexpr double least_partition = 0.01;
 /** @brief A cut that is worth a word, square metres. */
 constexpr double worth_a_word = 0.1;
 
-/** @brief Smallest box around a loop. */
-struct Bounds {
-  Eigen::Vector2d low;
-  Eigen::Vector2d high;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  explicit Bounds(const PlanLoop& loop)
-      : low(loop.elements.front().start)
-      , high(low)
+/** @brief Smallest box around loops; one around none meets nothing. */
+struct Bounds {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(infinite);
+  Eigen::Vector2d high = Eigen::Vector2d::Constant(-infinite);
+
+  explicit Bounds(const PlanLoop& loop) { extend(loop); }
+
+  void extend(const PlanLoop& loop)
   {
     for (const auto& p : loop.polygon(0.01)) {
       low = low.cwiseMin(p);
@@ -48,7 +52,7 @@ struct Bounds {
 bool
 overlap(const PlanLoop& a, const PlanLoop& b)
 {
-  if (a.elements.empty() || b.elements.empty() || !Bounds(a).meets(Bounds(b)))
+  if (!Bounds(a).meets(Bounds(b)))
     return false;
   const auto [of_a, of_b] = partsInside(a, b);
   return !of_a.empty() || !of_b.empty();
@@ -156,21 +160,36 @@ cutRoom(PlanRoom& room, const PlanLoop& cutter)
   return true;
 }
 
+/** @brief Whether a niche reaches into a room or into one of its niches. */
+bool
+reachesInto(const PlanNiche& niche, const PlanRoom& room)
+{
+  return overlap(niche.boundary, room.boundary) ||
+         std::any_of(room.niches.begin(), room.niches.end(), [&](const PlanNiche& n) {
+           return overlap(niche.boundary, n.boundary);
+         });
+}
+
 void
 dropNiches(Floorplan& plan)
 {
-  for (auto& room : plan.rooms) {
+  std::vector<Bounds> bounds; // of rooms with their niches
+  for (const auto& room : plan.rooms) {
+    bounds.emplace_back(room.boundary);
+    for (const auto& niche : room.niches)
+      bounds.back().extend(niche.boundary);
+  }
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    PlanRoom& room = plan.rooms[r];
     const auto isInOther = [&](const PlanNiche& niche) {
-      return std::any_of(
-          plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& other) {
-            return &other != &room &&
-                   areSideBySide(room, other, niche.boundary.elements[0].start) &&
-                   (overlap(niche.boundary, other.boundary) ||
-                    std::any_of(other.niches.begin(), other.niches.end(),
-                                [&](const PlanNiche& n) {
-                                  return overlap(niche.boundary, n.boundary);
-                                }));
-          });
+      const Bounds own(niche.boundary);
+      for (std::size_t o = 0; o < plan.rooms.size(); ++o)
+        if (const PlanRoom& other = plan.rooms[o];
+            o != r && own.meets(bounds[o]) &&
+            areSideBySide(room, other, niche.boundary.elements[0].start) &&
+            reachesInto(niche, other))
+          return true;
+      return false;
     };
     room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isInOther),
                       room.niches.end());
@@ -188,23 +207,26 @@ sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
 }
 
 /** @brief Cuts a room back from another one. Where curves of both coincide, what is
- * left may be broken; a millimetre more is tried then.
+ * left may be broken or missing; a millimetre more is tried then.
  * @return false where nothing is left of it */
 bool
 cutBack(PlanRoom& room, const PlanRoom& from)
 {
   constexpr double chord = 0.002;
   constexpr int tries = 5;
-  PlanRoom cut;
+  std::optional<PlanRoom> left;
   for (int k = 0; k < tries; ++k) {
-    cut = room;
+    PlanRoom cut = room;
     if (!cutRoom(cut, widened(from.boundary, least_partition + 0.0013 * k)))
-      return false;
-    if (!crossesItself(cut.boundary.polygon(chord)) &&
-        (standsFreeIn(from, cut) || !overlap(cut.boundary, from.boundary)))
+      continue;
+    left = std::move(cut);
+    if (!crossesItself(left->boundary.polygon(chord)) &&
+        (standsFreeIn(from, *left) || !overlap(left->boundary, from.boundary)))
       break;
   }
-  room = std::move(cut);
+  if (!left)
+    return false;
+  room = std::move(*left);
   return true;
 }
 
@@ -219,11 +241,14 @@ separateOnce(Floorplan& plan,
              std::vector<std::string>& sentences)
 {
   bool has_changed = false;
+  std::vector<Bounds> bounds; // a cut makes a room smaller only
+  for (const auto& room : plan.rooms)
+    bounds.emplace_back(room.boundary);
   for (std::size_t a = 0; a < plan.rooms.size(); ++a)
     for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
-      if (gone.count(a) + gone.count(b) > 0 ||
+      if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
           !areSideBySide(first, second, first.boundary.elements[0].start) ||
           standsFreeIn(first, second) || standsFreeIn(second, first) ||
           !overlap(first.boundary, second.boundary))

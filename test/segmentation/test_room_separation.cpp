@@ -120,6 +120,26 @@ TEST(SeparateRooms, CutsThatCoincideAreMadeApart)
   EXPECT_TRUE(areApart(plan));
 }
 
+TEST(SeparateRooms, WhereCutsNearlyCoincideARoomIsNotLost)
+{
+  // The second room and a centimetre around it end where the first does, but for a few
+  // micrometres.
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(0.999995, 4, 5, 7.99999995)),
+                roomAt(2, rectangle(1.01, 4.01, 2.98999988, 6.990001))};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_NEAR(plan.rooms[0].boundary.area(), 10, 0.05);
+}
+
+TEST(SeparateRooms, ARoomWithoutWallsMeetsNone)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, {}), roomAt(2, rectangle(0, 0, 4, 3))};
+  EXPECT_TRUE(separate(plan, RoomPoints()).empty());
+  EXPECT_EQ(plan.rooms.size(), 2u);
+}
+
 TEST(SeparateRooms, ANicheThatReachesIntoAnotherRoomIsDropped)
 {
   Floorplan plan;
