@@ -240,8 +240,6 @@ markPlatforms(std::vector<Level>& levels,
 {
   CellSet found;
   const auto tryLevel = [&](Level& level, const CellSet& steps_up) {
-    if (level.kind != LevelKind::Other)
-      return;
     const CellSet cells =
         platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
                       parameters.cell_size, platform);
@@ -253,11 +251,13 @@ markPlatforms(std::vector<Level>& levels,
   };
   // From the highest to the lowest: a step is told by the platform that it leads to.
   for (std::size_t l = levels.size(); l-- > 0;)
-    tryLevel(levels[l], {});
+    if (levels[l].kind == LevelKind::Other)
+      tryLevel(levels[l], {});
   // From the lowest to the highest: rows of seats stand on each other, and only the
   // first on the floor.
   for (auto& level : levels)
-    tryLevel(level, stepsUpFrom(level, levels, parameters.cell_size, platform));
+    if (level.kind == LevelKind::Other)
+      tryLevel(level, stepsUpFrom(level, levels, parameters.cell_size, platform));
 }
 
 } // namespace sedr

@@ -47,6 +47,7 @@ StructureChain::findDetails(StageReport& report)
 {
   slice_detail.setInputCloud(cloud);
   shareOut();
+  const pcl::Indices lower = unlabelledCeilings();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Eigen::Vector2d middle =
@@ -64,31 +65,39 @@ StructureChain::findDetails(StageReport& report)
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
       rooms[static_cast<std::size_t>(i)] = room;
     }
-    report.points_out += details.indices.size() + labelLowerCeilings(r);
+    report.points_out += details.indices.size() + labelLowerCeilings(r, lower);
   }
   return true;
 }
 
+pcl::Indices
+StructureChain::unlabelledCeilings() const
+{
+  pcl::Indices indices;
+  for (const Level& level : levels_)
+    if (level.kind == LevelKind::Ceiling)
+      std::copy_if(level.inliers.begin(), level.inliers.end(),
+                   std::back_inserter(indices),
+                   [&](int i) { return labels[static_cast<std::size_t>(i)] == 0; });
+  return indices;
+}
+
 std::size_t
-StructureChain::labelLowerCeilings(std::size_t region)
+StructureChain::labelLowerCeilings(std::size_t region, const pcl::Indices& unlabelled)
 {
   const CellGrid grid(outlier_removal.getGridSize());
   const PointView points(*cloud);
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Level& level : levels_) {
-    if (level.kind != LevelKind::Ceiling)
+  for (const int i : unlabelled) {
+    const auto at = static_cast<std::size_t>(i);
+    if (labels[at] != 0 ||
+        !regions_[region].scope.contains(grid.at(points[at].x(), points[at].y())))
       continue;
-    for (const int i : level.inliers) {
-      const auto at = static_cast<std::size_t>(i);
-      if (labels[at] != 0 ||
-          !regions_[region].scope.contains(grid.at(points[at].x(), points[at].y())))
-        continue;
-      labels[at] = valueOf(StructureLabel::Detail);
-      rooms[at] = static_cast<std::uint32_t>(region + 1);
-      ++found;
-      lowest = std::min<double>(lowest, points[at].z());
-    }
+    labels[at] = valueOf(StructureLabel::Detail);
+    rooms[at] = static_cast<std::uint32_t>(region + 1);
+    ++found;
+    lowest = std::min<double>(lowest, points[at].z());
   }
   // Walls below a soffit grow from the floor's boundary, as below any detail.
   double& slice = slice_height_[region];

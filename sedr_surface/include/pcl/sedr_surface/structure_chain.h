@@ -142,7 +142,7 @@ private:
   void warnOfGuesses();
   bool extrude(StageReport& report);
 
-  /** @brief Points of a label, of one room or (0) of all. */
+  /** @brief Points of a label. */
   pcl::IndicesPtr labelled(StructureLabel label) const;
 
   /** @brief The same of one room, for which shareOut() has been called since points got
@@ -152,7 +152,6 @@ private:
   /** @brief Notes the points of every room. */
   void shareOut();
 
-
   /** @brief Puts points where something hides a room's ceiling from all stations.
    * @return how many */
   std::size_t addHiddenCeiling(std::size_t region);
@@ -160,10 +159,15 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
+  /** @brief Points of ceilings that have no label. */
+  pcl::Indices unlabelledCeilings() const;
+
   /** @brief Labels what is not yet labelled of the ceilings that room segmentation
    * joined to a room: soffits that the slices did not tell from the head of a window.
+   * @param unlabelled points of ceilings without a label, some of which may have got
+   * one since
    * @return how many points */
-  std::size_t labelLowerCeilings(std::size_t region);
+  std::size_t labelLowerCeilings(std::size_t region, const pcl::Indices& unlabelled);
 
   /** @brief Labels the points in a room's niches, which no earlier stage looks at. */
   void labelNiches(const PlanRoom& room);
