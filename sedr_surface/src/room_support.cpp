@@ -88,6 +88,23 @@ findNearest(const std::vector<OrientedPoint>& points,
 // Share of a surface far from all points that makes it none of theirs.
 constexpr double most_unsupported = 0.5;
 
+// Share of the triangles on other surfaces that is worth a word.
+constexpr double most_left_out = 1. / 3;
+
+// What to know of the surfaces that were left out beside the largest, or empty.
+std::string
+leftOutBeside(const TriangleMesh& largest, const MeshRepairReport& repair)
+{
+  const auto left_out = static_cast<double>(repair.removed_triangles);
+  const double share =
+      left_out / std::max(1., left_out + static_cast<double>(largest.triangles.size()));
+  if (share < most_left_out)
+    return {};
+  return "its points have " + std::to_string(repair.removed_components + 1) +
+         " surfaces, of which only the largest is kept: " +
+         std::to_string(std::lround(100 * share)) + " % of the triangles are left out";
+}
+
 double
 supportDistance(const RoomPoissonParameters& parameters,
                 const RoomPoissonReport& report)
@@ -149,6 +166,9 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
                      " % of its surface is a guess, further than " +
                      shortNumber(supportDistance(parameters, report)) +
                      " m from all points";
+  const std::string left_out = leftOutBeside(mesh, report.repair);
+  if (!left_out.empty())
+    report.warning += (report.warning.empty() ? "" : "; ") + left_out;
 }
 
 } // namespace sedr

@@ -202,6 +202,25 @@ TEST(RoomPoisson, crumbs_and_bubbles_are_dropped)
   EXPECT_NEAR(report.volume, 3 * 2.5 * 2.5, 0.3);
 }
 
+TEST(RoomPoisson, of_two_rooms_that_are_apart_one_is_told_to_be_missing)
+{
+  auto points = LatticeRoom(6, 5, 5).points(0.125);
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> nearest;
+  RoomPoissonReport report;
+  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
+  EXPECT_TRUE(report.warning.empty()) << report.warning;
+  const std::size_t half = points.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    points.push_back(points[i]);
+    points.back().position.x() += 5;
+  }
+  report = {};
+  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
+  EXPECT_NE(report.warning.find("2 surfaces"), std::string::npos) << report.warning;
+  EXPECT_NE(report.warning.find("50 %"), std::string::npos) << report.warning;
+}
+
 TEST(RoomPoisson, all_points_in_one_place_are_refused)
 {
   std::vector<OrientedPoint> points(200, {{1, 2, 3}, {0, 0, 1}});
