@@ -96,10 +96,10 @@ perhapsBoundary(const pcl::PointCloud<pcl::PointXYZ>& slab,
   std::iota(rim.begin(), rim.end(), 0);
   if (!(cell_size > 0))
     return rim;
-  std::vector<Eigen::Vector2f> places;
+  std::vector<Eigen::Vector3f> places;
   places.reserve(slab.size());
   for (const auto& p : slab)
-    places.emplace_back(p.x, p.y);
+    places.push_back(p.getVector3fMap());
   const SurroundedPoints surrounded(std::move(places), cell_size, options.neighbours,
                                     options.angle);
   std::vector<std::uint8_t> is_inner(slab.size());

@@ -18,7 +18,7 @@ constexpr unsigned most_sectors = 64;
 
 } // namespace
 
-SurroundedPoints::SurroundedPoints(std::vector<Eigen::Vector2f> places,
+SurroundedPoints::SurroundedPoints(std::vector<Eigen::Vector3f> places,
                                    double cell_size,
                                    std::size_t neighbours,
                                    float angle)
@@ -58,7 +58,7 @@ SurroundedPoints::contains(std::size_t i) const
   const std::uint64_t all = ~std::uint64_t{0} >> (most_sectors - sectors_);
   const auto reach = static_cast<float>(2 * grid_.size());
   const float scale = static_cast<float>(sectors_) / 4;
-  const Eigen::Vector2f p = places_[i];
+  const Eigen::Vector3f p = places_[i];
   const Cell middle = grid_.at(p.x(), p.y());
   std::uint64_t seen = 0;
   std::size_t count = 0;
@@ -69,7 +69,7 @@ SurroundedPoints::contains(std::size_t i) const
         continue;
       count += first_[cell + 1] - first_[cell];
       for (std::size_t k = first_[cell]; k < first_[cell + 1] && seen != all; ++k) {
-        const Eigen::Vector2f way = places_[order_[k]] - p;
+        const Eigen::Vector3f way = places_[order_[k]] - p;
         if (way.squaredNorm() > reach * reach || (way.x() == 0 && way.y() == 0))
           continue;
         const auto sector =

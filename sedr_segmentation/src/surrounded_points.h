@@ -16,26 +16,26 @@ namespace sedr {
  * search for their nearest neighbours.
  *
  * The plane is divided into cells. Where all sectors around a point, each half as wide
- * as the gap asked about or less, hold points within two cells, there is no such gap;
- * and where the block of five by five cells holds no more points than there are to be
- * neighbours, all of those within two cells are among them. */
+ * as the gap asked about or less, hold points no farther than two cells in space, there
+ * is no such gap; and where the block of five by five cells holds no more points than
+ * there are to be neighbours, all of those are among them. */
 class SurroundedPoints {
 public:
-  /** @param places     of all points, in the plane
+  /** @param places     of all points; z is 0 where only the plane counts
    * @param cell_size  metres, above 0
    * @param neighbours nearest points that count, the point itself among them
    * @param angle      widest gap of an inner point, radians */
-  SurroundedPoints(std::vector<Eigen::Vector2f> places,
+  SurroundedPoints(std::vector<Eigen::Vector3f> places,
                    double cell_size,
                    std::size_t neighbours,
                    float angle);
 
-  /** @brief True: no gap among the neighbours of point `i` is wider than the angle,
-   * whether these are nearest in space or in the plane. False: not known. */
+  /** @brief True: no gap among the nearest neighbours of point `i` is wider than the
+   * angle. False: not known. */
   bool contains(std::size_t i) const;
 
 private:
-  std::vector<Eigen::Vector2f> places_;
+  std::vector<Eigen::Vector3f> places_;
   CellGrid grid_;
   CellSet cells_;
   std::vector<std::size_t> first_;   ///< of the points of each cell, and the end

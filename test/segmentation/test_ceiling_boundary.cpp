@@ -4,6 +4,8 @@
 #include <pcl/features/boundary.h>
 #include <pcl/search/kdtree.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace wall_growing;
@@ -54,6 +56,22 @@ TEST(CeilingBoundaryWallGrowing, BoundaryOfRepeatedPointsIsThatOfPclBoundaryEsti
   wallsOf(growing);
   const auto expected = boundaryByPcl(scene.cloud, 400, growing.getAngleThreshold());
   EXPECT_GT(expected.size(), 40u * 100u);
+  EXPECT_EQ(growing.getBoundaryIndices(), expected);
+}
+
+TEST(CeilingBoundaryWallGrowing, BoundaryAtAHighStepIsThatOfPclBoundaryEstimation)
+{
+  Scene scene;
+  scene.slab(0, 2.95f, 0, 4, 2.5f);
+  scene.slab(3, 6, 0, 4, 3.3f);
+  Growing growing = growingOn(scene, allOf(scene));
+  wallsOf(growing);
+  const auto expected = boundaryByPcl(scene.cloud, 200, growing.getAngleThreshold());
+  const auto beside = std::count_if(expected.begin(), expected.end(), [&](int i) {
+    const auto& p = (*scene.cloud)[static_cast<std::size_t>(i)];
+    return p.x > 2.9f && p.x < 3.05f && p.y > 1 && p.y < 3;
+  });
+  EXPECT_GT(beside, 50);
   EXPECT_EQ(growing.getBoundaryIndices(), expected);
 }
 
