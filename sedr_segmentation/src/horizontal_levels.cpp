@@ -94,14 +94,13 @@ markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 
 /** @brief Positions of the candidates within `band` of the plane of a level. */
 std::vector<std::size_t>
-nearPlane(const PointView& points,
-          const std::vector<Candidate>& candidates,
+nearPlane(const std::vector<Candidate>& candidates,
           const LevelDraft& draft,
           double band)
 {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const auto p = points[static_cast<std::size_t>(candidates[k].index)];
+    const auto p = candidates[k].position();
     if (!draft.apart[candidates[k].cell] &&
         std::abs(distanceAbove(draft.slab, p)) <= band)
       near.push_back(k);
@@ -127,8 +126,7 @@ withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
  * @param chosen the slab's cells and some more: those alone were chosen for their
  * points at the slab */
 bool
-standsOut(const PointView& points,
-          const std::vector<Candidate>& columns,
+standsOut(const std::vector<Candidate>& columns,
           const std::vector<std::uint8_t>& chosen,
           const PlanSlab& slab,
           double tolerance)
@@ -139,7 +137,7 @@ standsOut(const PointView& points,
   for (const Candidate& c : columns) {
     if (!chosen[c.cell])
       continue;
-    const double d = distanceAbove(slab, points[static_cast<std::size_t>(c.index)]);
+    const double d = distanceAbove(slab, c.position());
     at_slab += std::abs(d) <= tolerance / 2 ? 1 : 0;
     above += d > tolerance && d <= 2 * tolerance ? 1 : 0;
     below += d < -tolerance && d >= -2 * tolerance ? 1 : 0;
@@ -207,15 +205,13 @@ std::vector<std::size_t>
 nearestLevels(const std::vector<Level>& levels,
               const std::vector<Candidate>& columns,
               const CellSet& cells,
-              const PointView& points,
               double tolerance)
 {
   std::vector<std::size_t> nearest(columns.size(), levels.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     double least = tolerance;
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      const double d = std::abs(distanceAbove(
-          levels[l].slab, points[static_cast<std::size_t>(columns[k].index)]));
+      const double d = std::abs(distanceAbove(levels[l].slab, columns[k].position()));
       if (d > least || (d == least && nearest[k] != levels.size()) ||
           levels[l].without.contains(cells[columns[k].cell]))
         continue;
@@ -289,7 +285,7 @@ findLevels(const PointView& points,
     std::vector<std::size_t> own;
     bool has_changed = true;
     for (int round = 0; round < most_rounds && has_changed; ++round) {
-      own = nearPlane(points, candidates, draft, parameters.tolerance);
+      own = nearPlane(candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
       has_changed = partLevel(points, columns, candidates, cells, parameters,
                               minimum_cells, draft);
@@ -298,11 +294,11 @@ findLevels(const PointView& points,
     level.slab = draft.slab;
     level.cells = markedCells(cells, draft.cells);
     if (level.cells.size() >= minimum_cells &&
-        standsOut(points, columns, withNeighbours(cells, draft.cells), level.slab,
+        standsOut(columns, withNeighbours(cells, draft.cells), level.slab,
                   parameters.tolerance)) {
       // Its tails would look like further levels, just above and below.
-      own = nearPlane(points, candidates, draft,
-                      reachOfNoise(level.slab, parameters.tolerance));
+      own =
+          nearPlane(candidates, draft, reachOfNoise(level.slab, parameters.tolerance));
       level.without = markedCells(cells, draft.apart);
       keepApart(levels, level);
       levels.push_back(std::move(level));
@@ -331,7 +327,7 @@ collectInliers(std::vector<Level>& levels,
   const CellSet cells(grid, points, indices);
   const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
   const std::vector<std::size_t> nearest =
-      nearestLevels(levels, columns, cells, points, parameters.tolerance);
+      nearestLevels(levels, columns, cells, parameters.tolerance);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     Level& level = levels[l];
     level.inliers.clear();
@@ -339,7 +335,7 @@ collectInliers(std::vector<Level>& levels,
     const std::vector<std::uint8_t> goes_on =
         level.kind == LevelKind::Other
             ? std::vector<std::uint8_t>(cells.size(), 0)
-            : columnsThatGoOn(columns, cells, points, level.slab,
+            : columnsThatGoOn(columns, cells, level.slab,
                               level.kind == LevelKind::Ceiling ? -1 : 1,
                               parameters.tolerance);
     // Cells with points on the plane itself, and cells with points near it only.
@@ -351,7 +347,7 @@ collectInliers(std::vector<Level>& levels,
       if (nearest[k] != l || goes_on[columns[k].cell] ||
           !(level.within.empty() || level.within.contains(cells[columns[k].cell])))
         continue;
-      const auto p = points[static_cast<std::size_t>(columns[k].index)];
+      const auto p = columns[k].position();
       (std::abs(distanceAbove(level.slab, p)) <= on_plane ? on : near)
           .push_back(cells.keys()[columns[k].cell]);
     }

@@ -102,8 +102,9 @@ sortIntoColumns(const PointView& points,
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
       continue;
-    unsorted.push_back({i, p.z(), cells.find(grid.at(p.x(), p.y()))});
-    ++next[unsorted.back().cell + 1];
+    const std::size_t cell = cells.find(grid.at(p.x(), p.y()));
+    unsorted.push_back({i, static_cast<std::uint32_t>(cell), p.x(), p.y(), p.z()});
+    ++next[cell + 1];
   }
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<Candidate> columns(unsorted.size());
@@ -141,7 +142,6 @@ withoutWalls(const std::vector<Candidate>& sorted,
 std::vector<std::uint8_t>
 columnsThatGoOn(const std::vector<Candidate>& columns,
                 const CellSet& cells,
-                const PointView& points,
                 const PlanSlab& slab,
                 double direction,
                 double tolerance)
@@ -150,8 +150,7 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
   constexpr std::uint8_t close = 2;
   std::vector<std::uint8_t> holds(cells.size(), 0);
   for (const Candidate& c : columns) {
-    const double d =
-        direction * distanceAbove(slab, points[static_cast<std::size_t>(c.index)]);
+    const double d = direction * distanceAbove(slab, c.position());
     if (d > 1.5 * tolerance && d < 4 * tolerance)
       holds[c.cell] |= d < 2.25 * tolerance ? away | close : away;
   }

@@ -13,11 +13,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A point on its way to a level. */
+/** @brief A point on its way to a level: with its coordinates, as those of neighbours
+ * in a column are far apart in the cloud. */
 struct Candidate {
   int index;
+  std::uint32_t cell; ///< position of its cell in the set of all cells
+  float x;
+  float y;
   float z;
-  std::size_t cell; ///< position of its cell in the set of all cells
+
+  Eigen::Vector3f position() const { return {x, y, z}; }
 };
 
 /** @brief The points with their cells, sorted by cell and height. O(n log n). */
@@ -60,7 +65,6 @@ std::vector<Candidate> withoutWalls(const std::vector<Candidate>& columns,
  * cupboard ends before. O(n log n). */
 std::vector<std::uint8_t> columnsThatGoOn(const std::vector<Candidate>& columns,
                                           const CellSet& cells,
-                                          const PointView& points,
                                           const PlanSlab& slab,
                                           double direction,
                                           double tolerance);

@@ -98,17 +98,16 @@ unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSla
 /** @brief The connected regions of the level that are large enough, largest first. What
  * goes on above or below is a wall: it parts them. */
 std::vector<Region>
-regionsOf(const PointView& points,
-          const std::vector<Candidate>& columns,
+regionsOf(const std::vector<Candidate>& columns,
           const CellSet& cells,
           const LevelParameters& parameters,
           std::size_t minimum_cells,
           const LevelDraft& draft)
 {
   const std::vector<std::uint8_t> below =
-      columnsThatGoOn(columns, cells, points, draft.slab, -1, parameters.tolerance);
+      columnsThatGoOn(columns, cells, draft.slab, -1, parameters.tolerance);
   const std::vector<std::uint8_t> above =
-      columnsThatGoOn(columns, cells, points, draft.slab, 1, parameters.tolerance);
+      columnsThatGoOn(columns, cells, draft.slab, 1, parameters.tolerance);
   std::vector<std::size_t> positions;
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -144,8 +143,7 @@ fitRegions(const PointView& points,
   // The common plane may pass a region's own at some distance.
   for (const Candidate& c : candidates)
     if (region_of[c.cell] < regions.size() &&
-        std::abs(distanceAbove(start, points[static_cast<std::size_t>(c.index)])) <=
-            2 * tolerance)
+        std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
       regions[region_of[c.cell]].points.push_back(c.index);
   for (Region& region : regions) {
     const PlanSlab own = fitSlabRobustly(points, region.points, start, tolerance);
@@ -226,7 +224,7 @@ partLevel(const PointView& points,
           LevelDraft& draft)
 {
   std::vector<Region> regions =
-      regionsOf(points, columns, cells, parameters, minimum_cells, draft);
+      regionsOf(columns, cells, parameters, minimum_cells, draft);
   if (regions.empty())
     return false;
   fitRegions(points, candidates, cells.size(), parameters.tolerance, draft.slab,
