@@ -127,13 +127,10 @@ cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
 }
 
 /** @brief Takes the inside of `cutter` from a room.
- * @return whether anything is left of it */
-bool
-cutRoom(PlanRoom& room, const PlanLoop& cutter)
+ * @param parts what that leaves of its boundary */
+void
+cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& parts)
 {
-  std::vector<PlanLoop> parts = difference(room.boundary, cutter);
-  if (parts.empty() || !(parts.front().area() > 0))
-    return false;
   room.boundary = parts.front();
   const auto isOutside = [&](const PlanLoop& column) {
     return overlap(column, cutter) ||
@@ -157,7 +154,6 @@ cutRoom(PlanRoom& room, const PlanLoop& cutter)
   };
   room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isLost),
                     room.niches.end());
-  return true;
 }
 
 /** @brief Whether a niche reaches into a room or into one of its niches. */
@@ -213,14 +209,20 @@ bool
 cutBack(PlanRoom& room, const PlanRoom& from)
 {
   constexpr double chord = 0.002;
+  constexpr double slack = 0.01; // square metres
   constexpr int tries = 5;
   std::optional<PlanRoom> left;
   for (int k = 0; k < tries; ++k) {
-    PlanRoom cut = room;
-    if (!cutRoom(cut, widened(from.boundary, least_partition + 0.0013 * k)))
+    const PlanLoop cutter = widened(from.boundary, least_partition + 0.0013 * k);
+    const std::vector<PlanLoop> parts = difference(room.boundary, cutter);
+    if (parts.empty() || !(parts.front().area() > 0))
       continue;
-    left = std::move(cut);
-    if (!crossesItself(left->boundary.polygon(chord)) &&
+    left = room;
+    cutRoom(*left, cutter, parts);
+    double lost = room.boundary.area();
+    for (const auto& part : parts)
+      lost -= part.area();
+    if (lost < cutter.area() + slack && !crossesItself(left->boundary.polygon(chord)) &&
         (standsFreeIn(from, *left) || !overlap(left->boundary, from.boundary)))
       break;
   }

@@ -132,6 +132,17 @@ TEST(SeparateRooms, WhereCutsNearlyCoincideARoomIsNotLost)
   EXPECT_NEAR(plan.rooms[0].boundary.area(), 10, 0.05);
 }
 
+TEST(SeparateRooms, WhereCutsNearlyCoincideNoSliverIsLeftForARoom)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(1, rectangle(2.99, 5, 4, 8)),
+                roomAt(2, rectangle(1.990005, 4.99, 4.010005, 8.010005))};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_NEAR(plan.rooms[0].boundary.area(), 3.03, 1e-9);
+  EXPECT_NEAR(plan.rooms[1].boundary.area(), 2.99, 0.05);
+}
+
 TEST(SeparateRooms, ARoomWithoutWallsMeetsNone)
 {
   Floorplan plan;

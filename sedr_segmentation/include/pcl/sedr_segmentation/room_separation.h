@@ -21,8 +21,8 @@ namespace sedr {
  * @param indices those of them that count
  * @return a sentence for every cut of more than a tenth of a square metre
  *
- * Nothing but O(r^2 n^2) for r rooms of n walls that lie close; for every overlap, the
- * evidence of two rooms is measured. Deterministic. */
+ * The boxes of any two rooms are compared, O(r^2), the walls of those whose boxes meet,
+ * O(n m); for every overlap, the evidence of two rooms is measured. Deterministic. */
 std::vector<std::string> separateRooms(Floorplan& plan,
                                        const PointView& points,
                                        const std::vector<int>& indices);

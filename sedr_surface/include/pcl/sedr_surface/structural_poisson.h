@@ -27,9 +27,9 @@ namespace pcl {
  * Each room is solved by itself, near the origin, so that large coordinates cost no
  * digits, with cells of a fixed share of the points' spacing. Of the surface the
  * largest component stays. What became of each room stands in getReports(); a room that
- * failed is missing from the output, one that is not closed, or of which over 5 % of
- * the surface are far from all points, is in it, and all of them are named by
- * getErrorMessage().
+ * failed is missing from the output, one that is not closed, of which over 5 % of the
+ * surface are far from all points, or of which a third or more was left out with other
+ * components, is in it, and all of them are named by getErrorMessage().
  *
  * The equation is solved by sedr::screenedPoisson(), on cells along the surface: edges
  * stay sharp, the surface is closed by construction. With setSolver(Solver::Pcl) it is
