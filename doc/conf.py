@@ -14,6 +14,7 @@ html_theme_options = {
     "description": "Structural elements of indoor laser scans",
     "page_width": "1100px",
     "sidebar_width": "260px",
+    "sidebar_includehidden": False,
 }
 html_static_path = ["static"]
 html_css_files = ["pages.css"]

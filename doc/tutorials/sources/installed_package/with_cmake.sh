@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# with_cmake.sh: PREFIX is where SEDR was installed, SOURCES the folder of this file.
+# PREFIX is where SEDR was installed, SOURCES the folder of all tutorials.
 set -eu
-cmake -S "$SOURCES" -B build -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PREFIX"
+cmake -S "$SOURCES/installed_package" -B build -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PREFIX"
 cmake --build build
-sh "$SOURCES/box.sh" | build/levels
+sh "$SOURCES/installed_package/box.sh" | build/levels
