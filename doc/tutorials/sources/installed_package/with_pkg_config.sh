@@ -5,7 +5,7 @@ set -eu
 lib=$(dirname "$(find "$PREFIX" -name sedr_segmentation.pc)")/..
 export PKG_CONFIG_PATH="$lib/pkgconfig"
 # Flags are lists of words.
-# shellcheck disable=SC2046
-g++ -std=c++17 -O2 "$SOURCES/installed_package/levels.cpp" \
+# shellcheck disable=SC2046,SC2086
+g++ -std=c++17 ${CXXFLAGS--O2} "$SOURCES/installed_package/levels.cpp" \
   $(pkg-config --cflags --libs sedr_segmentation) -Wl,-rpath,"$lib" -o levels
 sh "$SOURCES/installed_package/box.sh" | ./levels
