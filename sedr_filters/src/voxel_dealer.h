@@ -130,7 +130,7 @@ private:
   std::vector<Recent> recent_;
   VoxelBatch batch_;
   Handfuls<DealtPoint, 4096> points_;
-  Handfuls<DealtSum, 256> sums_;
+  Handfuls<DealtSum, 1024> sums_;
 };
 
 } // namespace sedr

@@ -30,7 +30,7 @@ namespace pcl {
  * non-finite, outside the limits, or in a voxel with too few points.
  *
  * O(n) for n points, about 110 bytes a voxel at the most beside input and output,
- * nothing a point; 20 MiB a thread. Where other fields are averaged, a second pass and
+ * nothing a point; 30 MiB a thread. Where other fields are averaged, a second pass and
  * what pcl::CentroidPoint takes a voxel. The same bytes for any number of threads.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;

@@ -22,7 +22,7 @@ namespace sedr {
  *
  * Points are dealt out to 256 tables by their voxel, by the handful, so that no voxel
  * stands in memory twice however many threads there are. O(n) for n points; about 65
- * bytes a voxel, and 20 MiB a thread.
+ * bytes a voxel, and 30 MiB a thread.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
