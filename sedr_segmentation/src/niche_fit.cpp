@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -113,6 +114,14 @@ struct Recess {
   double low = 0;
   double high = 0;
   double depth = 0;
+
+  double mouth() const { return (right - left) * (high - low); }
+
+  /** @brief Whether one is above the other one. */
+  bool sharesPlan(const Recess& other) const
+  {
+    return left < other.right && other.left < right;
+  }
 };
 
 /** @brief Moves the edges of a recess onto the points seen on its sides. */
@@ -235,6 +244,24 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
   return niche;
 }
 
+/** @brief Of recesses one above the other those with the largest mouths: a plan has one
+ * floor and one ceiling at a place. */
+std::vector<Recess>
+largestOf(std::vector<Recess> recesses)
+{
+  std::stable_sort(
+      recesses.begin(), recesses.end(),
+      [](const Recess& a, const Recess& b) { return a.mouth() > b.mouth(); });
+  std::vector<Recess> kept;
+  for (const Recess& recess : recesses)
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const Recess& k) { return k.sharesPlan(recess); }))
+      kept.push_back(recess);
+  std::sort(kept.begin(), kept.end(),
+            [](const Recess& a, const Recess& b) { return a.left < b.left; });
+  return kept;
+}
+
 } // namespace
 
 std::vector<PlanNiche>
@@ -255,6 +282,7 @@ fitNiches(const PointView& points,
         unroll(points, around, room, element, parameters.greatest_depth + 0.3);
     const CellMask open = openCells(wall, grid);
     const MaskRegions regions = labelRegions(open, false);
+    std::vector<Recess> recesses;
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < least)
         continue;
@@ -267,8 +295,10 @@ fitNiches(const PointView& points,
         continue;
       if (is_at_floor)
         recess.low = 0;
-      niches.push_back(nicheOf(room, wall, recess));
+      recesses.push_back(recess);
     }
+    for (const Recess& recess : largestOf(std::move(recesses)))
+      niches.push_back(nicheOf(room, wall, recess));
   }
   return niches;
 }

@@ -2,6 +2,7 @@
 #include "dual_surface.h"
 #include "poisson_hierarchy.h"
 #include "sign_repair.h"
+#include "thin_sheets.h"
 
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_surface/screened_poisson.h>
@@ -144,9 +145,12 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
     if (std::abs(values[i]) < 1e-4f)
       values[i] = values[i] > 0 ? 1e-4f : -1e-4f;
   }
-  report.turned_signs = makeWellComposed(grid, values, parameters.threads);
+  const SortedSamples& placed = hierarchy.finest().samples();
+  report.turned_signs = keepThinSheets(grid, placed, parameters.spacing / cell,
+                                       parameters.threads, values);
+  report.turned_signs += makeWellComposed(grid, values, parameters.threads);
   std::vector<SurfaceVertex> vertices;
-  extractDualSurface(grid, values, hierarchy.finest().samples(),
+  extractDualSurface(grid, values, placed,
                      static_cast<float>(1.5 * parameters.spacing / cell),
                      parameters.threads, mesh, vertices);
   report.collapsed_edges = mendSurface(mesh, vertices, least_height, longest_collapse);

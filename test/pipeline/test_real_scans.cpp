@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -25,6 +28,14 @@ realScan(const std::string& name)
       pcl::io::loadPCDFile(path.string(), *cloud) != 0)
     return nullptr;
   return cloud;
+}
+
+pcl::sedr::MeshTopology
+topologyOf(const pcl::PolygonMesh& polygons)
+{
+  pcl::sedr::TriangleMesh mesh;
+  EXPECT_EQ(pcl::sedr::fromPolygonMesh(polygons, mesh), "");
+  return pcl::sedr::checkTopology(mesh);
 }
 
 #define SEDR_LOAD_OR_SKIP(cloud, name)                                                 \
@@ -86,13 +97,22 @@ TEST(RealScan, office_is_one_room_with_its_recesses)
   EXPECT_NEAR(chain.getFloorplan()->rooms[0].area(), 35.9, 0.4);
 }
 
-TEST(RealScan, apartment_has_several_rooms)
+TEST(RealScan, apartment_rooms_close_with_no_hole_that_the_solid_has_not)
 {
   SEDR_LOAD_OR_SKIP(cloud, "apartment");
   Reconstruction chain;
   chain.setInputCloud(cloud);
-  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  EXPECT_GE(chain.getFloorplan()->rooms.size(), 6u);
+  pcl::PolygonMesh mesh;
+  chain.reconstruct(mesh);
+  ASSERT_GE(chain.getFloorplan()->rooms.size(), 6u) << chain.getErrorMessage();
+  const auto topology = topologyOf(mesh);
+  EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
+  EXPECT_EQ(topology.components.size(), chain.getFloorplan()->rooms.size());
+  pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
+  extrusion.setFloorplan(*chain.getFloorplan());
+  pcl::PolygonMesh solid;
+  extrusion.reconstruct(solid);
+  EXPECT_EQ(topology.euler_characteristic, topologyOf(solid).euler_characteristic);
 }
 
 } // namespace

@@ -69,6 +69,28 @@ TEST(Niches, AnAlcoveStartsAtTheFloor)
   EXPECT_NEAR(niches[0].bottom.heightAt({5, 2}), 0, 1e-9);
 }
 
+TEST(Niches, OfTwoAboveEachOtherTheLargerIsFound)
+{
+  // The points of a wall with both: of each room what it has that the other has not.
+  const PlanRoom large = recessed(1, 2.2, 0.5, 1.4, 0.3);
+  const PlanRoom small = recessed(1.4, 2.4, 1.6, 2.1, 0.2);
+  RoomPoints of_large(0.03);
+  of_large.room(large);
+  RoomPoints of_small(0.03);
+  of_small.room(small);
+  RoomPoints points(0.03);
+  for (const auto* seen : {&of_large, &of_small})
+    for (const int i : seen->all()) {
+      const Eigen::Vector3d p = (*seen)[i].cast<double>();
+      const bool is_high = p.z() > 1.5;
+      if (is_high == (seen == &of_small))
+        points.point(p.x(), p.y(), p.z());
+    }
+  const auto niches = nichesOf(points, large);
+  ASSERT_EQ(niches.size(), 1u);
+  expectNiche(niches[0], large.niches[0], 0.002);
+}
+
 TEST(Niches, AClosedDoorIsNone)
 {
   const PlanRoom room = recessed(1, 1.9, 0, 2.05, 0.12);

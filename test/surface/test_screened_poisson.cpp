@@ -262,3 +262,52 @@ TEST(ScreenedPoisson, too_few_points_are_refused_and_those_in_one_place_do_no_ha
     EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
   }
 }
+
+namespace {
+
+// A plate of the given thickness, turned about an axis that is none of the grid's.
+std::vector<OrientedPoint>
+turnedPlate(double thickness, double angle, double spacing)
+{
+  const Eigen::AngleAxisf turn(static_cast<float>(angle),
+                               Eigen::Vector3f(1, 2, 3).normalized());
+  auto points = box({1, 0.7, thickness}, spacing);
+  for (OrientedPoint& p : points) {
+    p.position = turn * p.position;
+    p.normal = turn * p.normal;
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(ScreenedPoisson, a_plate_thinner_than_a_cell_has_no_holes)
+{
+  constexpr double spacing = 0.05;
+  for (const double thickness : {0.015, 0.03, 0.05, 0.07})
+    for (const double angle : {0., 0.3, 1.1}) {
+      SCOPED_TRACE("thickness " + std::to_string(thickness) + ", turned by " +
+                   std::to_string(angle));
+      const auto points = turnedPlate(thickness, angle, spacing);
+      const auto mesh = solve(points, cellsOf(0.8 * spacing, spacing));
+      expectClosed(mesh, 1, 2);
+      EXPECT_NEAR(mesh.signedVolume(), 0.7 * thickness, 0.7 * 0.01);
+    }
+}
+
+TEST(ScreenedPoisson, a_slot_thinner_than_a_cell_stays_open)
+{
+  // The same plates of air, in a block.
+  constexpr double spacing = 0.05;
+  for (const double thickness : {0.03, 0.05}) {
+    auto points = box({1, 0.7, thickness}, spacing);
+    for (OrientedPoint& p : points)
+      p.normal = -p.normal;
+    for (OrientedPoint p : box({2, 1.7, 1}, spacing)) {
+      p.position -= Eigen::Vector3f(0.5f, 0.5f, 0.5f);
+      points.push_back(p);
+    }
+    const auto mesh = solve(points, cellsOf(0.8 * spacing, spacing));
+    expectClosed(mesh, 2, 4);
+  }
+}

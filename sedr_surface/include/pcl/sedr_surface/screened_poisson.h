@@ -33,7 +33,7 @@ struct ScreenedPoissonReport {
   double iso_value = 0; ///< mean at the points; -1/2 is behind, 1/2 before them
   int widened = 0;      ///< times that the finest grid was widened
   std::size_t turned_signs =
-      0; ///< nodes that changed sign to keep the surface manifold
+      0; ///< nodes that changed sign to keep the surface whole and manifold
   std::size_t collapsed_edges = 0; ///< to take out folds and slivers
 };
 

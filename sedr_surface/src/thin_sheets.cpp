@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "thin_sheets.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr std::size_t nodes = BandGrid::nodes;
+constexpr std::size_t blocks_at_once = 16;
+constexpr float thickest = 2.f;  // cells: what is thicker holds a layer of nodes
+constexpr float thinnest = 0.1f; // cells: what is thinner has no sides to tell apart
+constexpr float opposite =
+    -0.9f;                       // cosine of the angle between the normals: 154 degrees
+constexpr float certain = 0.25f; // value of a node half-way from the surface to afar
+
+// A sample as its neighbours see it, from the first node of some block.
+struct Sheet {
+  Eigen::Vector3f place;
+  Eigen::Vector3f normal;
+};
+
+// What a sheet says of a node.
+struct Vote {
+  std::size_t node;
+  float off; // of the node from the middle of the sheet, cells
+  bool above;
+
+  bool operator<(const Vote& other) const
+  {
+    return node != other.node ? node < other.node
+           : off != other.off ? off < other.off
+                              : above < other.above;
+  }
+};
+
+class SheetFinder {
+public:
+  SheetFinder(const BandGrid& grid, const SortedSamples& samples, float spacing)
+      : grid_(grid)
+      , samples_(samples)
+      , spacing_(spacing)
+      , reach_(thickest + spacing)
+  {}
+
+  // The votes of the samples of block `s` of the samples' grid.
+  void collect(std::size_t s, std::vector<Vote>& votes)
+  {
+    const std::size_t first = load(s);
+    const std::size_t b = grid_.find(samples_.grid.at(s));
+    for (std::size_t i = 0; i < first; ++i)
+      for (const Sheet& other : around_)
+        vote(around_[i], other, b, votes);
+  }
+
+private:
+  // The samples in and about a block, its own first; returns their number.
+  std::size_t load(std::size_t s)
+  {
+    around_.clear();
+    add(s, {0, 0, 0});
+    const std::size_t own = around_.size();
+    for (int i = 0; i < 27; ++i) {
+      const std::array<int, 3> step = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+      const std::size_t next = samples_.grid.neighbour(s, step[0], step[1], step[2]);
+      if (next != s && next != samples_.grid.size())
+        add(next, step);
+    }
+    return own;
+  }
+
+  void add(std::size_t s, const std::array<int, 3>& step)
+  {
+    for (std::size_t i = samples_.starts[s]; i < samples_.starts[s + 1]; ++i) {
+      const BlockSample& sample = samples_.samples[i];
+      Sheet sheet;
+      for (int k = 0; k < 3; ++k) {
+        sheet.place[k] =
+            sample.place[k] + static_cast<float>(8 * step[static_cast<std::size_t>(k)]);
+        sheet.normal[k] = sample.normal[k] / sample.area;
+      }
+      if ((sheet.place.array() > -reach_).all() &&
+          (sheet.place.array() < 8 + reach_).all())
+        around_.push_back(sheet);
+    }
+  }
+
+  // What the two samples say of the nodes between them, if they face opposite ways.
+  void vote(const Sheet& one,
+            const Sheet& other,
+            std::size_t b,
+            std::vector<Vote>& votes) const
+  {
+    if (one.normal.dot(other.normal) > opposite)
+      return;
+    const Eigen::Vector3f normal = (one.normal - other.normal).normalized();
+    const Eigen::Vector3f way = other.place - one.place;
+    const float apart = way.dot(normal);
+    if (std::abs(apart) >= thickest || std::abs(apart) < thinnest ||
+        (way - apart * normal).norm() > spacing_)
+      return;
+    const Eigen::Vector3f middle = one.place + way / 2;
+    // As many nodes deep as leave no way through between two of them.
+    const float depth = normal.cwiseAbs().sum() / 2;
+    const float radius = 0.75f * spacing_;
+    const float farthest = std::max(depth, radius);
+    std::array<int, 3> low;
+    std::array<int, 3> high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = static_cast<int>(std::ceil(middle[static_cast<int>(k)] - farthest));
+      high[k] = static_cast<int>(std::floor(middle[static_cast<int>(k)] + farthest));
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int x = low[0]; x <= high[0]; ++x) {
+          const Eigen::Vector3f from =
+              Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y),
+                              static_cast<float>(z)) -
+              middle;
+          const float off = std::abs(from.dot(normal));
+          if (off > depth || from.squaredNorm() - off * off > radius * radius)
+            continue;
+          const std::size_t block = grid_.neighbour(b, x >> 3, y >> 3, z >> 3);
+          if (block < grid_.size())
+            votes.push_back({block * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7),
+                             from.norm(), apart > 0});
+        }
+  }
+
+  const BandGrid& grid_;
+  const SortedSamples& samples_;
+  float spacing_;
+  float reach_;
+  std::vector<Sheet> around_;
+};
+
+} // namespace
+
+std::size_t
+keepThinSheets(const BandGrid& grid,
+               const SortedSamples& samples,
+               double spacing,
+               unsigned threads,
+               std::vector<float>& values)
+{
+  const std::size_t blocks = samples.grid.size();
+  std::vector<std::vector<Vote>> parts((blocks + blocks_at_once - 1) / blocks_at_once);
+  parallelBlocks(blocks, blocks_at_once, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   SheetFinder finder(grid, samples, static_cast<float>(spacing));
+                   for (std::size_t s = begin; s < end; ++s)
+                     finder.collect(s, parts[begin / blocks_at_once]);
+                 });
+  std::vector<Vote> votes;
+  for (const auto& part : parts)
+    votes.insert(votes.end(), part.begin(), part.end());
+  std::sort(votes.begin(), votes.end());
+  std::size_t changed = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  for (const Vote& vote : votes) {
+    if (vote.node == last)
+      continue;
+    last = vote.node; // the nearest sheet decides
+    float& value = values[vote.node];
+    if ((value > 0) == vote.above)
+      continue;
+    value = vote.above ? certain : -certain;
+    ++changed;
+  }
+  return changed;
+}
+
+} // namespace sedr
+} // namespace pcl
