@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_candidates.h"
+#include "level_contrast.h"
 #include "level_parting.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
@@ -106,43 +107,6 @@ nearPlane(const std::vector<Candidate>& candidates,
       near.push_back(k);
   }
   return near;
-}
-
-/** @brief The marked cells and those around them. */
-std::vector<std::uint8_t>
-withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
-{
-  std::vector<std::uint8_t> result(marked.size(), 0);
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i])
-      for (const std::size_t k : blockAround(cells, i))
-        result[k] = 1;
-  return result;
-}
-
-/** @brief Whether the points over some cells are denser at the slab than beside it:
- * within half a tolerance there are more than twice as many as between one and two
- * tolerances above, and below. Clutter is as dense everywhere, and has an end.
- * @param chosen the slab's cells and some more: those alone were chosen for their
- * points at the slab */
-bool
-standsOut(const std::vector<Candidate>& columns,
-          const std::vector<std::uint8_t>& chosen,
-          const PlanSlab& slab,
-          double tolerance)
-{
-  std::size_t at_slab = 0;
-  std::size_t above = 0;
-  std::size_t below = 0;
-  for (const Candidate& c : columns) {
-    if (!chosen[c.cell])
-      continue;
-    const double d = distanceAbove(slab, c.position());
-    at_slab += std::abs(d) <= tolerance / 2 ? 1 : 0;
-    above += d > tolerance && d <= 2 * tolerance ? 1 : 0;
-    below += d < -tolerance && d >= -2 * tolerance ? 1 : 0;
-  }
-  return at_slab > 2 * std::max(above, below);
 }
 
 /** @brief Height of a level in the middle of its cells: far from there, a small one may
@@ -294,8 +258,7 @@ findLevels(const PointView& points,
     level.slab = draft.slab;
     level.cells = markedCells(cells, draft.cells);
     if (level.cells.size() >= minimum_cells &&
-        standsOut(columns, withNeighbours(cells, draft.cells), level.slab,
-                  parameters.tolerance)) {
+        standsOut(columns, cells, draft.cells, level.slab, parameters.tolerance)) {
       // Its tails would look like further levels, just above and below.
       own =
           nearPlane(candidates, draft, reachOfNoise(level.slab, parameters.tolerance));

@@ -100,7 +100,7 @@ hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main)
       continue;
     const Cell cell = outline.cellAt(i);
     const double floor = storey.heightOf(main.floor, cell);
-    below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 1, 2) > 0 ? 1 : 0;
+    below += storey.columns.share(cell, floor - 0.4, floor - 0.15, 5, 2) >= 0.8 ? 1 : 0;
   }
   return 5 * below > 3 * outline.count();
 }

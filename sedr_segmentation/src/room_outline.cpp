@@ -17,6 +17,9 @@ constexpr double gap_radius = 0.1;
 constexpr double notch_radius = 0.4;
 constexpr double protrusion_radius = 0.15;
 
+/** @brief What reaches further into a room than this may be a partition, metres. */
+constexpr double partition_reach = 0.4;
+
 /** @brief Smallest hole that may be a column, square metres: 17 cm by 17 cm. */
 constexpr double least_column_area = 0.03;
 
@@ -38,6 +41,7 @@ public:
     // What was not hit: gaps of up to two cells each way.
     const double gap = cellsFor(gap_radius, grid_.size());
     CellMask room = eroded(dilated(seen, gap), gap);
+    room = subtract(room, thinPartitions(subtract(room, seen), room));
     const CellMask holes = enclosedCells(room);
     const MaskRegions regions = labelRegions(holes, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
@@ -124,6 +128,38 @@ private:
       walls += isWall(cell) ? 1 : 0;
     }
     return edges == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(edges);
+  }
+
+  CellMask wallsAmong(const CellMask& cells) const
+  {
+    CellMask walls(cells.box());
+    for (std::size_t i = 0; i < cells.values().size(); ++i)
+      walls.values()[i] = cells.values()[i] && isWall(cells.cellAt(i)) ? 1 : 0;
+    return walls;
+  }
+
+  /** @brief Those of the bridged cells that are a partition: a wall up to the ceiling
+   * that reaches well into the room. What is near the room's edge is the edge's. */
+  CellMask thinPartitions(const CellMask& bridged, const CellMask& room) const
+  {
+    CellMask walls = wallsAmong(bridged);
+    // A stray point of the ceiling within one is no way through.
+    const double gap = cellsFor(gap_radius, grid_.size());
+    const CellMask whole = eroded(dilated(walls, gap), gap);
+    walls = unite(walls, wallsAmong(subtract(whole, walls)));
+    // Where a partition is wider it was not bridged.
+    const double reach = cellsFor(partition_reach, grid_.size());
+    const CellMask filled = eroded(dilated(room, reach), reach);
+    const CellMask slits = unite(walls, subtract(filled, room));
+    const CellMask inner = eroded(filled, reach);
+    const MaskRegions regions = labelRegions(slits, true);
+    CellMask partitions(walls.box());
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      const CellMask slit = regionMask(slits, regions, static_cast<std::int32_t>(r));
+      if (intersect(slit, inner).count() > 0)
+        partitions = unite(partitions, intersect(slit, walls));
+    }
+    return partitions;
   }
 
   CellMask withoutFalseNotches(const CellMask& room) const

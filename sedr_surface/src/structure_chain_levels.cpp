@@ -70,7 +70,36 @@ bool
 StructureChain::detectPlanes()
 {
   plane_detection.setInputCloud(cloud);
-  return plane_detection.segment(planes) || fail(plane_detection.getErrorMessage());
+  if (!plane_detection.segment(planes))
+    return fail(plane_detection.getErrorMessage());
+  const pcl::Indices reflections = plane_detection.getReflections();
+  if (reflections.empty())
+    return true;
+  removePoints(reflections);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "%zu of %zu thinned points are below a floor what the room is above it: "
+      "reflections, which were left out",
+      reflections.size(), reflections.size() + cloud->size());
+  warnings.push_back(text);
+  return detectPlanes();
+}
+
+void
+StructureChain::removePoints(const pcl::Indices& indices)
+{
+  Cloud::Ptr rest(new Cloud);
+  rest->header = cloud->header;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if (next < indices.size() && static_cast<std::size_t>(indices[next]) == i)
+      ++next;
+    else
+      rest->push_back((*cloud)[i]);
+  cloud = rest;
+  labels.assign(cloud->size(), 0);
+  rooms.assign(cloud->size(), 0);
 }
 
 double

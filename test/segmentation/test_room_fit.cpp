@@ -52,6 +52,21 @@ TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
   EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
 }
 
+TEST(FitRoom, APartitionOfEightCentimetresHasTwoFacesAndAnEnd)
+{
+  PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
+  truth.elements = {
+      segment({0.01, 0.01}, {5.01, 0.01}), segment({5.01, 0.01}, {5.01, 4.01}),
+      segment({5.01, 4.01}, {2.6, 4.01}), segment({2.6, 4.01}, {2.6, 1.51}),
+      segment({2.6, 1.51}, {2.52, 1.51}), segment({2.52, 1.51}, {2.52, 4.01}),
+      segment({2.52, 4.01}, {0.01, 4.01}), segment({0.01, 4.01}, {0.01, 0.01})};
+  RoomPoints points(0.05, 0.005);
+  const RoomParts parts = points.room(truth, 0, 2.5);
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_EQ(room.boundary.elements.size(), 8u);
+  EXPECT_LT(cornerError(room.boundary, truth), 0.01);
+}
+
 TEST(FitRoom, CurvedWallsAreArcs)
 {
   const PlanLoop truth = placed(bittenRectangle(6, 4, 1.3), 0, {0.01, 0.01});

@@ -224,6 +224,29 @@ TEST(OutlineRoom, ANarrowNicheWithWallsStays)
   EXPECT_NEAR(areaOf(scene.outline().room), 12.3, 0.05);
 }
 
+TEST(OutlineRoom, AThinPartitionThatEndsInTheRoomStays)
+{
+  for (const double thickness : {0.05, 0.1, 0.15}) {
+    SCOPED_TRACE(thickness);
+    Scene scene([&](double x, double y) {
+      return !within(x, y, 2.02, 1, 2.02 + thickness, 4);
+    });
+    scene.box(2.02, 1, 2.02 + thickness, 3.01, 0, height);
+    const RoomOutline outline = scene.outline();
+    EXPECT_TRUE(outline.columns.empty());
+    for (double y = 1.1; y < 3; y += 0.05)
+      EXPECT_FALSE(outline.room.at(CellGrid(0.05).at(2.02 + thickness / 2, y))) << y;
+    EXPECT_NEAR(areaOf(outline.room), 12 - 2 * thickness, 0.2);
+  }
+}
+
+TEST(OutlineRoom, AThinPartitionShortOfTheCeilingIsNone)
+{
+  Scene scene([](double x, double y) { return !within(x, y, 2.02, 1, 2.12, 4); });
+  scene.box(2.02, 1, 2.12, 3.01, 0, 2);
+  EXPECT_NEAR(areaOf(scene.outline().room), 12, 0.03);
+}
+
 TEST(OutlineRoom, OnlyTheLargestPartIsTheRoom)
 {
   Scene scene;

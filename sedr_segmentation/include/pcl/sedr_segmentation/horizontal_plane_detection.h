@@ -33,9 +33,9 @@ struct HorizontalPlane {
  * Non-finite points are never inliers.
  *
  * A scan may hold several ceilings and floors at different heights; a table top is
- * neither. Size counts in occupied cells, so that the density of the scan does not
- * matter. Time O(n log n) for n points plus O(n) a plane; input thinned to the grid
- * size is enough.
+ * neither. What a glossy floor reflects is left out: getReflections(). Size counts in
+ * occupied cells, so that the density of the scan does not matter. Time O(n log n) for
+ * n points plus O(n) a plane; input thinned to the grid size is enough.
  * @code
  * pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
  * detection.setInputCloud(thinned);
@@ -85,13 +85,21 @@ public:
    * walls left out. Empty after bad input or parameters. */
   const sedr::HeightHistogram& getHeightHistogram() const { return histogram_; }
 
+  /** @brief The points that the last run left out as reflections in a floor:
+   * sedr::findReflections(). Indices, increasing. */
+  const pcl::Indices& getReflections() const { return reflections_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
   bool checkParameters();
 
+  std::vector<sedr::Level> findLevels(const sedr::PointView& points,
+                                      const pcl::Indices& indices);
+
   sedr::LevelParameters parameters_;
+  pcl::Indices reflections_;
   sedr::HeightHistogram histogram_;
 };
 

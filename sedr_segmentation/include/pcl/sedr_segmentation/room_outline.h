@@ -22,10 +22,11 @@ struct RoomOutline {
  *
  * `seen` are the cells in which a ceiling or a detail was seen. Notches of its outline
  * are closed and thin protrusions cut off where no wall stands along them: there,
- * something hid the ceiling, or it was seen through an opening. Holes are closed unless
- * a wall goes up to the ceiling around them: such a hole is a column; a lamp, a
- * cupboard, and the one above the other are not. Of several parts too far from each
- * other to be joined the largest is the room.
+ * something hid the ceiling, or it was seen through an opening. Slits of a few cells
+ * are closed, too, unless they are a partition: a wall up to the ceiling that reaches
+ * well into the room. Holes are closed unless a wall goes up to the ceiling around
+ * them: such a hole is a column; a lamp, a cupboard, and the one above the other are
+ * not. Of several parts too far from each other to be joined the largest is the room.
  *
  * @param seen in a box with a margin of at least 12 cells
  * @param columns all points around the room

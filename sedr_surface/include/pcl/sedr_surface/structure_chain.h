@@ -128,6 +128,10 @@ private:
 
   bool checkScan();
   bool detectPlanes();
+
+  /** @brief Takes points, increasing, out of the cloud before any has a label. */
+  void removePoints(const pcl::Indices& indices);
+
   double cellSizeThatFills() const;
   void enlargeCells(double size);
   bool findPlanes(StageReport& report);

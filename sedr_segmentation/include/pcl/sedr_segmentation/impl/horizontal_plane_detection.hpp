@@ -2,8 +2,10 @@
 #pragma once
 
 #include <pcl/sedr_segmentation/floor_platforms.h>
+#include <pcl/sedr_segmentation/floor_reflections.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
+#include <algorithm>
 #include <cmath>
 
 template <typename PointT>
@@ -30,11 +32,23 @@ pcl::HorizontalPlaneDetection<PointT>::checkParameters()
 }
 
 template <typename PointT>
+std::vector<pcl::sedr::Level>
+pcl::HorizontalPlaneDetection<PointT>::findLevels(const sedr::PointView& points,
+                                                  const pcl::Indices& indices)
+{
+  std::vector<sedr::Level> levels =
+      sedr::findLevels(points, indices, parameters_, &histogram_);
+  sedr::classifyLevels(levels, parameters_);
+  return levels;
+}
+
+template <typename PointT>
 bool
 pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& planes)
 {
   planes.clear();
   histogram_ = sedr::HeightHistogram();
+  reflections_.clear();
   this->clearError();
   if (!this->initCompute())
     return this->fail("HorizontalPlaneDetection", "no input cloud was set");
@@ -49,11 +63,20 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
   }
 
   const sedr::PointView points(*input_);
-  std::vector<sedr::Level> levels =
-      sedr::findLevels(points, *indices_, parameters_, &histogram_);
-  sedr::classifyLevels(levels, parameters_);
-  sedr::markPlatforms(levels, points, *indices_, parameters_);
-  sedr::collectInliers(levels, points, *indices_, parameters_);
+  pcl::Indices used = *indices_;
+  std::vector<sedr::Level> levels = findLevels(points, used);
+  reflections_ = sedr::findReflections(points, used, levels, parameters_);
+  if (!reflections_.empty()) {
+    used.erase(std::remove_if(used.begin(), used.end(),
+                              [&](index_t i) {
+                                return std::binary_search(reflections_.begin(),
+                                                          reflections_.end(), i);
+                              }),
+               used.end());
+    levels = findLevels(points, used);
+  }
+  sedr::markPlatforms(levels, points, used, parameters_);
+  sedr::collectInliers(levels, points, used, parameters_);
   for (auto& level : levels) {
     HorizontalPlane plane;
     plane.inliers.header = plane.coefficients.header = input_->header;
