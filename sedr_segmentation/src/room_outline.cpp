@@ -61,13 +61,13 @@ public:
   }
 
 private:
-  /** @brief Height of whatever ceiling was seen within two cells, a soffit's perhaps.
+  /** @brief Height of whatever ceiling was seen within some cells, a soffit's perhaps.
    */
-  double topAround(Cell cell) const
+  double topAround(Cell cell, int reach) const
   {
     double top = floor_.heightAt(grid_.centre(cell));
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx) {
         const Cell near{cell.x + dx, cell.y + dy};
         if (columns_.begin(near) != columns_.end(near))
           top = std::max<double>(top, (columns_.end(near) - 1)->z);
@@ -75,14 +75,28 @@ private:
     return std::min(top, ceiling_.heightAt(grid_.centre(cell)));
   }
 
+  /** @brief Whether the upper half of the column, or of those beside it, is occupied.
+   */
+  bool isTall(Cell cell, double top) const
+  {
+    const double floor = floor_.heightAt(grid_.centre(cell));
+    return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+  }
+
   /** @brief Whether a wall goes up to the ceiling in the column or beside it: a
    * cupboard does not. */
   bool isWall(Cell cell) const
   {
-    const double top = topAround(cell);
-    const double floor = floor_.heightAt(grid_.centre(cell));
-    return columns_.share(cell, top - 0.16, top - 0.05, 1, 1) >= 1 &&
-           columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+    const double top = topAround(cell, 2);
+    return columns_.share(cell, top - 0.16, top - 0.05, 1, 1) >= 1 && isTall(cell, top);
+  }
+
+  /** @brief The same where the ceiling is seen on both sides of a slit: no cupboard
+   * reaches it. */
+  bool isPartition(Cell cell) const
+  {
+    const double top = topAround(cell, cellsFor(2 * gap_radius, grid_.size()));
+    return columns_.share(cell, top - 0.12, top - 0.04, 1, 1) >= 1 && isTall(cell, top);
   }
 
   /** @brief Whether something stands in the column or beside it, up to just below the
@@ -130,28 +144,30 @@ private:
     return edges == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(edges);
   }
 
-  CellMask wallsAmong(const CellMask& cells) const
+  CellMask partitionsAmong(const CellMask& cells) const
   {
     CellMask walls(cells.box());
     for (std::size_t i = 0; i < cells.values().size(); ++i)
-      walls.values()[i] = cells.values()[i] && isWall(cells.cellAt(i)) ? 1 : 0;
+      walls.values()[i] = cells.values()[i] && isPartition(cells.cellAt(i)) ? 1 : 0;
     return walls;
   }
 
   /** @brief Those of the bridged cells that are a partition: a wall up to the ceiling
-   * that reaches well into the room. What is near the room's edge is the edge's. */
+   * that reaches well into the room. What is near the room's edge is the edge's, what
+   * is near a hole a column's. */
   CellMask thinPartitions(const CellMask& bridged, const CellMask& room) const
   {
-    CellMask walls = wallsAmong(bridged);
+    CellMask walls = partitionsAmong(bridged);
     // A stray point of the ceiling within one is no way through.
     const double gap = cellsFor(gap_radius, grid_.size());
     const CellMask whole = eroded(dilated(walls, gap), gap);
-    walls = unite(walls, wallsAmong(subtract(whole, walls)));
+    walls = unite(walls, partitionsAmong(subtract(whole, walls)));
     // Where a partition is wider it was not bridged.
     const double reach = cellsFor(partition_reach, grid_.size());
     const CellMask filled = eroded(dilated(room, reach), reach);
     const CellMask slits = unite(walls, subtract(filled, room));
-    const CellMask inner = eroded(filled, reach);
+    const CellMask inner =
+        subtract(eroded(filled, reach), dilated(enclosedCells(room), 1.5 * gap));
     const MaskRegions regions = labelRegions(slits, true);
     CellMask partitions(walls.box());
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {

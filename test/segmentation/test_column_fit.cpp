@@ -111,6 +111,21 @@ TEST(FitColumn, ARectangleAtAnyAngleAndNoise)
       }
 }
 
+TEST(FitColumn, APlateHasTwoFaces)
+{
+  for (const double noise : {0.001, 0.01})
+    for (const double degrees : {0.0, 19.0})
+      for (const double depth : {0.05, 0.08, 0.12}) {
+        SCOPED_TRACE(testing::Message()
+                     << depth << " m at " << degrees << ", " << noise);
+        const PlanLoop truth = placed(rectangle(-1.2, -depth / 2, 1.2, depth / 2),
+                                      degrees, {2.012, 1.017});
+        const PlanLoop loop =
+            fitColumn(holeOf(truth), pointsOf(truth, noise), along_axes, {});
+        EXPECT_LT(errorOf(loop, truth), 0.02);
+      }
+}
+
 TEST(FitColumn, KeepsTheDirectionsOfTheRoomWhereItCan)
 {
   // Turned by what noise would turn it.
