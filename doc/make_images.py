@@ -206,6 +206,7 @@ def rim_actor(mesh, height):
     cutter.Update()
     data = cutter.GetOutput()
     data.GetPointData().Initialize()
+    data.GetCellData().Initialize()
     actor = actor_of(data)
     actor.GetProperty().SetColor(rgb(INK))
     actor.GetProperty().SetLineWidth(4)
@@ -315,8 +316,8 @@ STUDY_BELOW = (-118, -55)
 HALL_CUT, STUDY_CUT, FLAT_CUT = 3.3, 2.2, 2.2
 
 
-def labelled_mesh(scene):
-    return with_labels(read_mesh(scene / "model/mesh.ply"), Cloud(scene / "model/structure.pcd"))
+def labelled_mesh(scene, model="model"):
+    return with_labels(read_mesh(scene / model / "mesh.ply"), Cloud(scene / model / "structure.pcd"))
 
 
 def overview(data):

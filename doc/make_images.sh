@@ -111,15 +111,7 @@ else
   echo "The report's pictures stay as they are: they need the Debian packages chromium and python3-pil."
 fi
 
-missing=()
-for package in python3-numpy python3-matplotlib python3-vtk9 python3-pil xvfb xauth; do
-  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
-done
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "The renderings stay as they are: they need the Debian packages ${missing[*]}."
-  exit 0
-fi
-
 echo "== rendering"
-xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 "$root/doc/make_images.py" "$data" "$output"
+# shellcheck source=doc/rendering.sh
+. "$root/doc/rendering.sh"
+render "$root/doc/make_images.py" "$data" "$output"
