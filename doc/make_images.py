@@ -404,7 +404,7 @@ def mesh_evaluation(data):
     study = data / "bls_room"
     mesh = read_mesh(study / "model/mesh.ply")
     far = 100 * distances(mesh, read_mesh(study / "truth.ply"))
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 2), "YlOrRd")
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 0.05), "YlOrRd")
     paint(mesh, scale.to_rgba(far, bytes=True)[:, :3])
     fig, axes = new_figure(4.2, [1.15, 1.15, 1], bottom=0.2, right=0.985, wspace=0.2)
     above = render(open_mesh(mesh, STUDY_CUT), mesh.GetBounds(), *STUDY_VIEW)
@@ -418,11 +418,11 @@ def mesh_evaluation(data):
 
 
 def draw_histogram(ax, far):
-    ax.hist(far, bins=np.arange(0, 6, 0.1), color=COLOURS[FLOOR], weights=np.full(len(far), 100 / len(far)), log=True)
+    ax.hist(far, bins=np.arange(0, 0.4, 0.005), color=COLOURS[FLOOR], weights=np.full(len(far), 100 / len(far)), log=True)
     ax.set(title="vertices of the mesh", xlabel="distance to truth, cm", ylabel="% of them",
-           xlim=(0, 6), ylim=(0.003, 130))
+           xlim=(0, 0.4), ylim=(0.0005, 130))
     ax.yaxis.set_major_formatter("{x:g}")
-    text = f"mean {far.mean():.2f} cm\n95 % below {np.percentile(far, 95):.1f} cm\nfarthest {far.max():.1f} cm"
+    text = f"mean {far.mean():.3f} cm\n95 % below {np.percentile(far, 95):.3f} cm\nfarthest {far.max():.2f} cm"
     ax.text(0.95, 0.94, text, transform=ax.transAxes, ha="right", va="top")
 
 

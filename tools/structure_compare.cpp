@@ -49,8 +49,14 @@ Floorplan
 planOf(const std::string& path)
 {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    return *loadFloorplan((std::filesystem::path(path) / "floorplan.json").string());
+  if (std::filesystem::is_directory(path, error)) {
+    const auto plan = std::filesystem::path(path) / "floorplan.json";
+    if (!std::filesystem::exists(plan, error))
+      throw ToolError("'" + path +
+                      "' holds no floorplan.json, which pcl_sedr writes; a scan is "
+                      "named by its file");
+    return *loadFloorplan(plan.string());
+  }
   if (endsIn(path, ".json"))
     return *loadFloorplan(path);
   return planOfScan(path);

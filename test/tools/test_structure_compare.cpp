@@ -267,6 +267,9 @@ TEST_F(CompareTool, RefusesWhatIsNoModel)
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_TRUE(result.failsInOneSentence()) << result.err;
   }
+  const ProgramRun folder = run(STRUCTURE_COMPARE, {good, folder_.path().string()});
+  EXPECT_NE(folder.err.find("a scan is named by its file"), std::string::npos)
+      << folder.err;
   EXPECT_EQ(run(STRUCTURE_COMPARE, {good}).exit_code, 1);
   EXPECT_EQ(run(STRUCTURE_COMPARE, {good, good, "--mesh", in("d.obj")}).exit_code, 1);
   const ProgramRun same = run(STRUCTURE_COMPARE, {good, good});
