@@ -45,17 +45,17 @@ def cm(metres, digits=3):
 
 
 def models_table(data):
-    header("scene", "settings", "rooms", "closed", "cloud to model: mean", "p99", "max", "truth to model: mean", "p99", "max",
+    header("scene", "settings", "closed rooms", "cloud to model: mean", "p99", "max", "truth to model: mean", "p99", "max",
            "CPU s")
     for scene in scenes_of(data):
         for model, name in MODELS.items():
             figures, report = load(data / scene / f"{model}.json"), load(data / scene / model / "report.json")
             cloud, truth, mesh = (figures[key] for key in ("cloud_to_mesh", "truth_to_mesh", "mesh"))
-            row(f"`{scene}`", name, len(report["rooms"]), "yes" if mesh["closed_manifold"] else "no",
+            row(f"`{scene}`", name, f"{len(report['rooms'])}" if mesh["closed_manifold"] else "not closed",
                 cm(cloud["mean"]), cm(cloud["p99"]), cm(cloud["max"], 2), cm(truth["mean"]), cm(truth["p99"]),
                 cm(truth["max"], 2), f"{sum(map(float, (data / scene / f'{model}.seconds').read_text().split())):.1f}")
         cloud = load(data / scene / "truth_itself.json")["cloud_to_mesh"]
-        row(f"`{scene}`", "the truth itself", "", "", cm(cloud["mean"]), cm(cloud["p99"]), cm(cloud["max"], 2), "", "", "", "")
+        row(f"`{scene}`", "the truth itself", "", cm(cloud["mean"]), cm(cloud["p99"]), cm(cloud["max"], 2), "", "", "", "")
 
 
 def points_table(data):
