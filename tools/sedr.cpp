@@ -12,7 +12,6 @@
 #include "whole_file.h"
 
 #include <pcl/common/angles.h>
-#include <pcl/conversions.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -102,9 +101,7 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
-  pcl::PCLPointCloud2 structure;
-  pcl::toPCLPointCloud2(*chain.getStructure(), structure);
-  saveCloud(folder.file("structure.pcd"), structure);
+  saveStructure(folder.file("structure.pcd"), *chain.getStructure());
   const std::string problem =
       with_mesh ? pcl::sedr::savePly(folder.file("mesh.ply"),
                                      chain.getChain().poisson.getMesh())
@@ -252,7 +249,8 @@ int
 run(const Settings& settings, Reconstruction& chain)
 {
   if (settings.no_mesh && (settings.pictures || settings.report))
-    throw ToolError("--pictures and --report show the mesh, which --no-mesh leaves out");
+    throw ToolError(
+        "--pictures and --report show the mesh, which --no-mesh leaves out");
   std::vector<std::string> names = output_names;
   if (settings.report)
     names.emplace_back("report.html");

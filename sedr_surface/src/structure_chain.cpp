@@ -64,7 +64,8 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   planes.clear();
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
-  refined_.reset(new StructureCloud);
+  refined_.clear();
+  repaired_shares_.clear();
   reports.clear();
   warnings.clear();
   failed_stage.clear();
@@ -134,7 +135,7 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
                   [&](auto& r) { return fitPlan(r); }) &&
          runStage("StructureRefinement", cloud->size(),
                   [&](auto& r) { return refine(r); }) &&
-         runStage("VerticalHoleRepair", refined_->size(),
+         runStage("VerticalHoleRepair", reports.back().points_out,
                   [&](auto& r) { return repair(r); }) &&
          runStage("FloorplanExtrusion", structure->size(),
                   [&](auto& r) { return extrude(r); });

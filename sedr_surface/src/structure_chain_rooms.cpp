@@ -4,7 +4,6 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 
@@ -236,90 +235,6 @@ StructureChain::labelNiches(const PlanRoom& room)
       rooms[at] = room.id;
     }
   }
-}
-
-bool
-StructureChain::refine(StageReport& report)
-{
-  StructureCloud::Ptr labelled_cloud(new StructureCloud);
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if (labels[i] == 0)
-      continue;
-    pcl::PointStructure p;
-    p.getVector3fMap() = (*cloud)[i].getVector3fMap();
-    p.label = labels[i];
-    p.room = rooms[i];
-    labelled_cloud->push_back(p);
-  }
-  refinement.setInputCloud(labelled_cloud);
-  refinement.setFloorplan(plan);
-  refinement.filter(*refined_);
-  tellResult("StructureRefinement");
-  report.points_out = refined_->size();
-  return !refined_->empty() || fail(refinement.getErrorMessage().empty()
-                                        ? "no labelled point lies on the floor plan"
-                                        : refinement.getErrorMessage());
-}
-
-bool
-StructureChain::repair(StageReport& report)
-{
-  hole_repair.setInputCloud(refined_);
-  hole_repair.setFloorplan(plan);
-  hole_repair.filter(*structure);
-  tellResult("VerticalHoleRepair");
-  report.points_out = structure->size();
-  if (structure->empty())
-    return fail(hole_repair.getErrorMessage());
-  warnOfGuesses();
-  return true;
-}
-
-std::map<std::uint32_t, double>
-StructureChain::repairedShares() const
-{
-  std::map<std::uint32_t, std::size_t> all;
-  std::map<std::uint32_t, std::size_t> repaired;
-  for (const auto& p : *structure)
-    ++all[p.room];
-  for (const int i : hole_repair.getRepairedIndices())
-    ++repaired[(*structure)[static_cast<std::size_t>(i)].room];
-  std::map<std::uint32_t, double> shares;
-  for (const auto& [room, points] : all)
-    shares[room] = static_cast<double>(repaired[room]) / static_cast<double>(points);
-  return shares;
-}
-
-void
-StructureChain::warnOfGuesses()
-{
-  // Larger cells leave the smaller ones of the repair empty, however good the scan.
-  const double most = enlarged_from_ > 0 ? 0.8 : 0.45;
-  for (const auto& [room, share] : repairedShares())
-    if (share > most) {
-      char text[120];
-      std::snprintf(text, sizeof text,
-                    "%.0f %% of its surface were filled in, not seen: its walls may be "
-                    "elsewhere",
-                    100 * share);
-      warn(room, text);
-    }
-}
-
-bool
-StructureChain::extrude(StageReport& report)
-{
-  extrusion.setFloorplan(plan);
-  pcl::PolygonMesh unused;
-  extrusion.reconstruct(unused);
-  tellResult("FloorplanExtrusion");
-  report.points_out = extrusion.getMesh().vertices.size();
-  warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
-                  extrusion.getWarnings().end());
-  // The mesh may do without: a room that has no solid is told, and the others go on.
-  if (!extrusion.getErrorMessage().empty())
-    warnings.push_back(extrusion.getErrorMessage());
-  return true;
 }
 
 } // namespace sedr

@@ -25,6 +25,7 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
   StructureChain chain;
   std::vector<std::pair<std::string, std::uint32_t>> told;
   std::map<std::uint32_t, std::size_t> walls;
+  std::size_t repaired = 0;
   chain.on_result = [&](const std::string& stage, std::uint32_t room) {
     told.emplace_back(stage, room);
     if (stage == "GridRegionOutlierRemoval") {
@@ -38,6 +39,8 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
     }
     if (stage == "CeilingBoundaryWallGrowing")
       walls[room] = chain.wall_growing.getWallIndices().size();
+    if (stage == "VerticalHoleRepair")
+      repaired += chain.hole_repair.getSourceIndices().size();
   };
   ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
   const std::vector<std::pair<std::string, std::uint32_t>> expected{
@@ -51,12 +54,15 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
       {"CeilingBoundaryWallGrowing", 1},
       {"CeilingBoundaryWallGrowing", 2},
       {"FloorplanFitting", 0},
-      {"StructureRefinement", 0},
-      {"VerticalHoleRepair", 0},
+      {"StructureRefinement", 1},
+      {"StructureRefinement", 2},
+      {"VerticalHoleRepair", 1},
+      {"VerticalHoleRepair", 2},
       {"FloorplanExtrusion", 0}};
   EXPECT_EQ(told, expected);
   EXPECT_GT(walls[1], 1000u);
   EXPECT_GT(walls[2], 1000u);
+  EXPECT_EQ(repaired, chain.structure->size());
 }
 
 /** A room of 4 m x 3 m with a point every `spacing` metres. */

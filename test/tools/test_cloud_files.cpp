@@ -4,6 +4,7 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include <pcl/conversions.h>
 #include <pcl/sedr_filters/field_access.h>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,25 @@ TEST_F(CloudFiles, EveryFieldSurvivesPcdBinaryAndCompressed)
     EXPECT_EQ((*cloud.points)[2].y, 22.25f);
   }
   EXPECT_NE(bytesOf(in("a.pcd")).find("DATA binary_compressed"), std::string::npos);
+}
+
+TEST_F(CloudFiles, AStructureInPiecesIsTheSameFile)
+{
+  for (const std::size_t size : {std::size_t{0}, std::size_t{100000}}) {
+    pcl::PointCloud<pcl::PointStructure> structure;
+    for (std::size_t i = 0; i < size; ++i) {
+      pcl::PointStructure p;
+      p.getVector3fMap() << static_cast<float>(i), 2, 3;
+      p.label = static_cast<std::uint32_t>(i % 4);
+      p.room = static_cast<std::uint32_t>(i / 4);
+      structure.push_back(p);
+    }
+    pcl::PCLPointCloud2 blob;
+    pcl::toPCLPointCloud2(structure, blob);
+    saveCloud(in("whole.pcd"), blob);
+    saveStructure(in("pieces.pcd"), structure);
+    EXPECT_EQ(bytesOf(in("pieces.pcd")), bytesOf(in("whole.pcd")));
+  }
 }
 
 TEST_F(CloudFiles, EveryFieldSurvivesPly)

@@ -6,7 +6,6 @@
 #include "simulator/files.h"
 #include "tool_cloud.h"
 
-#include <pcl/conversions.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
@@ -54,9 +53,7 @@ KeptFiles::keepResult(const pcl::IndoorStructureReconstruction<pcl::PointXYZ>& c
 {
   if (folder_.empty() || chain.getStructure()->empty())
     return;
-  pcl::PCLPointCloud2 structure;
-  pcl::toPCLPointCloud2(*chain.getStructure(), structure);
-  tools::saveCloud((folder_ / "structure.pcd").string(), structure);
+  tools::saveStructure((folder_ / "structure.pcd").string(), *chain.getStructure());
   sim::writeText(folder_ / "floorplan.json", floorplanToJson(*chain.getFloorplan()));
   const TriangleMesh& solid = chain.getChain().extrusion.getMesh();
   if (!solid.empty())

@@ -3,6 +3,7 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
+#include <pcl/conversions.h>
 #include <pcl/io/lzf.h>
 #include <pcl/sedr_filters/field_access.h>
 
@@ -52,8 +53,10 @@ typeName(std::uint8_t datatype)
   }
 }
 
+/** @param rows of the file, of which the blob may be a piece */
 std::string
 pcdHeader(const pcl::PCLPointCloud2& blob,
+          std::size_t rows,
           const Eigen::Vector4f& origin,
           const Eigen::Quaternionf& orientation,
           const char* data)
@@ -72,11 +75,10 @@ pcdHeader(const pcl::PCLPointCloud2& blob,
   header.precision(std::numeric_limits<float>::max_digits10);
   header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS"
          << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
-         << "\nCOUNT" << counts.str() << "\nWIDTH " << rowsOf(blob)
-         << "\nHEIGHT 1\nVIEWPOINT " << origin.x() << ' ' << origin.y() << ' '
-         << origin.z() << ' ' << orientation.w() << ' ' << orientation.x() << ' '
-         << orientation.y() << ' ' << orientation.z() << "\nPOINTS " << rowsOf(blob)
-         << "\nDATA " << data << '\n';
+         << "\nCOUNT" << counts.str() << "\nWIDTH " << rows << "\nHEIGHT 1\nVIEWPOINT "
+         << origin.x() << ' ' << origin.y() << ' ' << origin.z() << ' '
+         << orientation.w() << ' ' << orientation.x() << ' ' << orientation.y() << ' '
+         << orientation.z() << "\nPOINTS " << rows << "\nDATA " << data << '\n';
   return header.str();
 }
 
@@ -192,12 +194,12 @@ writePcd(std::ostream& stream,
   if (data == PcdData::Compressed) {
     const auto packed = compressed(blob);
     if (!packed.empty()) {
-      stream << pcdHeader(blob, origin, orientation, "binary_compressed");
+      stream << pcdHeader(blob, rowsOf(blob), origin, orientation, "binary_compressed");
       writeBytes(stream, packed);
       return;
     }
   }
-  stream << pcdHeader(blob, origin, orientation, "binary");
+  stream << pcdHeader(blob, rowsOf(blob), origin, orientation, "binary");
   writeBytes(stream, blob.data);
 }
 
@@ -270,6 +272,30 @@ saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data
 {
   save(path, withoutPadding(blob), Eigen::Vector4f::Zero(),
        Eigen::Quaternionf::Identity(), data);
+}
+
+void
+saveStructure(const std::string& path,
+              const pcl::PointCloud<pcl::PointStructure>& structure)
+{
+  constexpr std::size_t piece = 1 << 16;
+  writeWhole(path, [&](std::ostream& stream) {
+    std::size_t done = 0;
+    do {
+      const std::size_t end = std::min(structure.size(), done + piece);
+      pcl::PointCloud<pcl::PointStructure> points;
+      points.insert(points.end(), structure.begin() + static_cast<std::ptrdiff_t>(done),
+                    structure.begin() + static_cast<std::ptrdiff_t>(end));
+      pcl::PCLPointCloud2 rows;
+      pcl::toPCLPointCloud2(points, rows);
+      rows = withoutPadding(rows);
+      if (done == 0)
+        stream << pcdHeader(rows, structure.size(), Eigen::Vector4f::Zero(),
+                            Eigen::Quaternionf::Identity(), "binary");
+      writeBytes(stream, rows.data);
+      done = end;
+    } while (done < structure.size());
+  });
 }
 
 } // namespace tools

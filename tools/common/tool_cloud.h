@@ -59,6 +59,11 @@ void saveCloud(const std::string& path,
                const pcl::PCLPointCloud2& blob,
                PcdData data = PcdData::Binary);
 
+/** @brief Writes a structure as a binary PCD, whole or not at all, piece by piece: no
+ * second copy of it is needed. What fails is a ToolError. */
+void saveStructure(const std::string& path,
+                   const pcl::PointCloud<pcl::PointStructure>& structure);
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

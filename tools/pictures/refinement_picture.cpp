@@ -93,6 +93,14 @@ wayPanel(const RefinedWalls& walls)
 
 } // namespace
 
+RefinedWalls&
+RefinedWalls::operator+=(const RefinedWalls& other)
+{
+  moved.insert(moved.end(), other.moved.begin(), other.moved.end());
+  removed.insert(removed.end(), other.removed.begin(), other.removed.end());
+  return *this;
+}
+
 Picture
 drawRefinement(const RefinedWalls& walls, const Floorplan& plan)
 {

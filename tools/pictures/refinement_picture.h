@@ -25,6 +25,9 @@ struct RefinedWalls {
   std::vector<MovedPoint> moved;
   std::vector<Eigen::Vector2d>
       removed; ///< wall and column points farther from the plan
+
+  /** @brief Adds those of another room. */
+  RefinedWalls& operator+=(const RefinedWalls& other);
 };
 
 /** @brief The walls of the last run of a refinement.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -113,6 +114,20 @@ addPanels(const std::vector<NamedStrip>& strips,
 }
 
 } // namespace
+
+RepairedSurfaces&
+RepairedSurfaces::operator+=(const RepairedSurfaces& other)
+{
+  for (RepairedStrip strip : other.strips) {
+    for (auto& column : strip.columns)
+      column.first += is_seen.size();
+    strips.push_back(std::move(strip));
+  }
+  is_seen.insert(is_seen.end(), other.is_seen.begin(), other.is_seen.end());
+  repaired_floor += other.repaired_floor;
+  repaired_ceiling += other.repaired_ceiling;
+  return *this;
+}
 
 Picture
 drawRepair(const RepairedSurfaces& surfaces, const Floorplan& plan)

@@ -17,6 +17,9 @@ struct RepairedSurfaces {
   std::vector<bool> is_seen;        ///< of every point
   std::size_t repaired_floor = 0;   ///< points that fill holes of floors
   std::size_t repaired_ceiling = 0; ///< likewise of ceilings and undersides
+
+  /** @brief Adds those of another room. */
+  RepairedSurfaces& operator+=(const RepairedSurfaces& other);
 };
 
 /** @brief The surfaces of the last run of a repair. */

@@ -4,9 +4,7 @@
 #include "mesh_picture.h"
 #include "plan_picture.h"
 #include "plane_picture.h"
-#include "refinement_picture.h"
 #include "region_picture.h"
-#include "repair_picture.h"
 #include "room_picture.h"
 #include "thinning_picture.h"
 
@@ -66,6 +64,11 @@ ChainPictures::note(const std::string& stage, std::uint32_t room)
     floors_.push_back(floorCellsOf(chain.floor_recovery));
   else if (stage == "CeilingBoundaryWallGrowing")
     walls_.push_back(roomWallsOf(chain.wall_growing, room));
+  else if (stage == "StructureRefinement")
+    refined_ +=
+        refinedWallsOf(chain.refinement, labelsOf(*chain.refinement.getInputCloud()));
+  else if (stage == "VerticalHoleRepair")
+    repaired_ += repairedSurfacesOf(chain.hole_repair);
 }
 
 std::vector<std::string>
@@ -89,7 +92,6 @@ ChainPictures::draw() const
 {
   const StructureChain& chain = chain_.getChain();
   const PointView points(*chain.cloud);
-  const std::vector<std::uint32_t> labels = labelsOf(*chain.refinement.getInputCloud());
   const std::vector<Picture> pictures{
       drawThinning(*chain_.getInputSource(), thinnedPoints(chain_),
                    chain_.getVoxelSize()),
@@ -102,8 +104,8 @@ ChainPictures::draw() const
       drawFloor(floors_),
       drawWalls(walls_, points),
       drawPlan(*chain.plan, chain.floorplan_fitting.getBoundaries()),
-      drawRefinement(refinedWallsOf(chain.refinement, labels), *chain.plan),
-      drawRepair(repairedSurfacesOf(chain.hole_repair), *chain.plan),
+      drawRefinement(refined_, *chain.plan),
+      drawRepair(repaired_, *chain.plan),
       drawMesh(chain.poisson.getMesh())};
   std::vector<PictureFile> files;
   for (std::size_t i = 0; i < pictures.size(); ++i)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "floor_picture.h"
+#include "refinement_picture.h"
+#include "repair_picture.h"
 #include "slice_picture.h"
 #include "wall_picture.h"
 
@@ -48,6 +50,8 @@ private:
   std::vector<RoomSlices> slices_;
   std::vector<FloorCells> floors_;
   std::vector<RoomWalls> walls_;
+  RefinedWalls refined_;
+  RepairedSurfaces repaired_;
 };
 
 } // namespace tools

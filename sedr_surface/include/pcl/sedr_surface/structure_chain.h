@@ -63,8 +63,8 @@ public:
 
   /** @brief Called with a stage's name and a room after every run of that stage's
    * object, while its getters still tell what that run decided. Outlier removal runs
-   * once a ceiling plane, details, floors and walls once a room; room 0 stands for all.
-   */
+   * once a ceiling plane; details, floors, walls, refinement and repair run once a
+   * room; room 0 stands for all. */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
   /** @brief Whether a scan too sparse for its cells gets larger ones, see
@@ -112,7 +112,10 @@ public:
   const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
 
   /** @brief Share of each room's points that hole repair added in the last run. */
-  std::map<std::uint32_t, double> repairedShares() const;
+  const std::map<std::uint32_t, double>& repairedShares() const
+  {
+    return repaired_shares_;
+  }
 
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
@@ -143,6 +146,10 @@ private:
   bool fitPlan(StageReport& report);
   bool refine(StageReport& report);
   bool repair(StageReport& report);
+
+  /** @brief The labelled points of a room, as refinement takes them. */
+  StructureCloud::Ptr labelledCloud(std::uint32_t room) const;
+
   void warnOfGuesses();
   bool extrude(StageReport& report);
 
@@ -185,7 +192,9 @@ private:
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
   std::vector<pcl::Indices> shares_;       ///< points of each room, from room 0 on
   std::vector<double> slice_height_;       ///< of each room, NaN without details
-  StructureCloud::Ptr refined_;
+  std::vector<StructureCloud::Ptr>
+      refined_; ///< of each room of the plan, till repaired
+  std::map<std::uint32_t, double> repaired_shares_;
 };
 
 } // namespace sedr

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <pcl/sedr_filters/surface_cells.h>
+
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+std::shared_ptr<const Floorplan>
+planOf(const PlanRoom& room)
+{
+  return std::make_shared<const Floorplan>(Floorplan{{room}});
+}
+
+} // namespace
+
+StructureChain::StructureCloud::Ptr
+StructureChain::labelledCloud(std::uint32_t room) const
+{
+  StructureCloud::Ptr points(new StructureCloud);
+  points->reserve(shares_[room].size());
+  for (const int i : shares_[room]) {
+    const auto at = static_cast<std::size_t>(i);
+    pcl::PointStructure p;
+    p.getVector3fMap() = (*cloud)[at].getVector3fMap();
+    p.label = labels[at];
+    p.room = room;
+    if (p.label != 0)
+      points->push_back(p);
+  }
+  return points;
+}
+
+bool
+StructureChain::refine(StageReport& report)
+{
+  shareOut();
+  for (const PlanRoom& room : plan->rooms) {
+    refined_.emplace_back(new StructureCloud);
+    refinement.setInputCloud(labelledCloud(room.id));
+    refinement.setFloorplan(planOf(room));
+    refinement.filter(*refined_.back());
+    if (!refinement.getErrorMessage().empty())
+      return fail(refinement.getErrorMessage());
+    tellResult("StructureRefinement", room.id);
+    report.points_out += refined_.back()->size();
+  }
+  refinement.setFloorplan(plan);
+  return report.points_out > 0 || fail("no labelled point lies on the floor plan");
+}
+
+bool
+StructureChain::repair(StageReport& report)
+{
+  const double size = hole_repair.getGridSize();
+  const std::string excess = size > 0 ? surfaceCellsProblem(*plan, size) : "";
+  if (!excess.empty())
+    return fail(excess);
+  for (std::size_t r = 0; r < plan->rooms.size(); ++r) {
+    const PlanRoom& room = plan->rooms[r];
+    StructureCloud whole;
+    hole_repair.setInputCloud(refined_[r]);
+    hole_repair.setFloorplan(planOf(room));
+    refined_[r].reset(); // the points of all rooms, twice, would be most of the memory
+    hole_repair.filter(whole);
+    if (!hole_repair.getErrorMessage().empty())
+      return fail(hole_repair.getErrorMessage());
+    tellResult("VerticalHoleRepair", room.id);
+    if (!whole.empty())
+      repaired_shares_[room.id] =
+          static_cast<double>(hole_repair.getRepairedIndices().size()) /
+          static_cast<double>(whole.size());
+    *structure += whole;
+  }
+  hole_repair.setFloorplan(plan);
+  report.points_out = structure->size();
+  warnOfGuesses();
+  return true;
+}
+
+void
+StructureChain::warnOfGuesses()
+{
+  // Larger cells leave the smaller ones of the repair empty, however good the scan.
+  const double most = enlarged_from_ > 0 ? 0.8 : 0.45;
+  for (const auto& [room, share] : repaired_shares_)
+    if (share > most) {
+      char text[120];
+      std::snprintf(text, sizeof text,
+                    "%.0f %% of its surface were filled in, not seen: its walls may be "
+                    "elsewhere",
+                    100 * share);
+      warn(room, text);
+    }
+}
+
+bool
+StructureChain::extrude(StageReport& report)
+{
+  extrusion.setFloorplan(plan);
+  pcl::PolygonMesh unused;
+  extrusion.reconstruct(unused);
+  tellResult("FloorplanExtrusion");
+  report.points_out = extrusion.getMesh().vertices.size();
+  warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
+                  extrusion.getWarnings().end());
+  // The mesh may do without: a room that has no solid is told, and the others go on.
+  if (!extrusion.getErrorMessage().empty())
+    warnings.push_back(extrusion.getErrorMessage());
+  return true;
+}
+
+} // namespace sedr
+} // namespace pcl
