@@ -112,7 +112,7 @@ public:
   const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
 
   /** @brief Share of each room's points that hole repair added in the last run. */
-  const std::map<std::uint32_t, double>& repairedShares() const
+  std::map<std::uint32_t, double> repairedShares() const
   {
     return repaired_shares_;
   }
