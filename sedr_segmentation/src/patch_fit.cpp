@@ -41,7 +41,14 @@ public:
       , weight_(patches_.size(), 1)
       , noise_(noise)
       , usual_variance_(usualVariance())
-  {}
+  {
+    constexpr double unevenness = 0.001; // of walls, metres
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      vote_.push_back(voteOf(i));
+      deviation_.push_back(deviationOf(i));
+      spread_.push_back(std::hypot(deviation_[i], unevenness));
+    }
+  }
 
   PatchFit run(Eigen::Index parameters)
   {
@@ -66,7 +73,7 @@ private:
     constexpr std::size_t tries = 60;
     std::vector<Weighted> means;
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      means.push_back({patches_[i]->mean(), voteOf(i)});
+      means.push_back({patches_[i]->mean(), vote_[i]});
     Eigen::Vector3d best(shortestHalf(std::move(means)).middle, 0, 0);
     double most = agreement(best);
     std::mt19937_64 random(1);
@@ -91,11 +98,9 @@ private:
   double agreement(const Eigen::Vector3d& step) const
   {
     constexpr double sigmas = 4;
-    constexpr double unevenness = 0.001; // of walls, metres
     double sum = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      sum += voteOf(i) * biweight(residual(i, step) /
-                                  (sigmas * std::hypot(deviationOf(i), unevenness)));
+      sum += vote_[i] * biweight(residual(i, step) / (sigmas * spread_[i]));
     return sum;
   }
 
@@ -151,7 +156,7 @@ private:
     std::vector<Weighted> scaled;
     for (std::size_t i = 0; i < patches_.size(); ++i)
       if (weight_[i] > 0)
-        scaled.push_back({std::abs(residual(i, step)) / deviationOf(i), voteOf(i)});
+        scaled.push_back({std::abs(residual(i, step)) / deviation_[i], vote_[i]});
     // Walls are less even than noise alone would make them.
     const double scale = std::max(1.0, 1.4826 * medianOf(std::move(scaled)));
     const double scatter =
@@ -160,7 +165,7 @@ private:
       weight_[i] =
           patches_[i]->count >= least_points && ownVariance(i) > scatter * scatter
               ? 0
-              : biweight(residual(i, step) / (sigmas * scale * deviationOf(i)));
+              : biweight(residual(i, step) / (sigmas * scale * deviation_[i]));
   }
 
   double deviationOf(std::size_t i) const
@@ -217,6 +222,9 @@ private:
   std::vector<double> weight_;
   double noise_;
   double usual_variance_;
+  std::vector<double> vote_;
+  std::vector<double> deviation_; ///< of the mean of each patch, metres
+  std::vector<double> spread_;    ///< the same, of a wall that is not quite even
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "refit_sums.h"
 #include "refit_targets.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 
 #include <algorithm>
@@ -27,8 +28,8 @@ public:
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
   {
-    const std::size_t enough = std::max<std::size_t>(
-        1, parameters.points_per_patch * targets_.shownPatches());
+    const std::size_t enough =
+        std::max<std::size_t>(1, parameters.points_per_patch * targets_.shownPatches());
     raw_.step *= std::max<std::size_t>(1, raw_.size() / enough); // of an excerpt too
   }
 
@@ -37,18 +38,20 @@ public:
     constexpr int rounds = 3;
     std::vector<double> centre;
     std::vector<double> band;
-    scatters_ = scatterOf(raw_, targets_, parameters_.reach);
+    Sightings sightings(raw_, targets_);
+    scatters_ = sightings.scatters(parameters_.reach);
     settleScatters();
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       centre.push_back(scatters_[t].centre);
       band.push_back(bandOf(t, scatters_[t].deviation));
     }
     for (int round = 0; round < rounds; ++round) {
-      const std::vector<PatchSums> sums = patchSums(raw_, targets_, centre, band);
+      sightings.update();
+      const std::vector<PatchFit> fits = fitsOf(sightings.patchSums(centre, band));
       for (std::size_t t = 0; t < targets_.size(); ++t) {
         if (isSparse(t) && round > 0)
           continue;
-        PatchFit fit = isSparse(t) ? shiftTo(scatters_[t]) : fitOf(sums, t);
+        PatchFit fit = isSparse(t) ? shiftTo(scatters_[t]) : fits[t];
         if (fit.count < static_cast<double>(parameters_.least_points))
           continue;
         if (!isSparse(t) && isBesideAnother(t, scatters_[t].deviation))
@@ -159,6 +162,17 @@ private:
                              std::sqrt(12.0 / std::max(1.0, scatters_[t].count)) /
                              targets_.lengthOf(t);
     return deviation <= largest_deviation_of_turn ? 2 : 1;
+  }
+
+  /** @brief Where the patches of each surface say that it is. */
+  std::vector<PatchFit> fitsOf(const std::vector<PatchSums>& sums) const
+  {
+    std::vector<PatchFit> fits(targets_.size());
+    parallelBlocks(fits.size(), 1, raw_.threads, [&](std::size_t t, std::size_t) {
+      if (!isSparse(t))
+        fits[t] = fitOf(sums, t);
+    });
+    return fits;
   }
 
   PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -52,18 +53,46 @@ struct RawPoints {
   }
 };
 
-/** @brief How the points within `reach` scatter about every surface, and nearer to it
- * than to another that runs along it: by the shortest interval that holds half of them
- * (Rousseeuw 1984), which what is beside a wall hardly moves. O(n). */
-std::vector<Scatter>
-scatterOf(const RawPoints& raw, const RefitTargets& targets, double reach);
+/** @brief The points of a scan that may show a surface, and which: found once, as most
+ * of what is to know of that is where they are. */
+class Sightings {
+public:
+  /** @brief Looks at all points, O(n). Both must outlive this. */
+  Sightings(const RawPoints& raw, const RefitTargets& targets);
 
-/** @brief Sums of all patches over the points within the `band` of their surface's
- * `centre`. O(n). Both are the same for any number of threads. */
-std::vector<PatchSums> patchSums(const RawPoints& raw,
-                                 const RefitTargets& targets,
-                                 const std::vector<double>& centre,
-                                 const std::vector<double>& band);
+  /** @brief Whether no other point may show a surface: no slab has moved far since. */
+  bool areAll() const;
+
+  /** @brief Looks again if they are not all. */
+  void update();
+
+  /** @brief How the points within `reach` scatter about every surface, and nearer to it
+   * than to another that runs along it: by the shortest interval that holds half of
+   * them (Rousseeuw 1984), which what is beside a wall hardly moves. */
+  std::vector<Scatter> scatters(double reach) const;
+
+  /** @brief Sums of all patches over the points within the `band` of their surface's
+   * `centre`. The same for any number of threads. */
+  std::vector<PatchSums> patchSums(const std::vector<double>& centre,
+                                   const std::vector<double>& band) const;
+
+private:
+  /** @brief A point of the scan and a candidate of RefitTargets. */
+  struct Sighting {
+    std::uint32_t point;
+    std::uint32_t candidate;
+  };
+
+  void find();
+
+  template <typename Sum, typename See>
+  std::vector<Sum> overAll(std::size_t size, See see) const;
+
+  const RawPoints& raw_;
+  const RefitTargets& targets_;
+  std::vector<std::vector<Sighting>> blocks_; ///< in the order of the points
+  std::vector<PlanSlab> slabs_were_;
+};
 
 /** @brief A surface fitted to its patches. */
 struct PatchFit {

@@ -106,6 +106,21 @@ RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double rea
   tabulate();
 }
 
+double
+RefitTargets::farthestMove(const std::vector<PlanSlab>& before) const
+{
+  double farthest = 0;
+  for (std::size_t k = 0; k < slabs_.size(); ++k)
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0}) {
+        const Eigen::Vector2d corner =
+            slabs_[k].middle + slabs_[k].half.cwiseProduct(Eigen::Vector2d(x, y));
+        farthest = std::max(farthest, std::abs(slabs_[k].slab->heightAt(corner) -
+                                               before[k].heightAt(corner)));
+      }
+  return farthest;
+}
+
 bool
 RefitTargets::isIn(const NicheSlabs& niche, const Eigen::Vector2d& p)
 {

@@ -36,6 +36,9 @@ public:
 
   std::size_t size() const { return curves_.curves.size() + slabs_.size(); }
 
+  /** @brief Points farther from a surface are not its own, metres. */
+  double reach() const { return reach_; }
+
   std::size_t slabCount() const { return slabs_.size(); }
   PlanSlab& slab(std::size_t k) const { return *slabs_[k].slab; }
   const Eigen::Vector2d& middle(std::size_t k) const { return slabs_[k].middle; }
@@ -69,14 +72,27 @@ public:
            patch - first_patch_[number] < rows * along_[number];
   }
 
-  /** @brief Calls `see(number, patch, distance, row)` for every surface that a point
-   * may show: its signed distance, and how that falls with each parameter. */
-  template <typename See>
-  void visit(const Eigen::Vector3d& p, See see) const
+  /** @brief Calls `note(candidate)` for every surface that a point may show by its
+   * place: one before which it is, and any slab at most `far` metres from it. */
+  template <typename Note>
+  void candidates(const Eigen::Vector3d& p, double far, Note note) const
   {
-    visitUprights(p, see);
-    visitSlabs(p, see);
+    findUprights(p, note);
+    findSlabs(p, far, note);
   }
+
+  /** @brief Calls `see(number, patch, distance, row)` if a point is within reach of a
+   * candidate: its signed distance, and how that falls with each parameter. */
+  template <typename See>
+  void look(std::size_t candidate, const Eigen::Vector3d& p, See see) const
+  {
+    candidate < stretches_.size() ? lookAtUpright(candidate, p, see)
+                                  : lookAtSlab(candidate - stretches_.size(), p, see);
+  }
+
+  /** @brief The greatest distance, metres, of a slab from where it was, `before` having
+   * been all slabs. */
+  double farthestMove(const std::vector<PlanSlab>& before) const;
 
 private:
   /** @brief A part of an upright surface with one height. */
@@ -113,34 +129,38 @@ private:
     std::size_t top = 0;
   };
 
-  template <typename See>
-  void visitUprights(const Eigen::Vector3d& p, See see) const
+  template <typename Note>
+  void findUprights(const Eigen::Vector3d& p, Note note) const
   {
     const Eigen::Vector2d place = p.head<2>();
     for (const std::uint32_t k : stretches_near_.at(place)) {
       const Stretch& stretch = stretches_[k];
-      if (p.z() < stretch.low || p.z() > stretch.high || !stretch.part.isBeside(place))
-        continue;
-      const MeasuredCurve& m = curves_.curves[stretch.curve];
-      const double d = m.curve.signedDistance(place);
-      if (std::abs(d) > reach_)
-        continue;
-      Eigen::Vector3d row(1, (place - m.pivot).dot(m.curve.direction), 0);
-      if (m.curve.isCircle())
-        row << (place - m.curve.point).normalized(), 1;
-      see(stretch.curve, patchOf(stretch, m, row, p.z()), d, row);
+      if (p.z() >= stretch.low && p.z() <= stretch.high && stretch.part.isBeside(place))
+        note(k);
     }
   }
 
   template <typename See>
-  void visitSlabs(const Eigen::Vector3d& p, See see) const
+  void lookAtUpright(std::size_t k, const Eigen::Vector3d& p, See see) const
   {
-    const auto look = [&](std::size_t k) {
-      const Slab& s = slabs_[k];
-      const double d = distanceAbove(*s.slab, p.cast<float>());
-      if (std::abs(d) <= reach_)
-        see(curves_.curves.size() + k, patchOf(k, p.head<2>()), d,
-            Eigen::Vector3d(1, p.x() - s.middle.x(), p.y() - s.middle.y()));
+    const Eigen::Vector2d place = p.head<2>();
+    const Stretch& stretch = stretches_[k];
+    const MeasuredCurve& m = curves_.curves[stretch.curve];
+    const double d = m.curve.signedDistance(place);
+    if (std::abs(d) > reach_)
+      return;
+    Eigen::Vector3d row(1, (place - m.pivot).dot(m.curve.direction), 0);
+    if (m.curve.isCircle())
+      row << (place - m.curve.point).normalized(), 1;
+    see(stretch.curve, patchOf(stretch, m, row, p.z()), d, row);
+  }
+
+  template <typename Note>
+  void findSlabs(const Eigen::Vector3d& p, double far, Note note) const
+  {
+    const auto noteNear = [&](std::size_t k) {
+      if (std::abs(distanceAbove(*slabs_[k].slab, p.cast<float>())) <= far)
+        note(stretches_.size() + k);
     };
     const Eigen::Vector2d place = p.head<2>();
     for (const std::uint32_t r : rooms_near_.at(place)) {
@@ -153,15 +173,25 @@ private:
         continue;
       const auto at = static_cast<std::size_t>(y * map.width + x);
       if (map.ceiling[at] >= 0)
-        look(static_cast<std::size_t>(map.ceiling[at]));
+        noteNear(static_cast<std::size_t>(map.ceiling[at]));
       if (map.floor[at] >= 0)
-        look(static_cast<std::size_t>(map.floor[at]));
+        noteNear(static_cast<std::size_t>(map.floor[at]));
     }
     for (const std::uint32_t n : niches_near_.at(place))
       if (isIn(niches_[n], place)) {
-        look(niches_[n].bottom);
-        look(niches_[n].top);
+        noteNear(niches_[n].bottom);
+        noteNear(niches_[n].top);
       }
+  }
+
+  template <typename See>
+  void lookAtSlab(std::size_t k, const Eigen::Vector3d& p, See see) const
+  {
+    const Slab& s = slabs_[k];
+    const double d = distanceAbove(*s.slab, p.cast<float>());
+    if (std::abs(d) <= reach_)
+      see(curves_.curves.size() + k, patchOf(k, p.head<2>()), d,
+          Eigen::Vector3d(1, p.x() - s.middle.x(), p.y() - s.middle.y()));
   }
 
   std::size_t patchOf(const Stretch& stretch,
