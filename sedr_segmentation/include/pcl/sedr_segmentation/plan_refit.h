@@ -28,7 +28,7 @@ struct RefitParameters {
   /** @brief Of a scan of more points for every tenth of a metre of wall and quarter of
    * a metre of slab, squared, every k-th point is taken. */
   std::size_t points_per_patch = 500;
-  unsigned threads = 0;              ///< 0: as many as there are processors
+  unsigned threads = 0; ///< 0: as many as there are processors
 };
 
 /** @brief What became of a plan. */
@@ -53,11 +53,11 @@ struct RefitReport {
  *
  * Where the other face of a partition is near, points between the faces are left to it.
  *
- * O(n) for n points, in four passes; the same for any number of threads. It copies no
- * points: 20 million of 20 rooms take some 40 MiB and, as every third point is taken,
- * about 5 s of processor time.
- * A plan with an empty loop, or one larger than a table of its cells may be, stays as
- * it is, and the report says why.
+ * O(n) for n points, in a pass over all and four over those near a surface; the same
+ * for any number of threads. It copies no points, but notes which show what: 8 bytes
+ * for each of them, of the 8 million that are looked at 50 MiB in all. A plan with an
+ * empty loop, or one larger than a table of its cells may be, stays as it is, and the
+ * report says why.
  * @param raw the scan; points that are not finite are left out
  * @param indices those of its points that count; empty: all */
 RefitReport refitToRaw(Floorplan& plan,
