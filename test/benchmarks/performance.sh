@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Measures what doc/performance.md tells; prints its tables and draws its plots:
+#
+#     test/benchmarks/performance.sh OUT_DIR [MILLIONS...]
+#
+# MILLIONS are the sizes of the buildings, in millions of points (10 30 100). What is in OUT_DIR is not measured
+# again. SEDR_BIN is the folder of the programs (build/benchmarks/bin), built with -DSEDR_BUILD_BENCHMARKS=ON. Have
+# nothing else run beside it: half an hour on two cores.
+set -euo pipefail
+
+if [ $# -lt 1 ]; then
+  sed -n '3,9s/^# \{0,1\}//p' "$0" >&2
+  exit 1
+fi
+out=$1
+shift
+[ $# -gt 0 ] || set -- 10 30 100
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+bin=${SEDR_BIN:-$here/../../build/benchmarks/bin}
+mkdir -p "$out"
+
+# measure FILE COMMAND...: what google-benchmark finds, unless it is known.
+measure() {
+  local file=$out/$1.json
+  shift
+  [ -s "$file" ] || "$@" --benchmark_out="$file.part" --benchmark_out_format=json \
+    --benchmark_report_aggregates_only=true >&2
+  [ -s "$file" ] || mv "$file.part" "$file"
+}
+
+measure thinning "$bin/benchmark_parallel_voxel_grid"
+measure stages "$bin/benchmark_stages"
+for scene in bls_room hls_hall syn_flat; do
+  [ -s "$out/$scene/scan.pcd" ] || "$bin/pcl_simulate_indoor_scan" "$scene" "$out/$scene" --noise 0.01 >&2
+  measure "chain_$scene" "$bin/benchmark_chain" "$out/$scene/scan.pcd"
+done
+[ -s "$out/buildings.csv" ] ||
+  "$here/building_costs.py" "$out/buildings.csv" --bin "$bin" --folder "$out" --millions "$@" >&2
+exec python3 "$here/performance_tables.py" "$out"
