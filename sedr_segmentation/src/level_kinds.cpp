@@ -76,6 +76,63 @@ shareOnTop(const std::vector<Level>& levels,
   return static_cast<double>(topmost) / static_cast<double>(coarse[of].size());
 }
 
+/** @brief Whether another level is a room's height below a tenth of a part of one. */
+bool
+isHigh(const std::vector<Level>& levels,
+       const std::vector<CellSet>& coarse,
+       std::size_t level,
+       const CellSet& part,
+       const LevelParameters& parameters)
+{
+  for (std::size_t f = 0; f < levels.size(); ++f)
+    if (shareBelow(levels, part, level, coarse[f], f, parameters) >= 0.1)
+      return true;
+  return false;
+}
+
+/** @brief Whether no level is seen above most cells of a region: of one as narrow as a
+ * soffit that takes the cells themselves, coarse ones reach over its edge. */
+bool
+isOpenAbove(const std::vector<Level>& levels,
+            std::size_t level,
+            const CellSet& region,
+            const LevelParameters& parameters)
+{
+  CellSet covered;
+  for (const Level& other : levels)
+    if (other.height > levels[level].height + 2 * parameters.tolerance)
+      covered = unite(covered, intersect(region, other.cells));
+  return 2 * covered.size() < region.size();
+}
+
+/** @brief The cells of those regions of a level that are ceilings though most of it is
+ * not: a soffit at the height of shelves, of the heads of windows, or of lamps
+ * elsewhere. */
+CellSet
+ceilingsWithin(const std::vector<Level>& levels,
+               const std::vector<CellSet>& coarse,
+               std::size_t level,
+               const LevelParameters& parameters)
+{
+  const CellSet& cells = levels[level].cells;
+  const double cell_area = parameters.cell_size * parameters.cell_size;
+  const CellRegions regions = labelRegions(cells);
+  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    keys[regions.label[i]].push_back(cells.keys()[i]);
+  CellSet found;
+  for (auto& k : keys) {
+    if (static_cast<double>(k.size()) * cell_area < parameters.minimum_area)
+      continue;
+    const CellSet region = CellSet::fromSorted(std::move(k));
+    if (isOpenAbove(levels, level, region, parameters) &&
+        isHigh(levels, coarse, level, coarsened(region, parameters.cell_size),
+               parameters))
+      found = unite(found, region);
+  }
+  return found;
+}
+
 /** @brief A connected part of all ceilings together: roughly a room, steps and soffits
  * included. */
 struct CeilingRegion {
@@ -150,14 +207,16 @@ classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
     level.kind = LevelKind::Other;
   }
   for (std::size_t c = 0; c < levels.size(); ++c) {
-    if (shareOnTop(levels, coarse, c, parameters) < 0.5)
+    if (shareOnTop(levels, coarse, c, parameters) >= 0.5) {
+      if (isHigh(levels, coarse, c, coarse[c], parameters))
+        levels[c].kind = LevelKind::Ceiling;
       continue;
-    double below = 0;
-    for (std::size_t f = 0; f < levels.size(); ++f)
-      below =
-          std::max(below, shareBelow(levels, coarse[c], c, coarse[f], f, parameters));
-    if (below >= 0.1)
-      levels[c].kind = LevelKind::Ceiling;
+    }
+    const CellSet soffits = ceilingsWithin(levels, coarse, c, parameters);
+    if (soffits.empty())
+      continue;
+    levels[c].kind = LevelKind::Ceiling;
+    levels[c].cells = levels[c].within = soffits;
   }
   for (const CeilingRegion& region : ceilingRegions(levels, parameters))
     markFloorsBelow(levels, coarse, region, parameters);

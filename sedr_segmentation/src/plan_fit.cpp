@@ -76,19 +76,23 @@ fitRooms(const PointView& points,
 }
 
 /** @brief Fits rooms again without the points of their neighbours' walls where they run
- * along them; one stays where that makes it no simpler. */
-void
+ * along them; one stays where that makes it no simpler.
+ * @return whether any changed */
+bool
 leaveToOthers(const PointView& points,
               const RoomFitParameters& parameters,
               std::vector<RoomWork>& work,
               Floorplan& plan)
 {
   std::vector<PlanRoom> rooms = plan.rooms;
+  std::vector<std::uint8_t> has_changed(rooms.size(), 0);
   parallelBlocks(rooms.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
-    RoomWork again{work[r].evidence, {}};
-    again.evidence.faces_of_others = facesOfOthers(plan, r);
-    if (again.evidence.faces_of_others.empty())
+    const std::vector<PlanElement> faces = facesOfOthers(plan, r);
+    if (faces.empty())
       return;
+    RoomWork again{work[r].evidence, {}};
+    again.evidence.faces_of_others.insert(again.evidence.faces_of_others.end(),
+                                          faces.begin(), faces.end());
     std::string problem;
     PlanRoom room = fitRoom(points, again.evidence, parameters, problem, &again.record);
     room.id = rooms[r].id;
@@ -97,8 +101,10 @@ leaveToOthers(const PointView& points,
       return;
     rooms[r] = std::move(room);
     work[r] = std::move(again);
+    has_changed[r] = 1;
   });
   plan.rooms = std::move(rooms);
+  return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
 
 } // namespace
@@ -164,7 +170,11 @@ fitPlan(const PointView& points,
     plan.rooms.push_back(std::move(rooms[r]));
     work.push_back(std::move(all_work[r]));
   }
-  leaveToOthers(points, parameters, work, plan);
+  // What a room leaves may show it a further wall of its neighbours.
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds; ++round)
+    if (!leaveToOthers(points, parameters, work, plan))
+      break;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     if (work[r].record.lost_area >= least_loss) {
       char text[96];

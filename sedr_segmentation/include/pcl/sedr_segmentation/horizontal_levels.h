@@ -76,9 +76,10 @@ void collectInliers(std::vector<Level>& levels,
                     const LevelParameters& parameters);
 
 /** @brief Decides what each level is. A ceiling is the highest level over most of its
- * cells and has a level at least a room's height below; under each of its regions the
- * lowest level that is seen in a tenth of the region is its floor. All others (table
- * tops, shelves, the ground outside) are neither. */
+ * cells and has a level at least a room's height below; where only some regions of a
+ * level are so, a soffit at the height of shelves elsewhere, it keeps those alone;
+ * under each of its regions the lowest level that is seen in a tenth of the region is
+ * its floor. All others (table tops, shelves, the ground outside) are neither. */
 void classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters);
 
 } // namespace sedr
