@@ -151,7 +151,7 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   result.skipped_points = skipped;
   if (!truth && !cloud_)
     return true;
-  const sedr::MeshDistance to_mesh(*mesh);
+  const sedr::MeshDistance to_mesh(*mesh, threads_);
   if (cloud_)
     result.cloud_to_mesh = measure(points, to_mesh);
   if (!truth)
@@ -159,7 +159,7 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   const auto of_mesh = sedr::sampleMesh(*mesh, sample_spacing_, seed_);
   const auto of_truth = sedr::sampleMesh(*truth, sample_spacing_, seed_);
   result.truth = sedr::measureMesh(*truth);
-  result.mesh_to_truth = measure(of_mesh.points, sedr::MeshDistance(*truth));
+  result.mesh_to_truth = measure(of_mesh.points, sedr::MeshDistance(*truth, threads_));
   result.truth_to_mesh = measure(of_truth.points, to_mesh);
   result.sample_spacing = std::max(of_mesh.spacing, of_truth.spacing);
   return true;
