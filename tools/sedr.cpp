@@ -59,14 +59,7 @@ reconstruct(Reconstruction& chain, bool with_mesh)
     progress.reset(); // one line ends before the next begins
     progress = std::make_unique<Progress>(stage);
   };
-  pcl::PolygonMesh mesh;
-  bool is_done = false;
-  if (with_mesh) {
-    chain.reconstruct(mesh);
-    is_done = !mesh.polygons.empty();
-  }
-  else
-    is_done = chain.findStructure();
+  const bool is_done = chain.findStructure() && (!with_mesh || chain.makeMesh());
   chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
   progress.reset();
   if (!is_done)
@@ -84,8 +77,9 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
     if (result.labels[i] != 0)
       structure->push_back(static_cast<int>(i));
   pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(
-      std::make_shared<const pcl::sedr::TriangleMesh>(result.poisson.getMesh()));
+  const std::shared_ptr<const pcl::sedr::TriangleMesh> mesh(
+      std::shared_ptr<void>(), &result.poisson.getMesh()); // the chain's own, no copy
+  evaluation.setInputMesh(mesh);
   evaluation.setInputCloud(result.cloud);
   evaluation.setIndices(structure);
   evaluation.setNumberOfThreads(threads);

@@ -147,10 +147,9 @@ StructureChain::makeMesh()
   return runStage("StructuralPoisson", structure->size(), [&](StageReport& report) {
     poisson.setInputCloud(structure);
     poisson.setFloorplan(mesh_from_plan ? plan : nullptr);
-    pcl::PolygonMesh unused;
-    poisson.reconstruct(unused);
+    const bool is_made = poisson.makeMesh();
     report.points_out = poisson.getMesh().vertices.size();
-    if (poisson.getMesh().empty())
+    if (!is_made)
       return fail(poisson.getErrorMessage());
     tellResult("StructuralPoisson");
     if (!poisson.getErrorMessage().empty())

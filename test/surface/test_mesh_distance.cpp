@@ -86,6 +86,33 @@ TEST(MeshDistance, agrees_with_every_triangle_tried_slivers_and_flat_ones_includ
   }
 }
 
+TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)
+{
+  constexpr std::uint32_t parts = 120;
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= parts; ++i)
+    for (std::uint32_t j = 0; j <= parts; ++j)
+      mesh.vertices.emplace_back(6. * i / parts, 6. * j / parts, 0);
+  for (std::uint32_t i = 0; i < parts; ++i)
+    for (std::uint32_t j = 0; j < parts; ++j) {
+      const std::uint32_t v = (parts + 1) * i + j;
+      mesh.triangles.push_back({v, v + parts + 1, v + parts + 2});
+      mesh.triangles.push_back({v, v + parts + 2, v + 1});
+    }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(-3, 9);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 5000; ++i)
+    points.emplace_back(place(random), place(random), place(random) / 10);
+  const auto distances = MeshDistance(mesh, 1).distances(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d nearest =
+        points[i].cwiseMax(0.).cwiseMin(Eigen::Vector3d(6, 6, 0));
+    EXPECT_NEAR(distances[i], (points[i] - nearest).norm(), 1e-12) << i;
+  }
+  EXPECT_EQ(MeshDistance(mesh, 2).distances(points, 2), distances);
+}
+
 TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
 {
   // Two squares of 1 m and 9 m^2, the large one of two triangles, the small one of

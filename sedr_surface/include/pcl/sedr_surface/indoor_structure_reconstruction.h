@@ -135,6 +135,12 @@ public:
    * @return false where a stage found nothing, with the reason in getErrorMessage() */
   bool findStructure();
 
+  /** @brief Makes the mesh of the structure that was found, for
+   * getChain().poisson.getMesh() alone: without PCL's form of it, which is several
+   * times as large.
+   * @return false where there is none, with the reason in getErrorMessage() */
+  bool makeMesh();
+
   /** @brief Refined and repaired points with normal, label and room. */
   sedr::StructureChain::StructureCloud::ConstPtr getStructure() const
   {

@@ -78,6 +78,11 @@ public:
    * field, their room. */
   void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
+  /** @brief The same for getMesh() alone: without PCL's form of the mesh, which is
+   * several times as large.
+   * @return false if there is no surface */
+  bool makeMesh() { return run(); }
+
   /** @brief The room of every point of the input cloud; empty (default): the points'
    * own field `room`. */
   void setRoomLabels(const std::vector<std::uint32_t>& rooms) { room_labels_ = rooms; }

@@ -204,16 +204,21 @@ IndoorStructureReconstruction<PointT>::reconstruct(PointCloud& points,
 }
 
 template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
+bool
+IndoorStructureReconstruction<PointT>::makeMesh()
 {
   const bool is_done = chain_.makeMesh();
   reports_.push_back(chain_.reports.back());
-  if (!is_done) {
-    fail("IndoorStructureReconstruction", chain_.failed_stage + ": " + chain_.problem);
-    return;
-  }
-  sedr::toPolygonMesh(chain_.poisson.getMesh(), output);
+  return is_done || fail("IndoorStructureReconstruction",
+                         chain_.failed_stage + ": " + chain_.problem);
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
+{
+  if (makeMesh())
+    sedr::toPolygonMesh(chain_.poisson.getMesh(), output);
 }
 
 template <typename PointT>
