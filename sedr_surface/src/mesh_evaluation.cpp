@@ -15,7 +15,9 @@ measureMesh(const TriangleMesh& mesh)
   MeshFigures figures;
   figures.topology = checkTopology(mesh);
   figures.closed = figures.topology.isClosedManifold();
-  TriangleMesh welded = mesh;
+  TriangleMesh welded; // without what is kept of every triangle
+  welded.vertices = mesh.vertices;
+  welded.triangles = mesh.triangles;
   figures.closed_when_welded = weldVertices(welded) == 0
                                    ? figures.closed
                                    : checkTopology(welded).isClosedManifold();

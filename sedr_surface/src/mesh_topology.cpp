@@ -25,7 +25,6 @@ countVertices(const TriangleMesh& mesh, MeshTopology& topology)
       used[v] = true;
   topology.vertices =
       static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  topology.unused_vertices = mesh.vertices.size() - topology.vertices;
 }
 
 void
@@ -127,8 +126,83 @@ measureComponents(const TriangleMesh& mesh,
     if (last - first == 1)
       topology.components[component[first->triangle]].closed = false;
   });
-  std::stable_sort(topology.components.begin(), topology.components.end(),
-                   [](const auto& a, const auto& b) { return a.area > b.area; });
+}
+
+/** @brief How the triangles of a mesh, or of a part of one, hang together. */
+MeshTopology
+topologyOf(const TriangleMesh& mesh)
+{
+  MeshTopology topology;
+  countVertices(mesh, topology);
+  countTriangles(mesh, topology);
+  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
+  countEdges(uses, topology);
+  countFans(mesh, uses, topology);
+  measureComponents(mesh, uses, topology);
+  return topology;
+}
+
+/** @brief Triangles [first, last), whose vertices [low, high] no other has. */
+struct MeshPart {
+  std::size_t first;
+  std::size_t last;
+  std::uint32_t low;
+  std::uint32_t high;
+};
+
+/** @brief The rooms of a mesh where they follow one another, else all of it: what hangs
+ * together is looked at room by room, as that takes much more memory than the mesh. */
+std::vector<MeshPart>
+partsByRoom(const TriangleMesh& mesh)
+{
+  std::vector<MeshPart> runs;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [low, high] =
+        std::minmax_element(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    if (t == 0 || (!mesh.rooms.empty() && mesh.rooms[t] != mesh.rooms[t - 1]))
+      runs.push_back({t, t, *low, *high});
+    MeshPart& run = runs.back();
+    run = {run.first, t + 1, std::min(run.low, *low), std::max(run.high, *high)};
+  }
+  std::vector<MeshPart> parts;
+  for (const MeshPart& run : runs) {
+    parts.push_back(run);
+    while (parts.size() > 1 && parts.back().low <= parts[parts.size() - 2].high) {
+      MeshPart& before = parts[parts.size() - 2];
+      before = {before.first, run.last, std::min(before.low, parts.back().low),
+                std::max(before.high, parts.back().high)};
+      parts.pop_back();
+    }
+  }
+  return parts;
+}
+
+TriangleMesh
+copyOf(const TriangleMesh& mesh, const MeshPart& part)
+{
+  TriangleMesh copy;
+  copy.vertices.assign(mesh.vertices.begin() + part.low,
+                       mesh.vertices.begin() + part.high + 1);
+  for (std::size_t t = part.first; t < part.last; ++t) {
+    copy.triangles.push_back(mesh.triangles[t]);
+    for (auto& v : copy.triangles.back())
+      v -= part.low;
+  }
+  return copy;
+}
+
+void
+add(const MeshTopology& part, MeshTopology& sum)
+{
+  for (const auto count :
+       {&MeshTopology::vertices, &MeshTopology::edges, &MeshTopology::triangles,
+        &MeshTopology::degenerate_triangles, &MeshTopology::zero_area_triangles,
+        &MeshTopology::duplicate_triangles, &MeshTopology::boundary_edges,
+        &MeshTopology::non_manifold_edges, &MeshTopology::inconsistent_edges,
+        &MeshTopology::non_manifold_vertices})
+    sum.*count += part.*count;
+  sum.components.insert(sum.components.end(), part.components.begin(),
+                        part.components.end());
 }
 
 } // namespace
@@ -159,16 +233,19 @@ MeshTopology::problem() const
 MeshTopology
 checkTopology(const TriangleMesh& mesh)
 {
+  const std::vector<MeshPart> parts = partsByRoom(mesh);
   MeshTopology topology;
-  countVertices(mesh, topology);
-  countTriangles(mesh, topology);
-  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
-  countEdges(uses, topology);
-  countFans(mesh, uses, topology);
-  measureComponents(mesh, uses, topology);
+  if (parts.size() == 1)
+    topology = topologyOf(mesh);
+  else
+    for (const MeshPart& part : parts)
+      add(topologyOf(copyOf(mesh, part)), topology);
+  topology.unused_vertices = mesh.vertices.size() - topology.vertices;
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +
                                   static_cast<std::int64_t>(topology.triangles);
+  std::stable_sort(topology.components.begin(), topology.components.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
   return topology;
 }
 

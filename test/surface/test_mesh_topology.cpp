@@ -123,6 +123,41 @@ TEST(MeshTopology, components_come_largest_first_with_their_own_volume)
   EXPECT_EQ(topology.euler_characteristic, 4);
 }
 
+TEST(MeshTopology, of_rooms_is_that_of_the_mesh_whether_or_not_they_share_vertices)
+{
+  // Two boxes and a torus in rooms of their own; then the first room's last triangle
+  // becomes the third's.
+  TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.append(box({2, 0, 0}, {5, 1, 1}));
+  mesh.append(torus());
+  mesh.vertices.emplace_back(9, 9, 9);
+  const std::size_t ring = mesh.triangles.size() - 24;
+  mesh.rooms.assign(12, 1);
+  mesh.rooms.insert(mesh.rooms.end(), 12, 2);
+  mesh.rooms.insert(mesh.rooms.end(), ring, 3);
+  for (const bool is_shared : {false, true}) {
+    if (is_shared)
+      std::swap(mesh.triangles[11], mesh.triangles.back());
+    TriangleMesh whole = mesh;
+    whole.rooms.clear();
+    const MeshTopology expected = checkTopology(whole);
+    const MeshTopology topology = checkTopology(mesh);
+    EXPECT_TRUE(topology.isClosedManifold());
+    EXPECT_EQ(topology.vertices, expected.vertices);
+    EXPECT_EQ(topology.unused_vertices, 1u);
+    EXPECT_EQ(topology.edges, expected.edges);
+    EXPECT_EQ(topology.triangles, expected.triangles);
+    EXPECT_EQ(topology.euler_characteristic, 4);
+    ASSERT_EQ(topology.components.size(), 3u);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(topology.components[c].area, expected.components[c].area);
+      EXPECT_EQ(topology.components[c].signed_volume,
+                expected.components[c].signed_volume);
+      EXPECT_TRUE(topology.components[c].closed);
+    }
+  }
+}
+
 TEST(MeshTopology, an_empty_mesh_is_not_closed)
 {
   const MeshTopology topology = checkTopology({});
