@@ -269,5 +269,28 @@ reconstructRoom(const std::vector<OrientedPoint>& points,
   return true;
 }
 
+RoomSurface
+surfaceOf(const RoomSamples& samples, const RoomPoissonParameters& parameters)
+{
+  RoomSurface surface;
+  RoomPoissonReport& report = surface.report;
+  report.room = samples.room;
+  report.skipped_points = samples.skipped;
+  report.scaled_normals = samples.scaled;
+  TriangleMesh& mesh = surface.mesh;
+  std::vector<std::uint32_t> nearest;
+  if (reconstructRoom(samples.points, parameters, mesh, nearest, report)) {
+    mesh.rooms.assign(mesh.triangles.size(), samples.room);
+    if (!samples.labels.empty())
+      for (const auto i : nearest)
+        mesh.labels.push_back(samples.labels[i]);
+  }
+  else
+    mesh = TriangleMesh();
+  if (!samples.problem.empty())
+    report.problem = samples.problem;
+  return surface;
+}
+
 } // namespace sedr
 } // namespace pcl

@@ -147,6 +147,7 @@ StructureChain::makeMesh()
   return runStage("StructuralPoisson", structure->size(), [&](StageReport& report) {
     poisson.setInputCloud(structure);
     poisson.setFloorplan(mesh_from_plan ? plan : nullptr);
+    poisson.setRoomWorkers(room_workers);
     const bool is_made = poisson.makeMesh();
     report.points_out = poisson.getMesh().vertices.size();
     if (!is_made)

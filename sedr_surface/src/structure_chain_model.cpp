@@ -38,6 +38,8 @@ StructureChain::labelledCloud(std::uint32_t room) const
 bool
 StructureChain::refine(StageReport& report)
 {
+  if (room_workers)
+    return refineElsewhere(report);
   shareOut();
   for (const PlanRoom& room : plan->rooms) {
     refined_.emplace_back(new StructureCloud);
@@ -60,7 +62,7 @@ StructureChain::repair(StageReport& report)
   const std::string excess = size > 0 ? surfaceCellsProblem(*plan, size) : "";
   if (!excess.empty())
     return fail(excess);
-  for (std::size_t r = 0; r < plan->rooms.size(); ++r) {
+  for (std::size_t r = 0; r < refined_.size(); ++r) { // none if done elsewhere
     const PlanRoom& room = plan->rooms[r];
     StructureCloud whole;
     hole_repair.setInputCloud(refined_[r]);

@@ -169,7 +169,9 @@ StructureChain::growWalls(StageReport& report)
 {
   wall_growing.setInputCloud(cloud);
   shareOut();
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
+  if (room_workers)
+    growWallsElsewhere(report);
+  for (std::size_t r = 0; r < regions_.size() && !room_workers; ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     wall_growing.setIndices(territory_[r]);
     wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
@@ -182,19 +184,27 @@ StructureChain::growWalls(StageReport& report)
       continue;
     }
     tellResult("CeilingBoundaryWallGrowing", room);
-    for (const int i : wall_growing.getWallIndices()) {
-      const auto at = static_cast<std::size_t>(i);
-      if (labels[at] != 0)
-        continue;
-      labels[at] = valueOf(StructureLabel::Wall);
-      rooms[at] = room;
-      ++report.points_out;
-    }
+    report.points_out += labelWalls(room, wall_growing.getWallIndices());
   }
   return report.points_out > 0 ||
          fail("no point lies within " +
               std::to_string(wall_growing.getDistanceThreshold()) +
               " m in plan of the boundary of the ceilings");
+}
+
+std::size_t
+StructureChain::labelWalls(std::uint32_t room, const pcl::Indices& walls)
+{
+  std::size_t labelled = 0;
+  for (const int i : walls) {
+    const auto at = static_cast<std::size_t>(i);
+    if (labels[at] != 0)
+      continue;
+    labels[at] = valueOf(StructureLabel::Wall);
+    rooms[at] = room;
+    ++labelled;
+  }
+  return labelled;
 }
 
 bool

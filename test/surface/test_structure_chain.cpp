@@ -130,7 +130,7 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   EXPECT_NE(chain.warnings[0].find("room 1: "), std::string::npos) << chain.warnings[0];
   EXPECT_NE(chain.warnings[0].find("not seen"), std::string::npos) << chain.warnings[0];
   // Three quarters of the walls: 52.5 of 94 square metres.
-  EXPECT_NEAR(chain.repairedShares()[1], 52.5 / 94, 0.05);
+  EXPECT_NEAR(chain.repairedShares().at(1), 52.5 / 94, 0.05);
 
   ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
   EXPECT_TRUE(chain.warnings.empty());

@@ -76,5 +76,26 @@ bool reconstructRoom(const std::vector<OrientedPoint>& points,
                      std::vector<std::uint32_t>& nearest,
                      RoomPoissonReport& report);
 
+/** @brief The points that the surface of a room is made of. */
+struct RoomSamples {
+  std::uint32_t room = 0;
+  std::vector<OrientedPoint> points; ///< finite, with unit normals into the room
+  std::vector<std::uint32_t> labels; ///< of each of them, or empty
+  std::size_t skipped = 0; ///< points left out: not finite, or without a normal
+  std::size_t scaled = 0;  ///< normals that were of another length than 1
+  std::string problem;     ///< what is wrong with the samples themselves, or empty
+};
+
+/** @brief The surface of a room, with room and label of every triangle, and what became
+ * of it. */
+struct RoomSurface {
+  TriangleMesh mesh; ///< empty without a surface
+  RoomPoissonReport report;
+};
+
+/** @brief The surface of a room from its samples; parameters in range. */
+RoomSurface surfaceOf(const RoomSamples& samples,
+                      const RoomPoissonParameters& parameters);
+
 } // namespace sedr
 } // namespace pcl

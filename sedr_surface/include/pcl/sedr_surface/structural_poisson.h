@@ -4,11 +4,13 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/room_poisson.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 #include <pcl/surface/reconstruction.h>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -188,6 +190,16 @@ public:
 
   int getSolverThreads() const { return parameters_.solver.threads; }
 
+  /** @brief Who makes the surfaces of the rooms; null (default): this object, one after
+   * the other. The result is the same. A room of which nothing comes back has no
+   * surface, and its report says why. */
+  void setRoomWorkers(const std::shared_ptr<sedr::RoomWorkers>& workers)
+  {
+    workers_ = workers;
+  }
+
+  std::shared_ptr<sedr::RoomWorkers> getRoomWorkers() const { return workers_; }
+
   /** @brief What became of each room, in the order of their numbers. */
   const std::vector<sedr::RoomPoissonReport>& getReports() const { return reports_; }
 
@@ -216,14 +228,6 @@ protected:
                              std::vector<pcl::Vertices>& polygons) override;
 
 private:
-  /** @brief The points of one room. */
-  struct Room {
-    std::vector<sedr::OrientedPoint> points;
-    std::vector<std::uint32_t> labels; ///< of each of them, or empty
-    std::size_t skipped = 0;
-    std::size_t scaled = 0;
-  };
-
   bool checkParameters();
 
   /** @brief Reconstructs into mesh_. */
@@ -237,11 +241,13 @@ private:
   /** @brief Takes them from the plan. */
   bool runOnPlan();
 
-  void gather(std::map<std::uint32_t, Room>& rooms) const;
+  void gather(std::map<std::uint32_t, sedr::RoomSamples>& rooms) const;
 
-  void addRoom(std::uint32_t number,
-               const Room& room,
-               const sedr::RoomPoissonParameters& parameters);
+  /** @brief Makes the surfaces of rooms; `samples(i)` is asked for once each, `sizes`
+   * say how much work each is. */
+  void addRooms(const std::vector<std::size_t>& sizes,
+                const std::function<sedr::RoomSamples(std::size_t)>& samples,
+                const sedr::RoomPoissonParameters& parameters);
 
   void summarize();
 
@@ -249,6 +255,7 @@ private:
   std::vector<std::uint32_t> room_labels_;
   std::shared_ptr<const sedr::Floorplan> plan_;
   double plan_spacing_ = 0.05;
+  std::shared_ptr<sedr::RoomWorkers> workers_;
   std::vector<sedr::RoomPoissonReport> reports_;
   sedr::TriangleMesh mesh_;
   bool closed_ = false;

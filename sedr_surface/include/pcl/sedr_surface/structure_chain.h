@@ -12,6 +12,7 @@
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include <cstddef>
@@ -66,6 +67,12 @@ public:
    * once a ceiling plane; details, floors, walls, refinement and repair run once a
    * room; room 0 stands for all. */
   std::function<void(const std::string&, std::uint32_t)> on_result;
+
+  /** @brief Who finds walls, refines, repairs and meshes the rooms, in this process or
+   * elsewhere; null (default): the stages' objects here, one room after the other. The
+   * result is the same, but on_result is not called for what is done elsewhere. A room
+   * that is lost is left out and told by a warning. */
+  std::shared_ptr<RoomWorkers> room_workers;
 
   /** @brief Whether a scan too sparse for its cells gets larger ones, see
    * cellSizeFor().
@@ -149,6 +156,25 @@ private:
 
   /** @brief The labelled points of a room, as refinement takes them. */
   StructureCloud::Ptr labelledCloud(std::uint32_t room) const;
+
+  /** @brief Labels the walls of a room where there is no label yet.
+   * @return how many points */
+  std::size_t labelWalls(std::uint32_t room, const pcl::Indices& walls);
+
+  // The same stages by room_workers.
+  void growWallsElsewhere(StageReport& report);
+  bool refineElsewhere(StageReport& report); ///< hole repair too
+
+  /** @brief The points that tell a room's walls, increasing. */
+  pcl::Indices wallPoints(std::size_t region) const;
+
+  WallJob wallJob(std::size_t region) const;
+  RepairJob repairJob(const PlanRoom& room) const;
+
+  /** @brief Takes the labels from all points of a room. */
+  void giveUp(std::uint32_t room);
+
+  void addStructure(std::uint32_t room, const RepairedRoom& repaired);
 
   void warnOfGuesses();
   bool extrude(StageReport& report);

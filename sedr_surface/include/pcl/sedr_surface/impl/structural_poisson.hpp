@@ -100,11 +100,13 @@ StructuralPoisson<PointNT>::roomOf(pcl::index_t index) const
 
 template <typename PointNT>
 void
-StructuralPoisson<PointNT>::gather(std::map<std::uint32_t, Room>& rooms) const
+StructuralPoisson<PointNT>::gather(
+    std::map<std::uint32_t, sedr::RoomSamples>& rooms) const
 {
   for (const auto index : *indices_) {
     const PointNT& point = (*input_)[index];
-    Room& room = rooms[roomOf(index)];
+    sedr::RoomSamples& room = rooms[roomOf(index)];
+    room.room = roomOf(index);
     const Eigen::Vector3f normal = point.getNormalVector3fMap();
     const float length = normal.norm();
     if (!pcl::isXYZFinite(point) || !std::isfinite(length) || length < 1e-6f) {
@@ -122,24 +124,36 @@ StructuralPoisson<PointNT>::gather(std::map<std::uint32_t, Room>& rooms) const
 
 template <typename PointNT>
 void
-StructuralPoisson<PointNT>::addRoom(std::uint32_t number,
-                                    const Room& room,
-                                    const sedr::RoomPoissonParameters& parameters)
+StructuralPoisson<PointNT>::addRooms(
+    const std::vector<std::size_t>& sizes,
+    const std::function<sedr::RoomSamples(std::size_t)>& samples,
+    const sedr::RoomPoissonParameters& parameters)
 {
-  sedr::RoomPoissonReport report;
-  report.room = number;
-  report.skipped_points = room.skipped;
-  report.scaled_normals = room.scaled;
-  sedr::TriangleMesh surface;
-  std::vector<std::uint32_t> nearest;
-  if (sedr::reconstructRoom(room.points, parameters, surface, nearest, report)) {
-    surface.rooms.assign(surface.triangles.size(), number);
-    if (!room.labels.empty())
-      for (const auto i : nearest)
-        surface.labels.push_back(room.labels[i]);
-    mesh_.append(surface);
+  const auto add = [this](const sedr::RoomSurface& surface) {
+    mesh_.append(surface.mesh);
+    reports_.push_back(surface.report);
+  };
+  if (!workers_) {
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      add(sedr::surfaceOf(samples(i), parameters));
+    return;
   }
-  reports_.push_back(report);
+  std::vector<sedr::RoomSurface> surfaces(sizes.size());
+  workers_->work(
+      sizes,
+      [&](std::size_t i) {
+        sedr::SurfaceJob job{samples(i), parameters};
+        surfaces[i].report.room = job.samples.room;
+        return job;
+      },
+      [&](std::size_t i, sedr::RoomResult result) {
+        if (auto* surface = std::get_if<sedr::RoomSurface>(&result))
+          surfaces[i] = std::move(*surface);
+        else
+          surfaces[i].report.problem = std::get<sedr::LostRoom>(result).reason;
+      });
+  for (const auto& surface : surfaces)
+    add(surface);
 }
 
 template <typename PointNT>
@@ -206,13 +220,19 @@ StructuralPoisson<PointNT>::runOnPlan()
     return false;
   sedr::RoomPoissonParameters parameters = parameters_;
   parameters.cell_ratio = std::max(0.1, edge_cells * parameters.cell_ratio);
-  for (const sedr::PlanRoom& room : plan_->rooms) {
-    sedr::PlanSamples samples = sedr::samplePlan(room, plan_spacing_);
-    addRoom(room.id, {std::move(samples.points), std::move(samples.labels)},
-            parameters);
-    if (!samples.problem.empty())
-      reports_.back().problem = samples.problem;
-  }
+  std::vector<std::size_t> sizes;
+  for (const sedr::PlanRoom& room : plan_->rooms)
+    sizes.push_back(static_cast<std::size_t>(room.area()));
+  addRooms(
+      sizes,
+      [this](std::size_t i) {
+        const sedr::PlanRoom& room = plan_->rooms[i];
+        sedr::PlanSamples samples = sedr::samplePlan(room, plan_spacing_);
+        return sedr::RoomSamples{
+            room.id, std::move(samples.points), std::move(samples.labels), 0,
+            0,       std::move(samples.problem)};
+      },
+      parameters);
   return true;
 }
 
@@ -237,10 +257,16 @@ StructuralPoisson<PointNT>::runOnPoints()
     problem =
         "no indices are selected of " + std::to_string(input_->size()) + " points";
   if (problem.empty()) {
-    std::map<std::uint32_t, Room> rooms;
+    std::map<std::uint32_t, sedr::RoomSamples> rooms;
     gather(rooms);
-    for (const auto& room : rooms)
-      addRoom(room.first, room.second, parameters_);
+    std::vector<std::size_t> sizes;
+    std::vector<sedr::RoomSamples*> samples;
+    for (auto& room : rooms) {
+      sizes.push_back(room.second.points.size());
+      samples.push_back(&room.second);
+    }
+    addRooms(
+        sizes, [&](std::size_t i) { return std::move(*samples[i]); }, parameters_);
   }
   deinitCompute();
   return problem.empty() || fail("StructuralPoisson", problem);
