@@ -5,6 +5,18 @@
 namespace pcl {
 namespace sedr {
 
+void
+addExcerpt(const PointView& points,
+           std::size_t first,
+           std::size_t step,
+           pcl::PointCloud<pcl::PointXYZ>& excerpt)
+{
+  for (std::size_t i = (step - first % step) % step; i < points.size(); i += step) {
+    const Eigen::Vector3f p = points[i];
+    excerpt.emplace_back(p.x(), p.y(), p.z());
+  }
+}
+
 ScanExcerpt::ScanExcerpt(const RowSource& scan,
                          std::size_t most_points,
                          unsigned threads)
@@ -26,11 +38,7 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
   scan_.forEachPiece([&](const Piece& piece) {
     const PointView points = coordinates.of(piece.rows, piece.size, threads_);
     sample.add(points, threads_);
-    for (std::size_t i = (step_ - piece.first % step_) % step_; i < piece.size;
-         i += step_) {
-      const Eigen::Vector3f p = points[i];
-      points_->emplace_back(p.x(), p.y(), p.z());
-    }
+    addExcerpt(points, piece.first, step_, *points_);
     // Whenever twice as much has been seen, which costs next to nothing.
     const std::size_t seen = piece.first + piece.size;
     if (seen >= 2 * looked_at && seen < scan_.size()) {

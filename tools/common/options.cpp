@@ -99,7 +99,15 @@ Options::Options(std::string tool, std::string purpose)
 void
 Options::file(const std::string& name, std::string& value, const std::string& help)
 {
-  files_.push_back({name, help, &value});
+  files_.push_back({name, help, &value, nullptr});
+}
+
+void
+Options::files(const std::string& name,
+               std::vector<std::string>& values,
+               const std::string& help)
+{
+  files_.push_back({name, help, nullptr, &values});
 }
 
 std::string
@@ -214,17 +222,31 @@ Options::parse(int argc, const char* const* argv)
   const auto names = given.count("file") != 0
                          ? given["file"].as<std::vector<std::string>>()
                          : std::vector<std::string>();
-  if (names.size() < files_.size())
-    throw ToolError(files_[names.size()].name + " is missing; usage: " + usage());
-  if (names.size() > files_.size())
-    throw ToolError("'" + names[files_.size()] +
-                    "' is one argument too many; usage: " + usage());
-  for (std::size_t i = 0; i < files_.size(); ++i)
-    *files_[i].value = names[i];
+  readFiles(names);
   for (const auto& option : options_)
     if (given.count(option.name) != 0)
       option.read(option.takes_value ? given[option.name].as<std::string>() : "");
   return true;
+}
+
+void
+Options::readFiles(const std::vector<std::string>& names) const
+{
+  if (names.size() < files_.size())
+    throw ToolError(files_[names.size()].name + " is missing; usage: " + usage());
+  std::size_t in_list = names.size() - files_.size() + 1;
+  const bool has_list = std::any_of(files_.begin(), files_.end(),
+                                    [](const File& file) { return file.values; });
+  if (in_list > 1 && !has_list)
+    throw ToolError("'" + names[files_.size()] +
+                    "' is one argument too many; usage: " + usage());
+  auto name = names.begin();
+  for (const File& file : files_)
+    if (file.value)
+      *file.value = *name++;
+    else
+      for (; in_list > 0; --in_list)
+        file.values->push_back(*name++);
 }
 
 std::string
@@ -232,7 +254,7 @@ Options::usage() const
 {
   std::string usage = tool_;
   for (const auto& file : files_)
-    usage += " " + file.name;
+    usage += " " + file.name + (file.values ? "..." : "");
   return options_.empty() ? usage : usage + " [options]";
 }
 

@@ -60,6 +60,12 @@ public:
   /** @brief A file or folder that must be named, in the order of these calls. */
   void file(const std::string& name, std::string& value, const std::string& help);
 
+  /** @brief One or more files or folders, at the place of this call among those of
+   * file(); there can be one such list. */
+  void files(const std::string& name,
+             std::vector<std::string>& values,
+             const std::string& help);
+
   /** @brief A number, `--name 0.05`, real or whole as `value` is; `unit` may be empty.
    */
   template <typename NumberT>
@@ -119,7 +125,8 @@ private:
   struct File {
     std::string name;
     std::string help;
-    std::string* value;
+    std::string* value;               ///< null of a list
+    std::vector<std::string>* values; ///< of a list, else null
   };
   struct Option {
     std::string name;
@@ -139,6 +146,9 @@ private:
                  const std::function<void(double)>& store);
 
   std::string usage() const;
+
+  /** @brief Hands out the names on the command line. */
+  void readFiles(const std::vector<std::string>& names) const;
 
   std::string tool_;
   std::string purpose_;

@@ -101,6 +101,20 @@ couldBeMillimetres(std::vector<double> heights)
 /** @brief x, y, z and the largest of their sizes, metres, of rows that are finite. */
 using Places = std::array<std::vector<double>, 4>;
 
+FileLayout
+layoutOf(const MappedFile& file, const std::string& path)
+{
+  if (!looksLikePly(file) && !looksLikePcd(file))
+    throw ToolError("'" + path + "' is neither a PCD nor a PLY file");
+  return looksLikePly(file) ? readPlyLayout(file, path) : readPcdLayout(file, path);
+}
+
+bool
+isInPieces(const FileLayout& layout)
+{
+  return layout.data == FileData::Binary || layout.data == FileData::BinaryBigEndian;
+}
+
 void
 addPlaces(const pcl::PCLPointCloud2& blob, double unit, Places& places)
 {
@@ -121,17 +135,21 @@ addPlaces(const pcl::PCLPointCloud2& blob, double unit, Places& places)
 
 } // namespace
 
+ScanHead
+readScanHead(const std::string& path)
+{
+  const FileLayout layout = layoutOf(MappedFile(path), path);
+  return {layout.blob.width, isInPieces(layout)};
+}
+
 ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes)
     : path_(path)
     , unit_(unit)
     , piece_bytes_(piece_bytes)
     , file_(path)
+    , layout_(layoutOf(file_, path))
 {
-  if (!looksLikePly(file_) && !looksLikePcd(file_))
-    throw ToolError("'" + path + "' is neither a PCD nor a PLY file");
-  layout_ =
-      looksLikePly(file_) ? readPlyLayout(file_, path) : readPcdLayout(file_, path);
-  if (layout_.data == FileData::Ascii || layout_.data == FileData::Compressed) {
+  if (!isInPieces(layout_)) {
     unpacked_ = readPoints(file_, layout_, path).data;
     rows_ = unpacked_.data();
   }
@@ -182,7 +200,9 @@ ScanFile::tidy(pcl::PCLPointCloud2& blob) const
 }
 
 void
-ScanFile::forEachPiece(const std::function<bool(const Piece&)>& see) const
+ScanFile::forEachPiece(std::size_t begin,
+                       std::size_t end,
+                       const std::function<bool(const Piece&)>& see) const
 {
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
   const std::size_t raw_size = layout_.blob.point_step;
@@ -191,11 +211,11 @@ ScanFile::forEachPiece(const std::function<bool(const Piece&)>& see) const
   const bool is_mapped = unpacked_.empty();
   std::vector<std::uint8_t> copy;
   bool goes_on = true;
-  for (std::size_t first = 0; first < size() && goes_on; first += rows_a_piece) {
-    const std::size_t rows = std::min(rows_a_piece, size() - first);
-    const std::size_t begin = layout_.begin + first * raw_size;
+  for (std::size_t first = begin; first < end && goes_on; first += rows_a_piece) {
+    const std::size_t rows = std::min(rows_a_piece, end - first);
+    const std::size_t at = layout_.begin + first * raw_size; // bytes
     if (is_mapped)
-      file_.expect(begin + rows * raw_size, rows * raw_size);
+      file_.expect(at + rows * raw_size, rows * raw_size);
     Piece piece{rows_ + first * raw_size, first, rows};
     if (!is_plain_) {
       copy.resize(rows * rowSize());
@@ -209,7 +229,7 @@ ScanFile::forEachPiece(const std::function<bool(const Piece&)>& see) const
     }
     goes_on = see(piece);
     if (is_mapped)
-      file_.release(begin, rows * raw_size);
+      file_.release(at, rows * raw_size);
   }
 }
 

@@ -12,6 +12,16 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
+/** @brief What the head of a PCD or PLY file says. */
+struct ScanHead {
+  std::size_t rows = 0;
+  bool is_in_pieces = false; ///< whether some rows can be had without the others
+};
+
+/** @brief Reads nothing but the head of a file; anything amiss with it is a ToolError.
+ */
+ScanHead readScanHead(const std::string& path);
+
 /** @brief A PCD or PLY file, told apart by its content, that is read as it is needed.
  *
  * Its rows have every field of the file, x, y and z as FLOAT32 metres, no padding.
@@ -42,7 +52,16 @@ public:
   }
   std::size_t rowSize() const override { return tidy_.point_step; }
   std::size_t size() const override { return layout_.blob.width; }
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    forEachPiece(0, size(), see);
+  }
+
+  /** @brief The same for the rows from `begin` to `end`; those of a binary file come
+   * without the others being touched. */
+  void forEachPiece(std::size_t begin,
+                    std::size_t end,
+                    const std::function<bool(const Piece&)>& see) const;
 
   /** @brief Where the scan was seen from, metres. */
   Eigen::Vector4f origin() const;

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/point_view.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,13 @@ namespace sedr {
  * by piece, and says what is wrong with it. */
 class ScanSample {
 public:
-  /** @param size of the whole scan, points */
-  explicit ScanSample(std::size_t size)
+  /** @param size of the whole scan, points
+   * @param finite_before how many finite points of the scan come before those that will
+   * be added, where they are a part of it */
+  explicit ScanSample(std::size_t size, std::size_t finite_before = 0)
       : size_(size)
       , step_(size / most_points + 1)
+      , finite_(finite_before)
   {}
 
   /** @brief Takes the next points of the scan, in their order; `threads` 0: all. */
@@ -27,6 +31,20 @@ public:
     if (point.allFinite() && finite_++ % step_ == 0)
       sample_.push_back(point);
   }
+
+  /** @brief Adds what was looked at of the part of the scan that comes next, of which
+   * `finite` points are finite. */
+  void join(const std::vector<Eigen::Vector3f>& points, std::size_t finite)
+  {
+    sample_.insert(sample_.end(), points.begin(), points.end());
+    finite_ += finite;
+  }
+
+  /** @brief Finite points so far, those before the first one added among them. */
+  std::size_t finite() const { return finite_; }
+
+  /** @brief The points looked at. */
+  const std::vector<Eigen::Vector3f>& points() const { return sample_; }
 
   /** @brief The sentence of scanProblem(). */
   std::string problem() const;
@@ -40,7 +58,7 @@ private:
 
   std::size_t size_;
   std::size_t step_;
-  std::size_t finite_ = 0;
+  std::size_t finite_;
   std::vector<Eigen::Vector3f> sample_;
 };
 

@@ -8,11 +8,27 @@
 #include <pcl/surface/reconstruction.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief A scan that was thinned elsewhere, say in parts on several machines. */
+struct ThinnedScan {
+  using CloudPtr = StructureChain::Cloud::Ptr;
+
+  std::size_t size = 0; ///< points of the scan
+  /** The means of the voxels, as ParallelVoxelGrid gives them. */
+  CloudPtr points{new StructureChain::Cloud};
+  /** Every k-th point of the scan, where k is its rawStep(). */
+  CloudPtr excerpt{new StructureChain::Cloud};
+  std::string problem; ///< what ScanSample finds wrong with the scan, or empty
+};
+
+} // namespace sedr
 
 /** @brief From an indoor scan to the closed model of its ceilings, floors and walls:
  * all stages of the paper (section 2.1) as one SurfaceReconstruction. Frame: z up,
@@ -50,6 +66,13 @@ public:
     source_ = source;
   }
   std::shared_ptr<const sedr::RowSource> getInputSource() const { return source_; }
+
+  /** @brief Who thins the scan, with the leaf of getVoxelGrid(), in place of input
+   * cloud and input source; called once a run. Null (default): this object. */
+  void setThinning(const std::function<sedr::ThinnedScan()>& thinning)
+  {
+    thinning_ = thinning;
+  }
 
   /** @brief Size of a voxel in down-sampling, metres. Default 0.05. */
   void setVoxelSize(float size);
@@ -176,8 +199,16 @@ private:
    * of its points. */
   bool thinSource(PointCloud& means);
 
+  /** @brief Takes what is thinned elsewhere. */
+  bool takeThinned(sedr::StructureChain::Cloud& thinned);
+
   bool thin(sedr::StructureChain::Cloud& thinned);
 
+  /** @brief Thins a scan that stands here. */
+  bool thinHere(sedr::StructureChain::Cloud& thinned);
+
+  std::function<sedr::ThinnedScan()> thinning_;
+  std::size_t scan_size_ = 0; ///< points
   std::shared_ptr<const sedr::RowSource> source_;
   ParallelVoxelGrid<PointT> voxel_grid_;
   sedr::StructureChain chain_;

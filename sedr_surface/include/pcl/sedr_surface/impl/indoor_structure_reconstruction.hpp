@@ -132,9 +132,25 @@ IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
 
 template <typename PointT>
 bool
-IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
+IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& thinned)
 {
-  const auto start = std::chrono::steady_clock::now();
+  if (!checkSizes())
+    return false;
+  if (chain_.on_stage)
+    chain_.on_stage("ParallelVoxelGrid");
+  const sedr::ThinnedScan scan = thinning_();
+  if (!scan.problem.empty())
+    return refuseInput(scan.problem);
+  thinned.swap(*scan.points);
+  scan_size_ = scan.size;
+  chain_.floorplan_fitting.template setRawCloud<pcl::PointXYZ>(scan.excerpt);
+  return true;
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thinHere(sedr::StructureChain::Cloud& thinned)
+{
   PointCloud means;
   if (!(source_ ? thinSource(means) : thinCloud(means)))
     return false;
@@ -144,10 +160,21 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
                 "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
   pcl::copyPointCloud(means, thinned);
+  scan_size_ = source_ ? source_->size() : indices_->size();
+  return true;
+}
+
+template <typename PointT>
+bool
+IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
+{
+  const auto start = std::chrono::steady_clock::now();
+  if (!(thinning_ ? takeThinned(thinned) : thinHere(thinned)))
+    return false;
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
-  reports_.push_back({"ParallelVoxelGrid", source_ ? source_->size() : indices_->size(),
-                      thinned.size(), seconds.count()});
+  reports_.push_back(
+      {"ParallelVoxelGrid", scan_size_, thinned.size(), seconds.count()});
   return true;
 }
 
@@ -160,7 +187,8 @@ IndoorStructureReconstruction<PointT>::findStructure()
   reports_.clear();
   const sedr::StructureChain::Cloud::Ptr thinned(new sedr::StructureChain::Cloud);
   chain_.reset(thinned);
-  if (!source_ && !this->initCompute()) {
+  const bool has_cloud = !source_ && !thinning_;
+  if (has_cloud && !this->initCompute()) {
     chain_.failed_stage = "input";
     return fail(name, "no input cloud was set");
   }
@@ -172,7 +200,7 @@ IndoorStructureReconstruction<PointT>::findStructure()
       fail(name, chain_.failed_stage + ": " + chain_.problem);
   }
   chain_.floorplan_fitting.template setRawCloud<PointT>(nullptr);
-  if (!source_)
+  if (has_cloud)
     this->deinitCompute();
   return is_done;
 }
