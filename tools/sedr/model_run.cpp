@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_run.h"
+
+#include "chain_pictures.h"
+#include "output_folder.h"
+#include "progress.h"
+#include "report.h"
+#include "report/report_page.h"
+#include "run_tool.h"
+#include "solid_files.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+const std::vector<std::string> output_names{
+    "structure.pcd",  "mesh.ply",      "solid.ply",     "solid.obj",  "solid.mtl",
+    "floorplan.json", "floorplan.svg", "floorplan.dxf", "report.json"};
+
+/** @brief Runs a step that is no stage of the chain, with progress; it is handed its
+ * report, to fill in the points. */
+StageReport
+timed(const std::string& name, const std::function<void(StageReport&)>& step)
+{
+  const Progress progress(name);
+  StageReport report{name};
+  const auto start = std::chrono::steady_clock::now();
+  step(report);
+  report.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+/** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
+ */
+void
+reconstruct(Reconstruction& chain, bool with_mesh)
+{
+  std::unique_ptr<Progress> progress;
+  chain.getChain().on_stage = [&](const std::string& stage) {
+    progress.reset(); // one line ends before the next begins
+    progress = std::make_unique<Progress>(stage);
+  };
+  const bool is_done = chain.findStructure() && (!with_mesh || chain.makeMesh());
+  chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
+  progress.reset();
+  if (!is_done)
+    throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
+}
+
+/** @brief Distances of the labelled scan points, before refinement, from the mesh. */
+MeshEvaluationResult
+evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
+{
+  const auto& result = chain.getChain();
+  const std::size_t scanned = chain.getStageReports().front().points_out;
+  pcl::IndicesPtr structure(new pcl::Indices);
+  for (std::size_t i = 0; i < scanned; ++i)
+    if (result.labels[i] != 0)
+      structure->push_back(static_cast<int>(i));
+  pcl::MeshEvaluation evaluation;
+  const std::shared_ptr<const TriangleMesh> mesh(
+      std::shared_ptr<void>(), &result.poisson.getMesh()); // the chain's own, no copy
+  evaluation.setInputMesh(mesh);
+  evaluation.setInputCloud(result.cloud);
+  evaluation.setIndices(structure);
+  evaluation.setNumberOfThreads(threads);
+  MeshEvaluationResult figures;
+  if (!evaluation.compute(figures))
+    throw ToolError(evaluation.getErrorMessage(), NothingFound);
+  report.points_in = structure->size();
+  report.points_out = structure->size() - figures.skipped_points;
+  return figures;
+}
+
+/** @brief Writes the model: all but the report. */
+void
+writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
+{
+  saveStructure(folder.file("structure.pcd"), *chain.getStructure());
+  const std::string problem =
+      with_mesh ? savePly(folder.file("mesh.ply"), chain.getChain().poisson.getMesh())
+                : std::string();
+  if (!problem.empty())
+    throw ToolError(problem);
+  writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
+    stream << floorplanToJson(*chain.getFloorplan());
+  });
+  for (const char* name : {"floorplan.svg", "floorplan.dxf"})
+    saveDrawing(folder.file(name), *chain.getFloorplan());
+  const auto& extrusion = chain.getChain().extrusion;
+  for (const char* name : {"solid.ply", "solid.obj"})
+    saveSolid(folder.file(name), extrusion.getMesh(), extrusion.getElements());
+}
+
+void
+writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictures)
+{
+  folder.fill([&] {
+    for (const auto& picture : pictures)
+      writeWhole(folder.file(picture.name),
+                 [&](std::ostream& stream) { stream << picture.bytes; });
+  });
+}
+
+/** @brief Writes report.html from the files of the model, which are there by now. */
+void
+writeReportPage(const ModelSettings& settings)
+{
+  const Progress progress("writing the page");
+  PageSettings page;
+  page.scan = settings.input;
+  writePage(settings.folder, page);
+}
+
+} // namespace
+
+int
+makeModel(const std::string& tool,
+          const ModelSettings& settings,
+          Reconstruction& chain,
+          const std::function<std::size_t()>& open)
+{
+  if (settings.no_mesh && (settings.pictures || settings.report))
+    throw ToolError(
+        "--pictures and --report show the mesh, which --no-mesh leaves out");
+  std::vector<std::string> names = output_names;
+  if (settings.report)
+    names.emplace_back("report.html");
+  const OutputFolder folder(settings.folder, names);
+  std::optional<OutputFolder> picture_folder;
+  std::optional<ChainPictures> pictures;
+  if (settings.pictures) {
+    picture_folder.emplace(folder.file("pictures"), ChainPictures::names());
+    pictures.emplace(chain);
+  }
+  RunRecord record;
+  record.path = settings.input;
+  record.unit = settings.unit;
+  const StageReport reading = timed("reading", [&](StageReport& report) {
+    record.points = report.points_in = report.points_out = open();
+  });
+  reconstruct(chain, !settings.no_mesh);
+  record.stages = chain.getStageReports();
+  record.stages.insert(record.stages.begin(), reading);
+  if (!settings.no_mesh)
+    record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
+      record.figures = evaluate(chain, settings.threads, report);
+    }));
+  std::vector<PictureFile> drawn;
+  if (pictures)
+    record.stages.push_back(
+        timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
+  folder.fill([&] {
+    record.stages.push_back(timed("writing", [&](StageReport& report) {
+      writeModel(folder, chain, !settings.no_mesh);
+      report.points_in = report.points_out = chain.getStructure()->size();
+    }));
+    writeWhole(folder.file("report.json"),
+               [&](std::ostream& stream) { stream << makeReport(record, chain); });
+    if (picture_folder)
+      writePictures(*picture_folder, drawn);
+    if (settings.report)
+      writeReportPage(settings);
+  });
+  for (const auto& warning : chain.getChain().warnings)
+    std::cerr << tool << ": warning: " << warning << '\n';
+  say(summaryOf(record, chain));
+  return Done;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sedr/model_settings.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Reads, reconstructs, measures and writes: from a scan to the folder of its
+ * model. What fails is a ToolError.
+ * @param tool name of the program, for its warnings
+ * @param open gives the chain its scan, and returns how many points that has
+ * @return the exit code */
+int makeModel(const std::string& tool,
+              const ModelSettings& settings,
+              Reconstruction& chain,
+              const std::function<std::size_t()>& open);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_settings.h"
+
+#include <pcl/common/angles.h>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+ModelSettings::ModelSettings(const Reconstruction& chain)
+    : voxel(chain.getVoxelSize())
+    , plane_tolerance(chain.getPlaneTolerance())
+    , grid(chain.getGridSize())
+    , angle(pcl::rad2deg(chain.getBoundaryAngle()))
+    , neighbours(chain.getBoundaryNeighbors())
+    , minimum_cells(chain.getMinimumDetailCells())
+    , boundary_tolerance(chain.getBoundaryTolerance())
+    , depth(chain.getTreeDepth())
+    , threads(chain.getNumberOfThreads())
+    , seed(chain.getSeed())
+    , z_up(chain.getChain().trust_up)
+    , mesh_from_plan(chain.getChain().mesh_from_plan)
+{}
+
+void
+addModelOptions(Options& options, ModelSettings& s)
+{
+  options.number("voxel-size", s.voxel, "m", "edge of a voxel in down-sampling",
+                 Range::between(0.005, 1));
+  options.number("plane-tolerance", s.plane_tolerance, "m",
+                 "tolerance of the planes of ceiling and floor",
+                 Range::between(0.001, 1));
+  options.number("grid-size", s.grid, "m", "cell of outlier removal and grid-slices",
+                 Range::between(0.01, 1));
+  options.flag("fixed-grid", s.fixed_grid,
+               "keep the cells even where the scan is too sparse to fill them");
+  options.number("boundary-angle", s.angle, "degrees", "angle of boundary estimation",
+                 Range::between(1, 359));
+  options.number("boundary-neighbors", s.neighbours, "points",
+                 "neighbours of boundary estimation", Range::between(3, 10000));
+  options.number("minimum-cells", s.minimum_cells, "cells",
+                 "least region of a structural detail", Range::atLeast(1));
+  options.number("boundary-tolerance", s.boundary_tolerance, "m",
+                 "tolerance of the walls' lines and circles", Range::between(0.001, 1));
+  options.number("tree-depth", s.depth, "levels",
+                 "greatest depth of the Poisson reconstruction", Range::between(3, 14));
+  options.text(
+      "poisson-solver", s.poisson_solver,
+      "what solves the equation of mesh.ply: cells along the surface of its own, "
+      "or pcl::Poisson",
+      {"sedr", "pcl"});
+  options.number("threads", s.threads, "", "threads, 0 for all processors",
+                 Range::between(0, 1024));
+  options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
+  options.number("unit", s.unit, "m",
+                 "length of one unit of the scan: 0.001 for millimetres",
+                 Range::between(1e-6, 1e6));
+  options.flag("z-up", s.z_up,
+               "take z as up even if another axis seems to be, or the scan leans");
+  options.flag("mesh-from-plan", s.mesh_from_plan,
+               "sample the floor plan for mesh.ply, not the points");
+  options.flag("no-mesh", s.no_mesh,
+               "stop at the plan and its solid: no mesh.ply and no distances to it");
+  options.flag("report", s.report,
+               "write report.html, one page on all of it, as pcl_sedr_report does");
+}
+
+void
+apply(const ModelSettings& s, Reconstruction& chain)
+{
+  chain.setVoxelSize(static_cast<float>(s.voxel));
+  chain.setPlaneTolerance(s.plane_tolerance);
+  chain.setGridSize(s.grid);
+  chain.setAdaptiveGrid(!s.fixed_grid);
+  chain.setBoundaryEstimation(pcl::deg2rad(s.angle), s.neighbours);
+  chain.setMinimumDetailCells(s.minimum_cells);
+  chain.setBoundaryTolerance(s.boundary_tolerance);
+  chain.setTreeDepth(s.depth);
+  chain.getChain().poisson.setSolver(s.poisson_solver == "pcl"
+                                         ? pcl::sedr::PoissonSolver::Pcl
+                                         : pcl::sedr::PoissonSolver::Sedr);
+  chain.setNumberOfThreads(s.threads);
+  chain.setSeed(s.seed);
+  chain.getChain().trust_up = s.z_up;
+  chain.getChain().mesh_from_plan = s.mesh_from_plan;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.h"
+
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
+
+/** @brief What the command line sets; the defaults are the chain's. */
+struct ModelSettings {
+  explicit ModelSettings(const Reconstruction& chain);
+
+  std::string input; ///< as report.json names it
+  std::string folder;
+  double voxel;
+  double plane_tolerance;
+  double grid;
+  double angle; ///< degrees
+  unsigned neighbours;
+  std::size_t minimum_cells;
+  double boundary_tolerance;
+  int depth;
+  std::string poisson_solver = "sedr";
+  unsigned threads;
+  std::uint64_t seed;
+  double unit = 1; ///< metres
+  bool z_up;
+  bool fixed_grid = false;
+  bool mesh_from_plan;
+  bool no_mesh = false;
+  bool pictures = false;
+  bool report = false;
+};
+
+/** @brief Declares the options that say how a model is made. */
+void addModelOptions(Options& options, ModelSettings& s);
+
+/** @brief Sets the chain as the command line says. */
+void apply(const ModelSettings& s, Reconstruction& chain);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
