@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rank_orders.h"
+
+#include "joint_step.h"
+#include "joint_thinning.h"
+#include "packing.h"
+
+#include <utility>
+#include <variant>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief The work is done. */
+struct GoHome {};
+
+using What = std::variant<GoHome, ThinOrder, RoomJob>;
+
+struct Order {
+  std::uint32_t threads = 0; ///< 0: what the machine has for the rank
+  What what;
+};
+
+} // namespace
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
+
+namespace boost {
+namespace serialization {
+
+template <typename Archive>
+void
+serialize(Archive&, pcl::sedr::tools::GoHome&, unsigned)
+{}
+
+template <typename Archive>
+void
+serialize(Archive& archive, pcl::sedr::tools::ThinOrder& order, unsigned)
+{
+  archive& order.ranges& order.rows& order.excerpt_step& order.unit;
+  archive& order.inverse_leaf;
+}
+
+template <typename Archive>
+void
+serialize(Archive& archive, pcl::sedr::tools::Order& order, unsigned)
+{
+  archive& order.threads& order.what;
+}
+
+} // namespace serialization
+} // namespace boost
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+RankOrders::RankOrders(RankMail& mail, unsigned threads, unsigned asked_threads)
+    : mail_(mail)
+    , threads_(threads)
+    , asked_threads_(asked_threads)
+    , rooms_(std::make_shared<RoomDealer>(
+          mail,
+          [threads](const RoomJob& job) { return workOn(job, threads); },
+          [asked_threads](const RoomJob& job) {
+            return pack(Order{asked_threads, job});
+          }))
+{}
+
+ThinnedScan
+RankOrders::thin(const std::vector<ThinOrder>& orders)
+{
+  for (int r = 1; r < mail_.size(); ++r)
+    mail_.send(r, Subject::Order,
+               pack(Order{asked_threads_, orders[static_cast<std::size_t>(r)]}));
+  return thinTogether(mail_, orders.front(), threads_);
+}
+
+void
+sendHome(RankMail& mail)
+{
+  for (int r = 1; r < mail.size(); ++r)
+    mail.send(r, Subject::Order, pack(Order()));
+}
+
+void
+serve(RankMail& mail, unsigned fair_threads)
+{
+  for (;;) {
+    mail.waitFor(Subject::Order);
+    const auto order = unpack<Order>(mail.receive(0, Subject::Order));
+    const unsigned threads = order.threads > 0 ? order.threads : fair_threads;
+    if (const auto* thin = std::get_if<ThinOrder>(&order.what)) {
+      try {
+        thinTogether(mail, *thin, threads);
+      }
+      catch (const StepFailed&) {
+        continue; // rank 0 tells
+      }
+    }
+    else if (const auto* job = std::get_if<RoomJob>(&order.what))
+      mail.send(0, Subject::Result,
+                pack(workSafely(mail.rank(), *job, [threads](const RoomJob& one) {
+                  return workOn(one, threads);
+                })));
+    else
+      return;
+  }
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

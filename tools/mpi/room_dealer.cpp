@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_dealer.h"
+
+#include "joint_step.h"
+#include "packing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+const char*
+taskOf(const RoomJob& job)
+{
+  return std::holds_alternative<WallJob>(job)     ? "the walls"
+         : std::holds_alternative<RepairJob>(job) ? "the points"
+                                                  : "the mesh";
+}
+
+} // namespace
+
+RoomResult
+workSafely(int rank, const RoomJob& job, const RoomWork& work)
+{
+  try {
+    return work(job);
+  }
+  catch (...) {
+    return LostRoom{nameOf(rank) + " failed at " + taskOf(job) + " of room " +
+                    std::to_string(roomOf(job)) + ": " + currentProblem()};
+  }
+}
+
+RoomDealer::RoomDealer(RankMail& mail,
+                       RoomWork work,
+                       std::function<std::string(const RoomJob&)> order)
+    : mail_(mail)
+    , work_(std::move(work))
+    , order_(std::move(order))
+    , busy_(static_cast<std::size_t>(mail.size()))
+{}
+
+void
+RoomDealer::work(const std::vector<std::size_t>& sizes,
+                 const Job& job,
+                 const Take& take)
+{
+  std::vector<std::size_t> left(sizes.size());
+  std::iota(left.begin(), left.end(), 0);
+  std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
+    return sizes[a] < sizes[b]; // the largest is at the end
+  });
+  std::size_t taken = 0;
+  while (taken < sizes.size()) {
+    // This rank comes last: it has the others to look after.
+    for (int rank = mail_.size() - 1; rank >= 0 && !left.empty(); --rank)
+      if (!busy_[static_cast<std::size_t>(rank)]) {
+        give(rank, left.back(), job(left.back()));
+        left.pop_back();
+      }
+    if (takeOne(take))
+      ++taken;
+    else
+      rest();
+  }
+}
+
+void
+RoomDealer::give(int rank, std::size_t number, const RoomJob& job)
+{
+  busy_[static_cast<std::size_t>(rank)] = number;
+  if (rank > 0)
+    mail_.send(rank, Subject::Order, order_(job));
+  else
+    own_ = std::async(std::launch::async,
+                      [this, job] { return workSafely(0, job, work_); });
+}
+
+bool
+RoomDealer::takeOne(const Take& take)
+{
+  RoomResult result;
+  int rank = mail_.pending(Subject::Result);
+  if (rank > 0)
+    result = unpack<RoomResult>(mail_.receive(rank, Subject::Result));
+  else if (busy_[0] &&
+           own_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    rank = 0;
+    result = own_.get();
+  }
+  else
+    return false;
+  if (const auto* lost = std::get_if<LostRoom>(&result))
+    losses_.push_back(lost->reason);
+  const std::size_t number = *busy_[static_cast<std::size_t>(rank)];
+  busy_[static_cast<std::size_t>(rank)].reset();
+  take(number, std::move(result));
+  return true;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
