@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mpi/end_watch.h"
+#include "mpi/joint_step.h"
+#include "mpi/kept_rooms.h"
 #include "mpi/rank_mail.h"
 #include "mpi/rank_orders.h"
 #include "mpi/scan_parts.h"
 #include "run_tool.h"
 #include "sedr/model_run.h"
+#include "tool_error.h"
 
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
@@ -22,6 +26,7 @@ using namespace pcl::sedr::tools;
 
 namespace {
 
+constexpr const char* tool_name = "pcl_sedr_mpi";
 constexpr int rooms_missing = 3; ///< exit code: some rooms were lost
 
 /** @brief How many threads each of the ranks on this machine may have. */
@@ -65,36 +70,83 @@ thinOrders(const std::vector<ScanInput>& inputs, double unit, std::size_t ranks)
   return orders;
 }
 
-/** @brief Makes the model with the help of the other ranks. */
+/** @brief What the program was called with. */
+struct Call {
+  std::vector<std::string> scans;
+  ModelSettings settings{Reconstruction()};
+};
+
+/** @brief Makes the model with the help of the other ranks.
+ * @param fair_threads of this rank, where none were asked for */
 int
 makeModelTogether(const std::string& tool,
-                  ModelSettings& settings,
-                  const std::vector<std::string>& scans,
+                  Call& call,
                   RankMail& mail,
+                  EndWatch& watch,
                   unsigned fair_threads)
 {
+  ModelSettings& settings = call.settings;
   const unsigned asked = settings.threads;
   settings.threads = asked > 0 ? asked : fair_threads;
-  settings.input = joined(scans);
+  settings.input = joined(call.scans);
   Reconstruction chain;
   apply(settings, chain);
-  RankOrders orders(mail, settings.threads, asked);
+  KeptRooms kept(settings.folder + "/rooms", watch);
+  RankOrders orders(mail, settings.threads, asked, watch, kept);
   chain.getChain().room_workers = orders.rooms();
-  const int exit_code = makeModel(tool, settings, chain, [&] {
-    const std::vector<ScanInput> inputs = findInputs(scans);
-    auto thin_orders =
-        thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));
-    chain.setThinning([&orders, &chain, thin_orders]() mutable {
-      for (ThinOrder& order : thin_orders)
-        order.inverse_leaf =
-            Eigen::Array3f::Ones() / chain.getVoxelGrid().getLeafSize().array();
-      return orders.thin(thin_orders);
+  int exit_code = Done;
+  try {
+    exit_code = makeModel(tool, settings, chain, [&] {
+      const std::vector<ScanInput> inputs = findInputs(call.scans);
+      auto thin_orders =
+          thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));
+      chain.setThinning([&orders, &chain, thin_orders]() mutable {
+        for (ThinOrder& order : thin_orders)
+          order.inverse_leaf =
+              Eigen::Array3f::Ones() / chain.getVoxelGrid().getLeafSize().array();
+        return orders.thin(thin_orders);
+      });
+      return rowsOf(inputs);
     });
-    return rowsOf(inputs);
-  });
-  for (const std::string& loss : orders.rooms()->losses())
+  }
+  catch (const ToolError& error) {
+    if (kept.place().empty())
+      throw;
+    throw ToolError(std::string(error.what()) + "; what was finished is in '" +
+                        kept.place() + "'",
+                    error.exitCode());
+  }
+  kept.discard();
+  const std::vector<std::string>& losses = orders.rooms()->losses();
+  for (const std::string& loss : losses)
     std::cerr << tool << ": the model is not whole: " << loss << '\n';
-  return orders.rooms()->losses().empty() ? exit_code : rooms_missing;
+  return losses.empty() ? exit_code : rooms_missing;
+}
+
+/** @brief What rank 0 does. */
+int
+lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threads)
+{
+  Call call;
+  Options options(
+      tool_name,
+      "Reconstructs ceiling, floor and walls of an indoor scan as pcl_sedr does, with "
+      "the same result, on several processes or machines:\n"
+      "mpirun -n 4 pcl_sedr_mpi SCAN OUTPUT_DIR. Every machine needs the scan under "
+      "the "
+      "same name.\nExit code 3: a rank has failed and rooms are missing in the "
+      "result.");
+  options.files("SCAN", call.scans,
+                "PCD or PLY file, z up, or a folder of them; several are one scan");
+  options.file("OUTPUT_DIR", call.settings.folder,
+               "folder for the results, made if missing");
+  addModelOptions(options, call.settings);
+  watch.begin();
+  const int exit_code = runTool(options, argc, argv, [&] {
+    return makeModelTogether(options.tool(), call, mail, watch, fair_threads);
+  });
+  watch.end();
+  return exit_code;
 }
 
 } // namespace
@@ -102,29 +154,26 @@ makeModelTogether(const std::string& tool,
 int
 main(int argc, char** argv)
 {
+  EndWatch watch(tool_name);
   boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
   const boost::mpi::communicator ranks;
   RankMail mail(ranks);
   const unsigned fair_threads = fairThreads(ranks);
-  if (!mail.isFirst()) {
-    serve(mail, fair_threads);
-    return 0;
+  if (mail.isFirst()) {
+    const int exit_code = lead(argc, argv, mail, watch, fair_threads);
+    if (mail.hasLeft())
+      boost::mpi::environment::abort(exit_code);
+    sendHome(mail);
+    return exit_code;
   }
-  ModelSettings settings{Reconstruction()};
-  std::vector<std::string> scans;
-  Options options(
-      "pcl_sedr_mpi",
-      "Reconstructs ceiling, floor and walls of an indoor scan as pcl_sedr does, with "
-      "the same result, on several processes or machines: mpirun -n 4 pcl_sedr_mpi "
-      "SCAN OUTPUT_DIR.\nMachines need the files under the same names.");
-  options.files("SCAN", scans,
-                "PCD or PLY file, z up, or a folder of them; several are one scan");
-  options.file("OUTPUT_DIR", settings.folder,
-               "folder for the results, made if missing");
-  addModelOptions(options, settings);
-  const int exit_code = runTool(options, argc, argv, [&] {
-    return makeModelTogether(options.tool(), settings, scans, mail, fair_threads);
-  });
-  sendHome(mail);
-  return exit_code;
+  EndWatch::standDown();
+  try {
+    serve(mail, fair_threads);
+  }
+  catch (...) {
+    std::cerr << tool_name << ": " << nameOf(mail.rank())
+              << " failed: " << currentProblem() << std::endl;
+    boost::mpi::environment::abort(BadUse);
+  }
+  return Done;
 }

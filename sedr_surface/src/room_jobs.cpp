@@ -109,6 +109,22 @@ done(const SurfaceJob& job, unsigned threads)
 
 } // namespace
 
+pcl::PointCloud<pcl::PointStructure>
+cloudOf(std::uint32_t room, const RepairedRoom& repaired)
+{
+  pcl::PointCloud<pcl::PointStructure> cloud;
+  cloud.reserve(repaired.points.size());
+  for (std::size_t i = 0; i < repaired.points.size(); ++i) {
+    pcl::PointStructure p;
+    p.getVector3fMap() = repaired.points[i].position;
+    p.getNormalVector3fMap() = repaired.points[i].normal;
+    p.label = repaired.labels[i];
+    p.room = room;
+    cloud.push_back(p);
+  }
+  return cloud;
+}
+
 std::uint32_t
 roomOf(const RoomJob& job)
 {

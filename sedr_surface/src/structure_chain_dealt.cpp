@@ -151,14 +151,7 @@ StructureChain::refineElsewhere(StageReport& report)
 void
 StructureChain::addStructure(std::uint32_t room, const RepairedRoom& repaired)
 {
-  for (std::size_t i = 0; i < repaired.points.size(); ++i) {
-    pcl::PointStructure p;
-    p.getVector3fMap() = repaired.points[i].position;
-    p.getNormalVector3fMap() = repaired.points[i].normal;
-    p.label = repaired.labels[i];
-    p.room = room;
-    structure->push_back(p);
-  }
+  *structure += cloudOf(room, repaired);
   if (!repaired.points.empty())
     repaired_shares_[room] = static_cast<double>(repaired.filled) /
                              static_cast<double>(repaired.points.size());

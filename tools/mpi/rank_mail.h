@@ -60,12 +60,18 @@ public:
    * @return what every other rank had for this one */
   std::vector<std::string> exchange(const std::vector<Parcel>& parcels);
 
+  /** @brief Notes that something failed here while other ranks wait for an answer: they
+   * can only be aborted. */
+  void leave() { has_left_ = true; }
+  bool hasLeft() const { return has_left_; }
+
   /** @brief Bytes that this rank has sent. */
   std::uint64_t sent() const { return sent_; }
 
 private:
   boost::mpi::communicator ranks_;
   std::uint64_t sent_ = 0;
+  bool has_left_ = false;
 };
 
 /** @brief A little sleep between two looks at something. */

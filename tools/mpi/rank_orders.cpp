@@ -4,6 +4,7 @@
 #include "joint_step.h"
 #include "joint_thinning.h"
 #include "packing.h"
+#include "tool_error.h"
 
 #include <utility>
 #include <variant>
@@ -60,25 +61,50 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-RankOrders::RankOrders(RankMail& mail, unsigned threads, unsigned asked_threads)
+RankOrders::RankOrders(RankMail& mail,
+                       unsigned threads,
+                       unsigned asked_threads,
+                       EndWatch& watch,
+                       KeptRooms& kept)
     : mail_(mail)
     , threads_(threads)
     , asked_threads_(asked_threads)
-    , rooms_(std::make_shared<RoomDealer>(
-          mail,
-          [threads](const RoomJob& job) { return workOn(job, threads); },
-          [asked_threads](const RoomJob& job) {
-            return pack(Order{asked_threads, job});
-          }))
-{}
+    , watch_(watch)
+{
+  RoomHooks hooks;
+  hooks.work = [threads](const RoomJob& job) { return workOn(job, threads); };
+  hooks.order = [asked_threads](const RoomJob& job) {
+    return pack(Order{asked_threads, job});
+  };
+  hooks.note = [&watch](int rank, const std::string& held) { watch.note(rank, held); };
+  hooks.finished = [&kept](std::uint32_t room, const RoomResult& result) {
+    kept.keep(room, result);
+  };
+  rooms_ = std::make_shared<RoomDealer>(mail, hooks);
+}
 
 ThinnedScan
 RankOrders::thin(const std::vector<ThinOrder>& orders)
 {
-  for (int r = 1; r < mail_.size(); ++r)
-    mail_.send(r, Subject::Order,
-               pack(Order{asked_threads_, orders[static_cast<std::size_t>(r)]}));
-  return thinTogether(mail_, orders.front(), threads_);
+  for (int r = 0; r < mail_.size(); ++r) {
+    const ThinOrder& order = orders[static_cast<std::size_t>(r)];
+    watch_.note(r, textOf(order.ranges));
+    if (r > 0)
+      mail_.send(r, Subject::Order, pack(Order{asked_threads_, order}));
+  }
+  try {
+    ThinnedScan scan = thinTogether(mail_, orders.front(), threads_);
+    for (int r = 0; r < mail_.size(); ++r)
+      watch_.note(r, "");
+    return scan;
+  }
+  catch (const ToolError&) {
+    throw; // all have stopped
+  }
+  catch (...) {
+    mail_.leave();
+    throw;
+  }
 }
 
 void

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mpi/end_watch.h"
+#include "mpi/kept_rooms.h"
 #include "mpi/part_of_scan.h"
 #include "mpi/rank_mail.h"
 #include "mpi/room_dealer.h"
@@ -20,8 +22,14 @@ class RankOrders {
 public:
   /** @param mail of rank 0
    * @param threads of rank 0
-   * @param asked_threads of every rank, 0: what its machine has for it */
-  RankOrders(RankMail& mail, unsigned threads, unsigned asked_threads);
+   * @param asked_threads of every rank, 0: what its machine has for it
+   * @param watch is told what the ranks hold
+   * @param kept gets what is finished of rooms */
+  RankOrders(RankMail& mail,
+             unsigned threads,
+             unsigned asked_threads,
+             EndWatch& watch,
+             KeptRooms& kept);
 
   /** @brief Has a scan thinned, see thinTogether(); an order for every rank. */
   ThinnedScan thin(const std::vector<ThinOrder>& orders);
@@ -32,6 +40,7 @@ private:
   RankMail& mail_;
   unsigned threads_;
   unsigned asked_threads_;
+  EndWatch& watch_;
   std::shared_ptr<RoomDealer> rooms_;
 };
 

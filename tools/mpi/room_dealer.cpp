@@ -15,12 +15,14 @@ namespace tools {
 
 namespace {
 
-const char*
-taskOf(const RoomJob& job)
+/** @brief "the mesh of room 3". */
+std::string
+textOf(const RoomJob& job)
 {
-  return std::holds_alternative<WallJob>(job)     ? "the walls"
-         : std::holds_alternative<RepairJob>(job) ? "the points"
-                                                  : "the mesh";
+  const std::string what = std::holds_alternative<WallJob>(job)     ? "the walls"
+                           : std::holds_alternative<RepairJob>(job) ? "the points"
+                                                                    : "the mesh";
+  return what + " of room " + std::to_string(roomOf(job));
 }
 
 } // namespace
@@ -32,17 +34,14 @@ workSafely(int rank, const RoomJob& job, const RoomWork& work)
     return work(job);
   }
   catch (...) {
-    return LostRoom{nameOf(rank) + " failed at " + taskOf(job) + " of room " +
-                    std::to_string(roomOf(job)) + ": " + currentProblem()};
+    return LostRoom{nameOf(rank) + " failed at " + textOf(job) + ": " +
+                    currentProblem()};
   }
 }
 
-RoomDealer::RoomDealer(RankMail& mail,
-                       RoomWork work,
-                       std::function<std::string(const RoomJob&)> order)
+RoomDealer::RoomDealer(RankMail& mail, RoomHooks hooks)
     : mail_(mail)
-    , work_(std::move(work))
-    , order_(std::move(order))
+    , hooks_(std::move(hooks))
     , busy_(static_cast<std::size_t>(mail.size()))
 {}
 
@@ -56,8 +55,19 @@ RoomDealer::work(const std::vector<std::size_t>& sizes,
   std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
     return sizes[a] < sizes[b]; // the largest is at the end
   });
-  std::size_t taken = 0;
-  while (taken < sizes.size()) {
+  try {
+    dealOut(std::move(left), job, take);
+  }
+  catch (...) {
+    mail_.leave(); // others work, and will want to tell
+    throw;
+  }
+}
+
+void
+RoomDealer::dealOut(std::vector<std::size_t> left, const Job& job, const Take& take)
+{
+  for (std::size_t to_come = left.size(); to_come > 0;) {
     // This rank comes last: it has the others to look after.
     for (int rank = mail_.size() - 1; rank >= 0 && !left.empty(); --rank)
       if (!busy_[static_cast<std::size_t>(rank)]) {
@@ -65,21 +75,23 @@ RoomDealer::work(const std::vector<std::size_t>& sizes,
         left.pop_back();
       }
     if (takeOne(take))
-      ++taken;
+      --to_come;
     else
       rest();
   }
 }
 
 void
-RoomDealer::give(int rank, std::size_t number, const RoomJob& job)
+RoomDealer::give(int rank, std::size_t number, RoomJob job)
 {
-  busy_[static_cast<std::size_t>(rank)] = number;
+  busy_[static_cast<std::size_t>(rank)] = Task{number, roomOf(job)};
+  hooks_.note(rank, textOf(job));
   if (rank > 0)
-    mail_.send(rank, Subject::Order, order_(job));
+    mail_.send(rank, Subject::Order, hooks_.order(job));
   else
-    own_ = std::async(std::launch::async,
-                      [this, job] { return workSafely(0, job, work_); });
+    own_ = std::async(std::launch::async, [this, job = std::move(job)] {
+      return workSafely(0, job, hooks_.work);
+    });
 }
 
 bool
@@ -96,11 +108,13 @@ RoomDealer::takeOne(const Take& take)
   }
   else
     return false;
+  const Task task = *busy_[static_cast<std::size_t>(rank)];
+  busy_[static_cast<std::size_t>(rank)].reset();
+  hooks_.note(rank, "");
+  hooks_.finished(task.room, result);
   if (const auto* lost = std::get_if<LostRoom>(&result))
     losses_.push_back(lost->reason);
-  const std::size_t number = *busy_[static_cast<std::size_t>(rank)];
-  busy_[static_cast<std::size_t>(rank)].reset();
-  take(number, std::move(result));
+  take(task.number, std::move(result));
   return true;
 }
 

@@ -23,15 +23,23 @@ using RoomWork = std::function<RoomResult(const RoomJob&)>;
  * the rank. */
 RoomResult workSafely(int rank, const RoomJob& job, const RoomWork& work);
 
+/** @brief What a dealer needs of others. */
+struct RoomHooks {
+  RoomWork work; ///< on rank 0
+  /** The letter that asks another rank for a job; it answers with a packed RoomResult.
+   */
+  std::function<std::string(const RoomJob&)> order;
+  /** Told what a rank begins to work on, in words; empty when it is done. */
+  std::function<void(int rank, const std::string& held)> note;
+  /** Told what came of a room. */
+  std::function<void(std::uint32_t room, const RoomResult&)> finished;
+};
+
 /** @brief Deals rooms out to the ranks, this one, rank 0, among them: whoever is free
  * gets the largest room that is left. */
 class RoomDealer : public RoomWorkers {
 public:
-  /** @param order makes the letter that asks another rank for a job; it answers with a
-   * packed RoomResult */
-  RoomDealer(RankMail& mail,
-             RoomWork work,
-             std::function<std::string(const RoomJob&)> order);
+  RoomDealer(RankMail& mail, RoomHooks hooks);
 
   void work(const std::vector<std::size_t>& sizes,
             const std::function<RoomJob(std::size_t)>& job,
@@ -44,18 +52,25 @@ private:
   using Job = std::function<RoomJob(std::size_t)>;
   using Take = std::function<void(std::size_t, RoomResult)>;
 
-  /** @brief Gives `number` to a rank. */
-  void give(int rank, std::size_t number, const RoomJob& job);
+  void dealOut(std::vector<std::size_t> left, const Job& job, const Take& take);
+
+  /** @brief Gives job `number` to a rank. */
+  void give(int rank, std::size_t number, RoomJob job);
 
   /** @brief Takes a result if there is one.
    * @return whether there was */
   bool takeOne(const Take& take);
 
   RankMail& mail_;
-  RoomWork work_;
-  std::function<std::string(const RoomJob&)> order_;
-  std::vector<std::optional<std::size_t>> busy_; ///< what each rank works on
-  std::future<RoomResult> own_;                  ///< what this one does
+  RoomHooks hooks_;
+
+  /** @brief What a rank works on. */
+  struct Task {
+    std::size_t number;
+    std::uint32_t room;
+  };
+  std::vector<std::optional<Task>> busy_; ///< of each rank
+  std::future<RoomResult> own_;           ///< of this one
   std::vector<std::string> losses_;
 };
 

@@ -17,6 +17,7 @@
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -124,7 +125,9 @@ writeReportPage(const ModelSettings& settings)
 {
   const Progress progress("writing the page");
   PageSettings page;
-  page.scan = settings.input;
+  std::error_code error; // several files are no scan that the page could show
+  if (std::filesystem::is_regular_file(settings.input, error))
+    page.scan = settings.input;
   writePage(settings.folder, page);
 }
 

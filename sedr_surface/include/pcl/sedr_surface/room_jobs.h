@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/point_cloud.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 #include <pcl/sedr_segmentation/detail/wall_growing.h>
 #include <pcl/sedr_surface/room_poisson.h>
@@ -52,6 +54,10 @@ struct RepairedRoom {
   std::size_t filled = 0;            ///< points that fill holes
   std::string problem;               ///< why a stage could not do the room, or empty
 };
+
+/** @brief The points of a repaired room as a cloud. */
+pcl::PointCloud<pcl::PointStructure> cloudOf(std::uint32_t room,
+                                             const RepairedRoom& repaired);
 
 /** @brief A room whose surface is to be made. */
 struct SurfaceJob {

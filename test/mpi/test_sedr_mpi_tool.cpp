@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_cloud.h"
+#include "tools/box_room.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <sstream>
+#include <thread>
+
+namespace {
+
+using namespace programs;
+using Strings = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+class SedrMpiTool : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  static ProgramRun mpirun(int ranks, const Strings& arguments)
+  {
+    Strings all{"-n", std::to_string(ranks), SEDR_MPI};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run(MPIEXEC, all);
+  }
+
+  /** The same files in two folders, but for the times in the report. */
+  static void expectSame(const fs::path& a, const fs::path& b)
+  {
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(a)) {
+      const fs::path name = entry.path().filename();
+      ++files;
+      if (name == "report.json")
+        EXPECT_EQ(reportIn(a / name), reportIn(b / name));
+      else
+        EXPECT_TRUE(bytesOf(a / name) == bytesOf(b / name)) << b / name;
+    }
+    for (const auto& entry : fs::directory_iterator(b)) {
+      EXPECT_TRUE(fs::exists(a / entry.path().filename())) << entry.path();
+      --files;
+    }
+    EXPECT_EQ(files, 0u);
+  }
+
+  static nlohmann::json reportIn(const fs::path& path)
+  {
+    auto report = nlohmann::json::parse(bytesOf(path));
+    for (auto& stage : report.at("stages"))
+      stage.erase("seconds");
+    report.at("input").erase("path");
+    return report;
+  }
+
+  /** What the program itself says; mpirun has more to tell of failures. */
+  static Strings saidIn(const std::string& err)
+  {
+    Strings said;
+    std::istringstream lines(err);
+    for (std::string line; std::getline(lines, line);)
+      if (line.compare(0, 14, "pcl_sedr_mpi: ") == 0)
+        said.push_back(line);
+    return said;
+  }
+
+  TemporaryFolder folder_;
+};
+
+/** Two rooms, 20 cm apart. */
+RoomScan
+twoRooms()
+{
+  RoomScan scan;
+  BoxRoom room;
+  scan.addRoom(room);
+  room.x += room.width + 0.2;
+  room.width = 3.2;
+  room.id = 2;
+  scan.addRoom(room);
+  return scan;
+}
+
+TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
+{
+  writeFile(in("scan.pcd"), twoRooms().pcd(false));
+  const Strings options{"--tree-depth", "7", "--threads", "1"};
+  Strings arguments{in("scan.pcd"), in("alone")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
+  for (const int ranks : {1, 2, 3, 4}) {
+    arguments[1] = in("ranks_" + std::to_string(ranks));
+    const ProgramRun result = mpirun(ranks, arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+    expectSame(in("alone"), arguments[1]);
+    EXPECT_EQ(reportIn(arguments[1] + "/report.json").at("rooms").size(), 2u);
+  }
+}
+
+TEST_F(SedrMpiTool, TakesAFolderAsOneScan)
+{
+  const RoomScan scan = twoRooms();
+  const auto part = [&](std::size_t from, std::size_t to) {
+    RoomScan some;
+    for (std::size_t i = from; i < to; ++i)
+      some.points.push_back(scan.points[i]);
+    return some;
+  };
+  const std::size_t third = scan.points.size() / 3;
+  fs::create_directory(in("scans"));
+  writeFile(in("scans/1.pcd"), part(0, third).pcd(true));
+  writeFile(in("packed.pcd"), part(third, 2 * third).pcd(false));
+  pcl::sedr::tools::saveCloud(in("scans/2.pcd"),
+                              pcl::sedr::tools::loadCloud(in("packed.pcd")),
+                              pcl::sedr::tools::PcdData::Compressed);
+  writeFile(in("scans/3.pcd"), part(2 * third, scan.points.size()).pcd(false));
+  writeFile(in("scan.pcd"), scan.pcd(false));
+  const Strings options{"--no-mesh", "--threads", "1"};
+  Strings arguments{in("scan.pcd"), in("alone")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
+  arguments[0] = in("scans");
+  for (const int ranks : {1, 2, 3, 4}) {
+    arguments[1] = in("ranks_" + std::to_string(ranks));
+    const ProgramRun result = mpirun(ranks, arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expectSame(in("alone"), arguments[1]);
+  }
+  const ProgramRun listed =
+      mpirun(2, {in("scans/1.pcd"), in("scans/2.pcd"), in("scans/3.pcd"), in("listed"),
+                 "--no-mesh", "--threads", "1"});
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  expectSame(in("alone"), in("listed"));
+}
+
+TEST_F(SedrMpiTool, TellsWhatIsWrongOnceAndNotOnceARank)
+{
+  for (const Strings& arguments : {Strings{},
+                                   {"scan.pcd"},
+                                   {"scan.pcd", "out", "--no-such-option"},
+                                   {"scan.pcd", "out", "--voxel-size", "0"},
+                                   {in("missing.pcd"), in("out")}}) {
+    const ProgramRun result = mpirun(3, arguments);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(saidIn(result.err).size(), 1u) << result.err;
+    EXPECT_EQ(result.out, "");
+  }
+  EXPECT_FALSE(fs::exists(in("out")));
+  const ProgramRun help = mpirun(3, {"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  const std::size_t usage = help.out.find("Usage: pcl_sedr_mpi SCAN... OUTPUT_DIR");
+  ASSERT_NE(usage, std::string::npos);
+  EXPECT_EQ(help.out.find("Usage", usage + 1), std::string::npos);
+  EXPECT_EQ(mpirun(2, {"--version"}).out.find("pcl_sedr_mpi (SEDR) "), 0u);
+}
+
+TEST_F(SedrMpiTool, TellsOfAScanWithoutStructure)
+{
+  std::vector<std::vector<float>> points;
+  for (int i = 0; i < 4000; ++i)
+    points.push_back(
+        {0.05f * static_cast<float>(i % 64), 0.05f * static_cast<float>(i / 64), 0});
+  for (int i = 0; i < 40; ++i)
+    points.push_back({0, 0, 0.05f * static_cast<float>(i)});
+  writeFile(in("scan.pcd"), pcdBytes(points));
+  const ProgramRun result = mpirun(2, {in("scan.pcd"), in("out")});
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_EQ(saidIn(result.err).size(), 1u) << result.err;
+  EXPECT_FALSE(fs::exists(in("out")));
+}
+
+/** The process of a rank of the program that writes to `folder`; 0: there is none. */
+pid_t
+processOf(int rank, const std::string& folder)
+{
+  const std::string wanted = "OMPI_COMM_WORLD_RANK=" + std::to_string(rank) + '\0';
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos)
+      continue;
+    const auto textOf = [&](const char* file) {
+      std::ifstream stream(entry.path() / file, std::ios::binary);
+      std::ostringstream text;
+      text << stream.rdbuf();
+      return text.str();
+    };
+    if (textOf("cmdline").find(folder) != std::string::npos &&
+        textOf("environ").find(wanted) != std::string::npos)
+      return std::stoi(name);
+  }
+  return 0;
+}
+
+TEST_F(SedrMpiTool, ARankThatDiesEndsTheRunAndWhatIsFinishedIsKept)
+{
+  RoomScan scan;
+  for (int i = 0; i < 6; ++i) {
+    BoxRoom room;
+    room.x += i * 5.2;
+    room.width = 5;
+    room.depth = 5;
+    room.id = static_cast<std::uint32_t>(i + 1);
+    scan.addRoom(room);
+  }
+  writeFile(in("scan.pcd"), scan.pcd(false));
+  auto result = std::async(std::launch::async, [&] {
+    return mpirun(3, {in("scan.pcd"), in("model"), "--threads", "1"});
+  });
+  using std::chrono::milliseconds;
+  const auto is_running = [&] {
+    return result.wait_for(milliseconds(2)) != std::future_status::ready;
+  };
+  while (is_running() && !fs::exists(in("model/rooms/room_1.pcd")))
+    ;
+  const pid_t rank = processOf(2, in("model"));
+  ASSERT_GT(rank, 0);
+  kill(rank, SIGKILL);
+  const ProgramRun ended = result.get(); // a minute at most
+  EXPECT_NE(ended.exit_code, 0);
+  EXPECT_NE(ended.exit_code, 124) << "the others hang";
+  const Strings said = saidIn(ended.err);
+  ASSERT_EQ(said.size(), 1u) << ended.err;
+  EXPECT_NE(said[0].find("because a rank has died"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("what was finished is in '" + in("model/rooms") + "'"),
+            std::string::npos)
+      << said[0];
+
+  EXPECT_FALSE(fs::exists(in("model/structure.pcd")));
+  for (const auto& entry : fs::directory_iterator(in("model/rooms"))) {
+    const auto cloud = pcl::sedr::tools::loadCloud(entry.path().string());
+    EXPECT_GT(cloud.size(), 1000u) << entry.path() << " is half-written";
+  }
+}
+
+} // namespace
