@@ -9,7 +9,7 @@ jobs=${SEDR_JOBS:-2}
 export SEDR_DATA=${SEDR_DATA:-$PWD/../shared/data}
 [ -d "$SEDR_DATA" ] || echo "No folder $SEDR_DATA: tests on real scans will be skipped."
 
-bash tools/install_dependencies.sh --with-tests --with-docs
+bash tools/install_dependencies.sh --with-tests --with-docs --with-mpi
 
 cmake --preset dev -DSEDR_BUILD_TESTS=ON
 cmake --build --preset dev --parallel "$jobs"

@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what a Debian 12 lacks to build SEDR, and nothing that is there already.
-#   tools/install_dependencies.sh [--with-tests] [--with-benchmarks] [--with-docs]
+#   tools/install_dependencies.sh [--with-tests] [--with-benchmarks] [--with-docs] [--with-mpi]
 set -euo pipefail
 
 with_tests=no
 with_benchmarks=no
 with_docs=no
+with_mpi=no
 for argument in "$@"; do
   case "$argument" in
     --with-tests) with_tests=yes ;;
     --with-benchmarks) with_benchmarks=yes ;;
     --with-docs) with_docs=yes ;;
-    *) echo "usage: $0 [--with-tests] [--with-benchmarks] [--with-docs]" >&2; exit 1 ;;
+    --with-mpi) with_mpi=yes ;;
+    *) echo "usage: $0 [--with-tests] [--with-benchmarks] [--with-docs] [--with-mpi]" >&2; exit 1 ;;
   esac
 done
 
@@ -45,6 +47,15 @@ if [ "$with_docs" = yes ]; then
     "python3-sphinx      makes HTML of doc/"
     "python3-myst-parser reads its Markdown there"
     "doxygen             makes the API reference"
+  )
+fi
+
+if [ "$with_mpi" = yes ]; then
+  needed+=(
+    "libopenmpi-dev             MPI, for pcl_sedr_mpi"
+    "openmpi-bin                mpirun, which starts it"
+    "libboost-mpi-dev           its C++ interface"
+    "libboost-serialization-dev makes bytes of what its processes send each other"
   )
 fi
 

@@ -18,6 +18,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -68,6 +70,20 @@ thinOrders(const std::vector<ScanInput>& inputs, double unit, std::size_t ranks)
     orders.push_back(order);
   }
   return orders;
+}
+
+/** @brief Says on a terminal what the ranks have sent each other; for all of them. */
+void
+tellTraffic(RankMail& mail)
+{
+  std::uint64_t sent = 0;
+  for (const std::string& one : mail.gather(std::to_string(mail.sent())))
+    sent += std::stoull(one);
+  char text[80];
+  std::snprintf(text, sizeof text, "%d ranks, %.1f MB from one to another", mail.size(),
+                static_cast<double>(sent) / 1e6);
+  if (mail.isFirst())
+    say(text);
 }
 
 /** @brief What the program was called with. */
@@ -164,11 +180,13 @@ main(int argc, char** argv)
     if (mail.hasLeft())
       boost::mpi::environment::abort(exit_code);
     sendHome(mail);
+    tellTraffic(mail);
     return exit_code;
   }
   EndWatch::standDown();
   try {
     serve(mail, fair_threads);
+    tellTraffic(mail);
   }
   catch (...) {
     std::cerr << tool_name << ": " << nameOf(mail.rank())

@@ -66,6 +66,40 @@ TEST(InputSource, GivesWhatTheCloudGives)
   EXPECT_EQ(streamed.getStageReports().front().points_in, cloud->size());
 }
 
+TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  const auto cloud = points.cloud();
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> reconstruction;
+  reconstruction.setInputCloud(cloud);
+  ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
+
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> other;
+  std::string problem;
+  other.setThinning([&] {
+    pcl::sedr::ThinnedScan scan;
+    scan.problem = problem;
+    scan.size = cloud->size();
+    *scan.excerpt = *cloud;
+    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    grid.filter(*scan.points);
+    return scan;
+  });
+  ASSERT_TRUE(other.findStructure()) << other.getErrorMessage();
+  EXPECT_EQ(pcl::sedr::floorplanToJson(*other.getFloorplan()),
+            pcl::sedr::floorplanToJson(*reconstruction.getFloorplan()));
+  EXPECT_EQ(other.getStageReports().front().points_in, cloud->size());
+  EXPECT_EQ(other.getStageReports().front().points_out,
+            reconstruction.getStageReports().front().points_out);
+
+  problem = "the scan is upside down";
+  EXPECT_FALSE(other.findStructure());
+  EXPECT_EQ(other.getFailedStage(), "input");
+  EXPECT_NE(other.getErrorMessage().find(problem), std::string::npos);
+}
+
 TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
 {
   RoomPoints points;

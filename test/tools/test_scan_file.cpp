@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -123,6 +124,43 @@ protected:
 
   TemporaryFolder folder_;
 };
+
+TEST_F(ScanFiles, RowsFromOneToAnotherAreThoseOfTheWhole)
+{
+  const pcl::PCLPointCloud2 room = colouredRoom(2000);
+  saveCloud(in("scan.pcd"), room);
+  saveCloud(in("scan.ply"), room);
+  saveCloud(in("packed.pcd"), room, PcdData::Compressed);
+  for (const char* name : {"scan.pcd", "scan.ply", "packed.pcd"}) {
+    const ScanFile scan(in(name), 1, 5000);
+    const pcl::PCLPointCloud2 whole = loadCloud(in(name)).blob;
+    std::size_t next = 333;
+    scan.forEachPiece(333, 1500, [&](const RowSource::Piece& piece) {
+      EXPECT_EQ(piece.first, next);
+      EXPECT_EQ(std::memcmp(piece.rows, &whole.data[next * whole.point_step],
+                            piece.size * scan.rowSize()),
+                0);
+      next += piece.size;
+      return true;
+    });
+    EXPECT_EQ(next, 1500u) << name;
+  }
+}
+
+TEST_F(ScanFiles, HeadsTellRowsAndWhetherTheyComeInPieces)
+{
+  const pcl::PCLPointCloud2 room = colouredRoom(200);
+  saveCloud(in("scan.pcd"), room);
+  saveCloud(in("scan.ply"), room);
+  saveCloud(in("packed.pcd"), room, PcdData::Compressed);
+  EXPECT_EQ(readScanHead(in("scan.pcd")).rows, room.width);
+  EXPECT_TRUE(readScanHead(in("scan.pcd")).is_in_pieces);
+  EXPECT_EQ(readScanHead(in("scan.ply")).rows, room.width);
+  EXPECT_TRUE(readScanHead(in("scan.ply")).is_in_pieces);
+  EXPECT_EQ(readScanHead(in("packed.pcd")).rows, room.width);
+  EXPECT_FALSE(readScanHead(in("packed.pcd")).is_in_pieces);
+  EXPECT_THROW(readScanHead(in("missing.pcd")), ToolError);
+}
 
 TEST_F(ScanFiles, PiecesOfAnyFileGiveWhatTheWholeGives)
 {
