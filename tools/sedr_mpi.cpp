@@ -93,7 +93,8 @@ struct Call {
 };
 
 /** @brief Makes the model with the help of the other ranks.
- * @param fair_threads of this rank, where none were asked for */
+ * @param fair_threads of this rank while the others work too, where none were asked
+ * for; what it does alone may take all processors */
 int
 makeModelTogether(const std::string& tool,
                   Call& call,
@@ -102,13 +103,12 @@ makeModelTogether(const std::string& tool,
                   unsigned fair_threads)
 {
   ModelSettings& settings = call.settings;
-  const unsigned asked = settings.threads;
-  settings.threads = asked > 0 ? asked : fair_threads;
   settings.input = joined(call.scans);
   Reconstruction chain;
   apply(settings, chain);
   KeptRooms kept(settings.folder + "/rooms", watch);
-  RankOrders orders(mail, settings.threads, asked, watch, kept);
+  RankOrders orders(mail, settings.threads > 0 ? settings.threads : fair_threads,
+                    settings.threads, watch, kept);
   chain.getChain().room_workers = orders.rooms();
   int exit_code = Done;
   try {
@@ -148,10 +148,9 @@ lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threa
       tool_name,
       "Reconstructs ceiling, floor and walls of an indoor scan as pcl_sedr does, with "
       "the same result, on several processes or machines:\n"
-      "mpirun -n 4 pcl_sedr_mpi SCAN OUTPUT_DIR. Every machine needs the scan under "
-      "the "
-      "same name.\nExit code 3: a rank has failed and rooms are missing in the "
-      "result.");
+      "mpirun -n 4 pcl_sedr_mpi SCAN OUTPUT_DIR\n"
+      "Every machine needs the scan under the same name. Exit code 3: a rank has "
+      "failed, and rooms are missing.");
   options.files("SCAN", call.scans,
                 "PCD or PLY file, z up, or a folder of them; several are one scan");
   options.file("OUTPUT_DIR", call.settings.folder,

@@ -21,7 +21,7 @@ namespace tools {
 class RankOrders {
 public:
   /** @param mail of rank 0
-   * @param threads of rank 0
+   * @param threads of rank 0 for what it does at the same time as the others
    * @param asked_threads of every rank, 0: what its machine has for it
    * @param watch is told what the ranks hold
    * @param kept gets what is finished of rooms */
