@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -27,6 +28,14 @@ protected:
   std::string in(const std::string& name) const
   {
     return (folder_.path() / name).string();
+  }
+
+  /** mpirun works for root too, and with more ranks than processors. */
+  static void SetUpTestSuite()
+  {
+    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                             "OMPI_MCA_rmaps_base_oversubscribe"})
+      setenv(name, "1", 1);
   }
 
   static ProgramRun mpirun(int ranks, const Strings& arguments)
