@@ -72,24 +72,22 @@ thinOrders(const std::vector<ScanInput>& inputs, double unit, std::size_t ranks)
   return orders;
 }
 
-/** @brief Says on a terminal what the ranks have sent each other; for all of them. */
-void
-tellTraffic(RankMail& mail)
+/** @brief Adds up at rank 0 what the ranks have sent each other, in bytes; for all of
+ * them. */
+std::uint64_t
+trafficOf(RankMail& mail)
 {
   std::uint64_t sent = 0;
   for (const std::string& one : mail.gather(std::to_string(mail.sent())))
     sent += std::stoull(one);
-  char text[80];
-  std::snprintf(text, sizeof text, "%d ranks, %.1f MB from one to another", mail.size(),
-                static_cast<double>(sent) / 1e6);
-  if (mail.isFirst())
-    say(text);
+  return sent;
 }
 
 /** @brief What the program was called with. */
 struct Call {
   std::vector<std::string> scans;
   ModelSettings settings{Reconstruction()};
+  bool tells_traffic = false;
 };
 
 /** @brief Makes the model with the help of the other ranks.
@@ -139,7 +137,8 @@ makeModelTogether(const std::string& tool,
   return losses.empty() ? exit_code : rooms_missing;
 }
 
-/** @brief What rank 0 does. */
+/** @brief What rank 0 does.
+ * @return the exit code */
 int
 lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threads)
 {
@@ -156,11 +155,20 @@ lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threa
   options.file("OUTPUT_DIR", call.settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, call.settings);
+  options.flag("traffic", call.tells_traffic,
+               "tell how much the ranks sent each other");
   watch.begin();
   const int exit_code = runTool(options, argc, argv, [&] {
     return makeModelTogether(options.tool(), call, mail, watch, fair_threads);
   });
   watch.end();
+  if (mail.hasLeft())
+    boost::mpi::environment::abort(exit_code);
+  sendHome(mail);
+  const std::uint64_t sent = trafficOf(mail);
+  if (call.tells_traffic)
+    std::printf("%d ranks, %.1f MB from one to another\n", mail.size(),
+                static_cast<double>(sent) / 1e6);
   return exit_code;
 }
 
@@ -174,18 +182,12 @@ main(int argc, char** argv)
   const boost::mpi::communicator ranks;
   RankMail mail(ranks);
   const unsigned fair_threads = fairThreads(ranks);
-  if (mail.isFirst()) {
-    const int exit_code = lead(argc, argv, mail, watch, fair_threads);
-    if (mail.hasLeft())
-      boost::mpi::environment::abort(exit_code);
-    sendHome(mail);
-    tellTraffic(mail);
-    return exit_code;
-  }
+  if (mail.isFirst())
+    return lead(argc, argv, mail, watch, fair_threads);
   EndWatch::standDown();
   try {
     serve(mail, fair_threads);
-    tellTraffic(mail);
+    trafficOf(mail);
   }
   catch (...) {
     std::cerr << tool_name << ": " << nameOf(mail.rank())
