@@ -29,7 +29,6 @@ using namespace pcl::sedr::tools;
 namespace {
 
 constexpr const char* tool_name = "pcl_sedr_mpi";
-constexpr int rooms_missing = 3; ///< exit code: some rooms were lost
 
 /** @brief How many threads each of the ranks on this machine may have. */
 unsigned
@@ -108,9 +107,9 @@ makeModelTogether(const std::string& tool,
   RankOrders orders(mail, settings.threads > 0 ? settings.threads : fair_threads,
                     settings.threads, watch, kept);
   chain.getChain().room_workers = orders.rooms();
-  int exit_code = Done;
+  const std::vector<std::string>& losses = orders.rooms()->losses();
   try {
-    exit_code = makeModel(tool, settings, chain, [&] {
+    makeModel(tool, settings, chain, [&] {
       const std::vector<ScanInput> inputs = findInputs(call.scans);
       auto thin_orders =
           thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));
@@ -128,13 +127,12 @@ makeModelTogether(const std::string& tool,
       throw;
     throw ToolError(std::string(error.what()) + "; what was finished is in '" +
                         kept.place() + "'",
-                    error.exitCode());
+                    losses.empty() ? error.exitCode() : Incomplete);
   }
   kept.discard();
-  const std::vector<std::string>& losses = orders.rooms()->losses();
   for (const std::string& loss : losses)
     std::cerr << tool << ": the model is not whole: " << loss << '\n';
-  return losses.empty() ? exit_code : rooms_missing;
+  return losses.empty() ? Done : Incomplete;
 }
 
 /** @brief What rank 0 does.

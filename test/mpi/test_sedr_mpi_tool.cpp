@@ -191,6 +191,34 @@ TEST_F(SedrMpiTool, TellsOfAScanWithoutStructure)
   EXPECT_FALSE(fs::exists(in("out")));
 }
 
+TEST_F(SedrMpiTool, ARoomThatFailsIsToldAndTheOthersAreThere)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "its library must be the first that is loaded";
+#endif
+  writeFile(in("scan.pcd"), twoRooms().pcd(false));
+  ASSERT_EQ(run(SEDR, {in("scan.pcd"), in("alone"), "--tree-depth", "7"}).exit_code, 0);
+  const ProgramRun result =
+      run(MPIEXEC, {"-n", "2", "-x", "LD_PRELOAD=" FAILING_ROOM, SEDR_MPI,
+                    in("scan.pcd"), in("model"), "--tree-depth", "7"});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  const Strings said = saidIn(result.err);
+  ASSERT_EQ(said.size(), 2u) << result.err;
+  EXPECT_EQ(said[0].find("pcl_sedr_mpi: warning: room 2 has no surface: rank "), 0u)
+      << said[0];
+  EXPECT_EQ(said[1].find("pcl_sedr_mpi: the model is not whole: rank "), 0u);
+  EXPECT_NE(said[1].find("failed at the mesh of room 2: its ceiling has come down"),
+            std::string::npos)
+      << said[1];
+  for (const char* name : {"structure.pcd", "floorplan.json", "solid.ply"})
+    EXPECT_TRUE(bytesOf(in("model/") + name) == bytesOf(in("alone/") + name)) << name;
+  EXPECT_FALSE(fs::exists(in("model/rooms"))) << "they are in the model";
+  const auto rooms = reportIn(in("model/report.json")).at("rooms");
+  ASSERT_EQ(rooms.size(), 2u);
+  EXPECT_EQ(rooms[0].at("mesh").at("closed_manifold"), true);
+  EXPECT_EQ(rooms[1].at("mesh").at("closed_manifold"), false);
+}
+
 /** The process of a rank of the program that writes to `folder`; 0: there is none. */
 pid_t
 processOf(int rank, const std::string& folder)

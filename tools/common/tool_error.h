@@ -11,8 +11,9 @@ namespace tools {
 /** @brief What a tool's exit code says. */
 enum ExitCode {
   Done = 0,
-  BadUse = 1,      ///< bad options, unreadable input, output that cannot be written
-  NothingFound = 2 ///< the input was read, but does not hold what the tool looks for
+  BadUse = 1,       ///< bad options, unreadable input, output that cannot be written
+  NothingFound = 2, ///< the input was read, but does not hold what the tool looks for
+  Incomplete = 3    ///< a part of the work was lost; the rest is there
 };
 
 /** @brief Ends a tool with one sentence and an exit code; runTool() prints it. */
