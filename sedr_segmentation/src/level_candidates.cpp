@@ -80,12 +80,15 @@ blockAround(const CellSet& cells, std::size_t at)
 {
   CellBlock block;
   const Cell middle = cells[at];
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      const std::size_t i = cells.find({middle.x + dx, middle.y + dy});
-      if (i != CellSet::npos)
-        block.add(i);
-    }
+  for (int dy = -1; dy <= 1; ++dy) {
+    // Cells side by side follow one another in the set.
+    std::size_t i = CellSet::npos;
+    for (int dx = -1; dx <= 1 && i == CellSet::npos; ++dx)
+      i = cells.find({middle.x + dx, middle.y + dy});
+    const CellKey last = keyOf({middle.x + 1, middle.y + dy});
+    for (; i < cells.size() && cells.keys()[i] <= last; ++i)
+      block.add(i);
+  }
   return block;
 }
 
@@ -156,7 +159,8 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
   }
   std::vector<std::uint8_t> goes_on(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!holds[i])
+    goes_on[i] = (holds[i] & close) != 0;
+    if (!holds[i] || goes_on[i])
       continue;
     const CellBlock block = blockAround(cells, i);
     goes_on[i] = std::any_of(block.begin(), block.end(),
