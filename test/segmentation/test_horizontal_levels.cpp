@@ -187,6 +187,26 @@ TEST(Levels, AStepInTheCeilingIsTwoCeilingsOverOneFloor)
   EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
 }
 
+TEST(Levels, ASoffitIsACeilingWhereTheSameHeightIsNoneElsewhere)
+{
+  // A soffit of half a metre; beside it a hall with canopies at its height, above which
+  // the hall's ceiling is seen.
+  RoomPoints points;
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+  room.details = {detailOf(rectangle(0, 2.5, 4, 3), 2.2)};
+  points.room(room);
+  points.room(rectangle(4.12, 0, 10.12, 3), 0, 3.2);
+  points.slab(rectangle(5, 0.5, 7, 2.5), 2.2);
+  points.slab(rectangle(7.5, 0.5, 9.5, 2.5), 2.2);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(kindsOf(levels),
+            (std::vector<LevelKind>{Floor, Ceiling, Ceiling, Ceiling}));
+  expectHeights(levels, {0, 2.2, 2.5, 3.2});
+  EXPECT_FALSE(levels[1].inliers.empty());
+  for (const int i : levels[1].inliers)
+    EXPECT_LT(points[i].x(), 4.01);
+}
+
 TEST(Levels, TheGroundOutsideIsNoFloorAndTheSkyNoCeiling)
 {
   RoomPoints points;
