@@ -130,6 +130,28 @@ reachOfNoise(const PlanSlab& slab, double tolerance)
   return is_noise ? std::clamp(6 * slab.residual, tolerance, 2 * tolerance) : tolerance;
 }
 
+/** @brief The points of a level, and its tails in and beside its own cells, which would
+ * look like further levels just above and below. What is there elsewhere may be one. */
+std::vector<std::size_t>
+withTails(const std::vector<Candidate>& candidates,
+          const CellSet& cells,
+          const LevelDraft& draft,
+          const PlanSlab& slab,
+          double tolerance)
+{
+  std::vector<std::size_t> near =
+      nearPlane(candidates, draft, reachOfNoise(slab, tolerance));
+  const auto isElsewhere = [&](std::size_t k) {
+    if (std::abs(distanceAbove(slab, candidates[k].position())) <= tolerance)
+      return false;
+    const CellBlock block = blockAround(cells, candidates[k].cell);
+    return std::none_of(block.begin(), block.end(),
+                        [&](std::size_t b) { return draft.cells[b] != 0; });
+  };
+  near.erase(std::remove_if(near.begin(), near.end(), isElsewhere), near.end());
+  return near;
+}
+
 /** @brief Takes `positions`, increasing, out of the candidates. */
 void
 erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positions)
@@ -259,9 +281,7 @@ findLevels(const PointView& points,
     level.cells = markedCells(cells, draft.cells);
     if (level.cells.size() >= minimum_cells &&
         standsOut(columns, cells, draft.cells, level.slab, parameters.tolerance)) {
-      // Its tails would look like further levels, just above and below.
-      own =
-          nearPlane(candidates, draft, reachOfNoise(level.slab, parameters.tolerance));
+      own = withTails(candidates, cells, draft, level.slab, parameters.tolerance);
       level.without = markedCells(cells, draft.apart);
       keepApart(levels, level);
       levels.push_back(std::move(level));

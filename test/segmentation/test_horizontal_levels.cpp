@@ -126,6 +126,21 @@ TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
   expectHeights(levels, {2.5}, 1e-3);
 }
 
+TEST(Levels, TheTailsOfASlabAreNotThoseOfAnotherRoomsSoffit)
+{
+  // Ten centimetres below the ceiling next door, which five standard deviations are.
+  RoomPoints points(0.05, 0.02);
+  points.room(rectangle(0, 0, 6, 5), 0, 2.55);
+  PlanRoom room = roomOf(rectangle(6.12, 0, 12.12, 5), 2.8);
+  room.details = {detailOf(rectangle(6.12, 4.4, 12.12, 5), 2.45)};
+  points.room(room);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(kindsOf(levels),
+            (std::vector<LevelKind>{Floor, Ceiling, Ceiling, Ceiling}));
+  EXPECT_NEAR(levels[1].height, 2.45, 0.005);
+  EXPECT_NEAR(levels[2].height, 2.55, 0.005);
+}
+
 TEST(Levels, WallsBlurredByNoiseDoNotHideThatASoffitIsACeiling)
 {
   RoomPoints points(0.02, 0.02);
