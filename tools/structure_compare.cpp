@@ -7,6 +7,7 @@
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "scale.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -114,14 +115,20 @@ run(const Settings& settings)
   const Floorplan before = planOf(settings.before);
   Floorplan after = planOf(settings.after);
   if (settings.align) {
-    const PlanTransform transform = alignPlans(after, before, settings.reach);
-    after = transformed(after, transform);
+    const auto transform = alignPlans(after, before, settings.reach);
+    if (!transform)
+      throw ToolError("'" + settings.after +
+                          "' cannot be aligned: hardly a wall of it lies within " +
+                          fixedText(settings.reach, 2) + " m (--reach) of one of '" +
+                          settings.before + "' that faces the same way",
+                      NothingFound);
+    after = transformed(after, *transform);
     char text[120];
     std::snprintf(text, sizeof text,
                   "aligned: turned by %.2f degrees, shifted by x %+.3f, y %+.3f, z "
                   "%+.3f m\n",
-                  pcl::rad2deg(transform.angle), transform.shift.x(),
-                  transform.shift.y(), transform.shift.z());
+                  pcl::rad2deg(transform->angle), transform->shift.x(),
+                  transform->shift.y(), transform->shift.z());
     std::cout << text;
   }
   const auto changes = comparePlans(before, after, settings.compare);

@@ -202,6 +202,37 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
               "end_header\n1\n")
           .find("2000000000"),
       std::string::npos);
+  EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH 4000000000000")).find("counted"),
+            std::string::npos);
+}
+
+/** 2^31 bytes come before the coordinates and as many after them: in 32 bits, points of
+ * 12 bytes, x of which lies far beyond the end of the file. */
+TEST_F(CloudFiles, PointsLargerThanFourGigabytesAreRefused)
+{
+  std::string fields = "FIELDS";
+  std::string sizes = "SIZE";
+  std::string types = "TYPE";
+  std::string counts = "COUNT";
+  const auto add = [&](const std::string& name, int size, int count) {
+    fields += " " + name;
+    sizes += " " + std::to_string(size);
+    types += " F";
+    counts += " " + std::to_string(count);
+  };
+  constexpr int most_values = 1 << 16;
+  constexpr int many = 8192; // of 2^19 bytes each: 2^32
+  for (int k = 0; k < many; ++k) {
+    if (k == many / 2)
+      for (const char* name : {"x", "y", "z"})
+        add(name, 4, 1);
+    add("f" + std::to_string(k), 8, most_values);
+  }
+  const std::string points(1000 * 12, '\0');
+  EXPECT_NE(refusal(fields + "\n" + sizes + "\n" + types + "\n" + counts +
+                    "\nWIDTH 1000\nPOINTS 1000\nDATA binary\n" + points)
+                .find("4294967308 bytes"),
+            std::string::npos);
 }
 
 TEST_F(CloudFiles, ACompressedPcdThatIsCutOffIsToldFromADamagedOne)
@@ -213,6 +244,14 @@ TEST_F(CloudFiles, ACompressedPcdThatIsCutOffIsToldFromADamagedOne)
   bytes[bytes.find("binary_compressed\n") +
         18]--; // one byte less is said to be compressed
   EXPECT_NE(refusal(bytes).find("damaged"), std::string::npos);
+  const std::string lengths =
+      std::string("\x04\0\0\0", 4) + "\x80\xc3\xc9\x01"; // 4, 30000000
+  EXPECT_NE(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2500000\n"
+                    "DATA binary_compressed\n" +
+                    lengths + "abcd")
+                .find("4 bytes cannot hold 30000000"),
+            std::string::npos)
+      << "refused before memory is taken";
 }
 
 /** All files that a good one becomes by cutting it off anywhere, or by changing bytes,

@@ -87,6 +87,7 @@ TEST_F(ReportFacts, OfAnotherTypeCountAsNotThere)
   EXPECT_FALSE(data.distances.has_value());
   EXPECT_THROW(read("[]"), ToolError);
   EXPECT_THROW(read("{"), ToolError);
+  EXPECT_THROW(read(R"({"format": 3})"), ToolError);
 }
 
 TEST_F(ReportFacts, OfRoomsComeFromThePlanWhereTheReportHasNone)

@@ -196,9 +196,10 @@ TEST(PlanAlignment, FindsTheTurnAndTheShiftThoughThingsHaveChanged)
   after.rooms[1].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
   const Floorplan rough = transformed(after, truth);
   EXPECT_GT(told(twoRooms(), rough).size(), 4u);
-  const PlanTransform found = alignPlans(rough, twoRooms());
-  EXPECT_NEAR(found.angle, -truth.angle, 1e-3);
-  const Floorplan aligned = transformed(rough, found);
+  const auto found = alignPlans(rough, twoRooms());
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->angle, -truth.angle, 1e-3);
+  const Floorplan aligned = transformed(rough, *found);
   for (std::size_t r = 0; r < 2; ++r) {
     const Eigen::Vector2d corner =
         aligned.rooms[r].boundary.elements[r == 0 ? 0 : 1].start;
@@ -208,11 +209,26 @@ TEST(PlanAlignment, FindsTheTurnAndTheShiftThoughThingsHaveChanged)
   EXPECT_EQ(told(twoRooms(), aligned).size(), 2u) << "partition and column";
 }
 
-TEST(PlanAlignment, LeavesPlansWithoutCommonWallsAlone)
+TEST(PlanAlignment, IsAsGoodFarFromTheOrigin)
 {
-  const PlanTransform none = alignPlans(twoRooms(), {});
-  EXPECT_EQ(none.angle, 0);
-  EXPECT_EQ(none.shift.norm(), 0);
+  PlanTransform far;
+  far.shift = {5000, 4000, 0};
+  const Floorplan before = transformed(twoRooms(), far);
+  PlanTransform turn;
+  turn.angle = 5 * M_PI / 180;
+  turn.shift = {5000.15, 3999.8, 0};
+  const auto found = alignPlans(transformed(twoRooms(), turn), before);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->angle, -turn.angle, 1e-6);
+  EXPECT_LT(((*found)(turn({9, 0})) - Eigen::Vector2d(5009, 4000)).norm(), 1e-4);
+}
+
+TEST(PlanAlignment, OfPlansWithoutCommonWallsThereIsNone)
+{
+  EXPECT_FALSE(alignPlans(twoRooms(), {}).has_value());
+  PlanTransform away;
+  away.shift = {100, 0, 0};
+  EXPECT_FALSE(alignPlans(transformed(twoRooms(), away), twoRooms()).has_value());
 }
 
 /** The program on plans. */
@@ -257,6 +273,20 @@ TEST_F(CompareTool, WritesJsonAndAColouredMesh)
   EXPECT_EQ(reds[change_colours::moved.red], 3u * 4) << "both faces of the partition";
   EXPECT_EQ(reds[change_colours::appeared.red], 0u);
   EXPECT_EQ(reds[change_colours::unchanged.red], 3u * (2 * 12 - 4));
+}
+
+TEST_F(CompareTool, TellsThatModelsFarApartCannotBeAligned)
+{
+  PlanTransform away;
+  away.shift = {100, 0, 0};
+  const ProgramRun result =
+      run(STRUCTURE_COMPARE,
+          {plan("a.json", twoRooms()), plan("b.json", transformed(twoRooms(), away)),
+           "--align", "--json", in("d.json")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("cannot be aligned"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(in("d.json")));
 }
 
 TEST_F(CompareTool, RefusesWhatIsNoModel)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -112,6 +113,10 @@ layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path)
     field.offset = static_cast<pcl::uindex_t>(step);
     step += fieldSize(field.datatype) * field.count;
   }
+  constexpr std::size_t largest = std::numeric_limits<pcl::uindex_t>::max();
+  if (step > largest)
+    throw ToolError("'" + path + "' promises points of " + std::to_string(step) +
+                    " bytes, at most " + std::to_string(largest) + " can be read");
   blob.point_step = static_cast<pcl::uindex_t>(step);
   blob.height = 1;
   blob.width = static_cast<pcl::uindex_t>(points);

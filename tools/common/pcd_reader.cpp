@@ -135,7 +135,10 @@ readSize(const PcdHeader& header, const std::string& path)
   const std::uint64_t points = number("POINTS", number("WIDTH", 0) * height);
   const std::uint64_t width = number("WIDTH", points);
   constexpr std::uint64_t most = std::uint64_t{1} << 32;
-  if (width > most || height > most || width * height != points)
+  if (width > most || height > most)
+    refuse(path, "its header gives " + std::to_string(width) + " x " +
+                     std::to_string(height) + " points, more than can be counted");
+  if (width * height != points)
     refuse(path, "its header gives " + std::to_string(width) + " x " +
                      std::to_string(height) + " points in rows, but " +
                      std::to_string(points) + " in all");
@@ -268,6 +271,11 @@ readCompressedPcd(const MappedFile& file,
     refuse(path, "its " + std::to_string(blob.width) + " points take " +
                      std::to_string(needed) + " bytes, the compressed ones hold " +
                      std::to_string(whole));
+  // Three bytes unpack to 264 at most: no memory for what cannot come.
+  constexpr std::uint64_t most_expansion = 88;
+  if (whole > most_expansion * compressed)
+    refuse(path, "its compressed points are damaged, " + std::to_string(compressed) +
+                     " bytes cannot hold " + std::to_string(whole));
   std::vector<std::uint8_t> by_field(whole);
   if (pcl::lzfDecompress(file.data() + data, compressed, by_field.data(), whole) !=
       whole)

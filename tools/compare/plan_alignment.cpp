@@ -80,13 +80,36 @@ findPartner(const Floorplan& plan, const Sample& sample, double reach, Sample& p
   return least < reach;
 }
 
+/** @brief A transform, then a turn about `pivot` and a shift. */
 PlanTransform
-after(const PlanTransform& first, double angle, const Eigen::Vector2d& shift)
+after(const PlanTransform& first,
+      double angle,
+      const Eigen::Vector2d& pivot,
+      const Eigen::Vector2d& shift)
 {
+  const Eigen::Vector2d moved = first.shift.head<2>();
   PlanTransform both;
   both.angle = first.angle + angle;
-  both.shift.head<2>() = Eigen::Rotation2Dd(angle) * first.shift.head<2>() + shift;
+  both.shift.head<2>() = Eigen::Rotation2Dd(angle) * (moved - pivot) + pivot + shift;
   return both;
+}
+
+Eigen::Vector2d
+middleOf(const std::vector<Sample>& samples)
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& sample : samples)
+    sum += sample.place;
+  return sum / static_cast<double>(std::max<std::size_t>(1, samples.size()));
+}
+
+/** @brief How many places have to have a partner: a tenth of the smaller plan's. */
+std::size_t
+fewestPartners(const Floorplan& fixed, std::size_t samples)
+{
+  constexpr std::size_t share = 10;
+  constexpr std::size_t unknowns = 3;
+  return std::max(unknowns, std::min(samples, samplesOf(fixed).size()) / share);
 }
 
 double
@@ -173,10 +196,12 @@ transformed(const Floorplan& plan, const PlanTransform& transform)
   return moved;
 }
 
-PlanTransform
+std::optional<PlanTransform>
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
 {
   const std::vector<Sample> samples = samplesOf(moving);
+  const Eigen::Vector2d middle = middleOf(samples);
+  const std::size_t fewest = fewestPartners(fixed, samples.size());
   PlanTransform transform;
   double scale = reach;
   for (int round = 0; round < rounds;
@@ -186,6 +211,8 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
     double weights = 0;
     std::size_t partners = 0;
     const Eigen::Rotation2Dd turn(transform.angle);
+    // Turning about the plan itself: about a far origin it would bend its own way.
+    const Eigen::Vector2d pivot = transform(middle);
     for (const auto& sample : samples) {
       const Sample now{sample.weight, transform(sample.place), turn * sample.normal};
       Sample partner;
@@ -193,9 +220,10 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
         continue;
       // Point to line: sliding along the wall costs nothing.
       const double residual = partner.normal.dot(partner.place - now.place);
+      const Eigen::Vector2d arm = now.place - pivot;
       const Eigen::Vector3d row(partner.normal.x(), partner.normal.y(),
-                                now.place.x() * partner.normal.y() -
-                                    now.place.y() * partner.normal.x());
+                                arm.x() * partner.normal.y() -
+                                    arm.y() * partner.normal.x());
       const double nearness = scale * scale / (scale * scale + residual * residual);
       const double weight = now.weight * nearness * nearness;
       normal_matrix += weight * row * row.transpose();
@@ -203,13 +231,12 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
       weights += weight;
       ++partners;
     }
-    constexpr std::size_t fewest = 3;
     if (partners < fewest)
-      return {};
+      return std::nullopt;
     // A long corridor says nothing of the way along it: then that stays as it was.
     normal_matrix += 1e-6 * weights * Eigen::Matrix3d::Identity();
     const Eigen::Vector3d change = normal_matrix.ldlt().solve(right_side);
-    transform = after(transform, change.z(), change.head<2>());
+    transform = after(transform, change.z(), pivot, change.head<2>());
   }
   transform.shift.z() = riseOf(transformed(moving, transform), fixed);
   return transform;

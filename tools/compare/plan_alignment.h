@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace pcl {
 namespace sedr {
 namespace tools {
@@ -25,8 +27,9 @@ Floorplan transformed(const Floorplan& plan, const PlanTransform& transform);
  * first up to `reach` metres away and at last as near as most are, so that what has
  * changed does not count; the height follows from the floors. Most walls must
  * lie within the reach of their place.
- * @return identity where fewer than three walls have a partner */
-PlanTransform
+ * @return nothing where too few places along the walls have a partner: less than a
+ * tenth of those of the smaller plan, or than three */
+std::optional<PlanTransform>
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach = 0.5);
 
 } // namespace tools

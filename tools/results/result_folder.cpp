@@ -27,7 +27,8 @@ readReport(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   auto json = ResultFolder::Json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != "sedr-report")
+  const auto format = json.is_object() ? json.find("format") : json.end();
+  if (format == json.end() || *format != "sedr-report")
     throw ToolError("'" + path + "' is no report of pcl_sedr");
   return json;
 }
