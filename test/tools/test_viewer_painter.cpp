@@ -89,6 +89,32 @@ TEST_F(ViewedSample, OfOneCloudIsStructureWhereItHasLabels)
   EXPECT_EQ(raw.raw.whole_size, sample_.scan.points.size());
 }
 
+/** One point at 1e6 m would leave of a room no more than a dot. */
+TEST_F(ViewedSample, OfAScanWithAStrayPointTheRoomFillsTheView)
+{
+  std::vector<std::vector<float>> points;
+  for (int k = 0; k < 2000; ++k)
+    points.push_back({0.1F * static_cast<float>(k % 50),
+                      0.1F * static_cast<float>(k / 50), k % 2 == 0 ? 0 : 2.5F});
+  points.push_back({20, 2, 1}); // seen through a window
+  points.push_back({1e6F, 3e38F, -1e6F});
+  const auto path = folder_.path() / "stray.pcd";
+  SampleResult::write(path, pcdBytes(points, std::vector<std::uint32_t>(2002, 3)));
+  const DisplayCloud shown = readResult(path.string(), {}).structure;
+  EXPECT_EQ(shown.whole_size, 2002u);
+  EXPECT_EQ(shown.size(), 2001u);
+  EXPECT_EQ(shown.labels.size(), 2001u);
+  SampleResult::write(path, pcdBytes(points));
+  const Eigen::AlignedBox3d bounds = readResult(path.string(), {}).bounds();
+  EXPECT_NEAR(bounds.max().x(), 20, 1e-6);
+  EXPECT_NEAR(bounds.max().y(), 3.9, 1e-6);
+  SampleResult::write(folder_.path() / "scan.pcd", pcdBytes(points));
+  const auto model = readResult((folder_.path() / "model").string(), {});
+  EXPECT_GT(model.thinned.size(), 1000u);
+  for (const auto& p : model.thinned.points)
+    EXPECT_LT(p.cwiseAbs().maxCoeff(), 21);
+}
+
 TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
 {
   const Painter painter(result_);

@@ -12,7 +12,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A cloud as it is shown: finite points only, and of a large one a part. */
+/** @brief A cloud as it is shown: finite points only, without strays far from all
+ * others, and of a large one a part. */
 struct DisplayCloud {
   std::vector<Eigen::Vector3f> points;  ///< metres, z up
   std::vector<std::uint32_t> labels;    ///< a StructureLabel a point, or empty
