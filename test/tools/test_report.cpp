@@ -4,10 +4,13 @@
 #include "report/histogram_svg.h"
 #include "report/html_text.h"
 #include "report/mesh_reduction.h"
+#include "report/model_data.h"
 #include "tool_error.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 #include "tools/sample_result.h"
+
+#include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
@@ -205,6 +208,15 @@ angle(int n)
       }
   }
   return mesh;
+}
+
+TEST(ModelData, RoomsBeyondAByteKeepTheirColours)
+{
+  TriangleMesh mesh = angle(1);
+  mesh.rooms = {0, 1, 256, 265};
+  const auto json = nlohmann::json::parse(modelData(mesh, CeilingRule(), false));
+  // Colours of a palette of 12, counted from 1: none, 1st, 4th, 1st.
+  EXPECT_EQ(json.at("rooms"), base64(std::string("\0\x01\x04\x0d", 4)));
 }
 
 TEST(ReducedMesh, KeepsPlanesEdgesAndLabels)

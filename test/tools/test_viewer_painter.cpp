@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/distance_colour.h"
 #include "results/surface_finder.h"
+#include "scan_file.h"
 #include "tool_error.h"
 #include "tools/pictures.h"
 #include "tools/run_program.h"
@@ -87,6 +88,20 @@ TEST_F(ViewedSample, OfOneCloudIsStructureWhereItHasLabels)
   EXPECT_TRUE(raw.firstLayers() == LayerSet{Layer::Raw});
   EXPECT_EQ(raw.raw.size(), 500u);
   EXPECT_EQ(raw.raw.whole_size, sample_.scan.points.size());
+}
+
+TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
+{
+  const std::string path = (folder_.path() / "scan.pcd").string();
+  constexpr std::size_t most = 700;
+  const DisplayCloud whole = displayCloudOf(ScanFile(path), most);
+  const DisplayCloud pieces = displayCloudOf(ScanFile(path, 1, 100), most);
+  ASSERT_EQ(whole.size(), most);
+  EXPECT_EQ(whole.points[0].x(), sample_.scan.points[0].x);
+  EXPECT_EQ(pieces.points, whole.points);
+  EXPECT_EQ(pieces.labels, whole.labels);
+  EXPECT_EQ(pieces.whole_size, sample_.scan.points.size());
+  EXPECT_EQ(thinnedCloudOf(ScanFile(path, 1, 100), 0.1).points, result_.thinned.points);
 }
 
 /** One point at 1e6 m would leave of a room no more than a dot. */

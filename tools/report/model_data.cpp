@@ -61,6 +61,17 @@ struct Quantised {
   }
 };
 
+/** @brief Rooms as the page's palette tells them apart, which goes round every 12: so
+ * that any number of them fits a byte. */
+std::vector<std::uint32_t>
+folded(std::vector<std::uint32_t> rooms)
+{
+  constexpr std::uint32_t rounds = 21 * 12;
+  for (auto& room : rooms)
+    room = room == 0 ? 0 : (room - 1) % rounds + 1;
+  return rooms;
+}
+
 std::string
 bytesOf(const std::vector<std::uint32_t>& values, std::size_t count)
 {
@@ -95,7 +106,7 @@ modelData(const TriangleMesh& mesh, const CeilingRule& rule, bool with_edges)
             {"positions", positions.text()},
             {"corners", corners.text()},
             {"labels", bytesOf(mesh.labels, count)},
-            {"rooms", bytesOf(mesh.rooms, count)},
+            {"rooms", bytesOf(folded(mesh.rooms), count)},
             {"ceilings", ceilings.text()}};
   if (with_edges) {
     TriangleMesh open = mesh;

@@ -8,6 +8,7 @@
 #include "report/page_sections.h"
 #include "results/distance_colour.h"
 #include "results/result_folder.h"
+#include "scan_file.h"
 #include "whole_file.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
@@ -61,11 +62,11 @@ readContents(const ResultFolder& folder, const PageSettings& settings)
   contents.solid = folder.mesh("solid.ply");
   contents.solid.flip();
   if (folder.has("structure.pcd"))
-    contents.structure = displayCloudOf(loadCloud(folder.file("structure.pcd")), 0);
+    contents.structure = displayCloudOf(ScanFile(folder.file("structure.pcd")), 0);
   const std::string path = settings.scan.empty() ? folder.scanPath() : settings.scan;
   if (path.empty())
     return contents;
-  const ToolCloud scan = loadCloud(path, folder.unit());
+  const ScanFile scan(path, folder.unit());
   contents.scan = displayCloudOf(scan, most_scan_points);
   contents.scan.labels.clear(); // a scan's own labels mean nothing here
   contents.scan.rooms.clear();

@@ -3,12 +3,13 @@
 
 #include "tool_error.h"
 
+#include <pcl/sedr_filters/field_access.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 
 namespace pcl {
 namespace sedr {
@@ -26,10 +27,8 @@ shownBox(const std::vector<Eigen::Vector3f>& points)
   constexpr double around = 100; // metres
   constexpr std::size_t sample_size = 10000;
   Eigen::AlignedBox3d most;
-  if (points.empty())
-    return most;
   const std::size_t n = std::min(points.size(), sample_size);
-  const std::size_t cut = std::min((n + 99) / 100, (n - 1) / 2);
+  const std::size_t cut = n / 100;
   std::vector<float> values(n);
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t k = 0; k < n; ++k)
@@ -56,6 +55,9 @@ keep(const std::vector<bool>& is_kept, std::vector<ValueT>& values)
 void
 dropStrays(DisplayCloud& cloud)
 {
+  constexpr std::size_t few = 100; // points, of which none is a stray
+  if (cloud.size() < few)
+    return;
   const Eigen::AlignedBox3d box = shownBox(cloud.points);
   std::vector<bool> is_kept;
   is_kept.reserve(cloud.size());
@@ -67,47 +69,93 @@ dropStrays(DisplayCloud& cloud)
   keep(is_kept, cloud.normals);
 }
 
+/** @brief Takes what is shown of a row. */
+class RowReader {
+public:
+  explicit RowReader(const std::vector<pcl::PCLPointField>& fields)
+      : label_(findField(fields, "label"))
+      , room_(findField(fields, "room"))
+      , normal_{findField(fields, "normal_x"), findField(fields, "normal_y"),
+                findField(fields, "normal_z")}
+  {}
+
+  void
+  add(const std::uint8_t* row, const Eigen::Vector3f& place, DisplayCloud& to) const
+  {
+    to.points.push_back(place);
+    if (label_)
+      to.labels.push_back(wholeAt(row, *label_));
+    if (room_)
+      to.rooms.push_back(wholeAt(row, *room_));
+    if (normal_[0] && normal_[1] && normal_[2])
+      to.normals.emplace_back(numberAt(row, *normal_[0]), numberAt(row, *normal_[1]),
+                              numberAt(row, *normal_[2]));
+  }
+
+private:
+  static float numberAt(const std::uint8_t* row, const pcl::PCLPointField& field)
+  {
+    return static_cast<float>(readField(row + field.offset, field.datatype));
+  }
+
+  static std::uint32_t wholeAt(const std::uint8_t* row, const pcl::PCLPointField& field)
+  {
+    std::uint32_t whole = 0;
+    writeField(reinterpret_cast<std::uint8_t*>(&whole), pcl::PCLPointField::UINT32,
+               readField(row + field.offset, field.datatype));
+    return whole;
+  }
+
+  const pcl::PCLPointField* label_;
+  const pcl::PCLPointField* room_;
+  std::array<const pcl::PCLPointField*, 3> normal_;
+};
+
+/** @brief Calls `see(row, place)` for every finite point. */
+template <typename See>
+void
+forEachFinite(const RowSource& scan, See see)
+{
+  RowCoordinates coordinates(scan.fields(), scan.rowSize());
+  scan.forEachPiece([&](const RowSource::Piece& piece) {
+    const PointView points = coordinates.of(piece.rows, piece.size);
+    for (std::size_t i = 0; i < piece.size; ++i)
+      if (points.isFinite(i))
+        see(piece.rows + i * scan.rowSize(), points[i]);
+    return true;
+  });
+}
+
 } // namespace
 
 DisplayCloud
-displayCloudOf(const ToolCloud& cloud, std::size_t most)
+displayCloudOf(const RowSource& scan, std::size_t most)
 {
-  const PointView points(*cloud.points);
-  pcl::Indices finite;
-  finite.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.isFinite(i))
-      finite.push_back(static_cast<pcl::index_t>(i));
-  const auto x = floatField(cloud.blob, "normal_x");
-  const auto y = floatField(cloud.blob, "normal_y");
-  const auto z = floatField(cloud.blob, "normal_z");
-  const bool has_normals = !x.empty() && !y.empty() && !z.empty();
   DisplayCloud shown;
-  shown.whole_size = finite.size();
-  const std::size_t count = most == 0 ? finite.size() : std::min(most, finite.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto i = static_cast<std::size_t>(finite[k * finite.size() / count]);
-    shown.points.push_back(points[i]);
-    if (cloud.has_label)
-      shown.labels.push_back(cloud.label[i]);
-    if (cloud.has_room)
-      shown.rooms.push_back(cloud.room[i]);
-    if (has_normals)
-      shown.normals.emplace_back(x[i], y[i], z[i]);
-  }
+  forEachFinite(
+      scan, [&](const std::uint8_t*, const Eigen::Vector3f&) { ++shown.whole_size; });
+  const std::size_t count =
+      most == 0 ? shown.whole_size : std::min(most, shown.whole_size);
+  const RowReader reader(scan.fields());
+  shown.points.reserve(count);
+  std::size_t seen = 0;
+  forEachFinite(scan, [&](const std::uint8_t* row, const Eigen::Vector3f& place) {
+    const std::size_t taken = shown.size();
+    if (taken < count && seen++ == taken * shown.whole_size / count)
+      reader.add(row, place, shown);
+  });
   dropStrays(shown);
   return shown;
 }
 
 DisplayCloud
-thinnedCloudOf(const ToolCloud& cloud, double voxel_size)
+thinnedCloudOf(const RowSource& scan, double voxel_size)
 {
   const auto leaf = static_cast<float>(voxel_size);
   pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-  grid.setInputCloud(cloud.points);
   grid.setLeafSize(leaf, leaf, leaf);
   pcl::PointCloud<pcl::PointXYZ> thinned;
-  grid.filter(thinned);
+  grid.filter(scan, thinned);
   if (!grid.getErrorMessage().empty())
     throw ToolError(grid.getErrorMessage());
   DisplayCloud shown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool_cloud.h"
+#include <pcl/sedr_filters/row_source.h>
 
 #include <Eigen/Core>
 
@@ -27,12 +27,13 @@ struct DisplayCloud {
 };
 
 /** @brief At most `most` points of a cloud, evenly spread over its file; labels,
- * rooms and normals where the cloud has them. `most` 0: all. */
-DisplayCloud displayCloudOf(const ToolCloud& cloud, std::size_t most);
+ * rooms and normals where the cloud has them. `most` 0: all. Reads the cloud twice,
+ * piece by piece, and holds no more of it than what is shown. */
+DisplayCloud displayCloudOf(const RowSource& scan, std::size_t most);
 
 /** @brief One point a voxel, as the first stage of the chain makes them, of edge
  * `voxel_size` metres. */
-DisplayCloud thinnedCloudOf(const ToolCloud& cloud, double voxel_size);
+DisplayCloud thinnedCloudOf(const RowSource& scan, double voxel_size);
 
 } // namespace tools
 } // namespace sedr

@@ -5,9 +5,10 @@
 #include "progress.h"
 #include "results/result_folder.h"
 #include "results/solid_names.h"
-#include "tool_error.h"
+#include "scan_file.h"
 
 #include <filesystem>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -48,10 +49,9 @@ readCloud(const std::string& path, const ReadSettings& settings)
 {
   ViewedResult result;
   result.name = path;
-  const ToolCloud cloud = loadCloud(path);
-  const bool is_structure = cloud.has_label || cloud.has_room;
-  (is_structure ? result.structure : result.raw) =
-      displayCloudOf(cloud, settings.most_points);
+  DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.most_points);
+  const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();
+  (is_structure ? result.structure : result.raw) = std::move(cloud);
   return result;
 }
 
@@ -64,7 +64,7 @@ readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult&
     result.notes.emplace_back("the scan itself is not there: name it by --scan");
     return;
   }
-  const ToolCloud scan = loadCloud(path, folder.unit());
+  const ScanFile scan(path, folder.unit());
   result.raw = displayCloudOf(scan, settings.most_points);
   // A scan may bring labels of its own, of which nothing is known here.
   result.raw.labels.clear();
@@ -148,7 +148,7 @@ readResult(const std::string& path, const ReadSettings& settings)
   result.name = path;
   if (folder.has("structure.pcd"))
     result.structure =
-        displayCloudOf(loadCloud(folder.file("structure.pcd")), settings.most_points);
+        displayCloudOf(ScanFile(folder.file("structure.pcd")), settings.most_points);
   if (folder.has("floorplan.json"))
     result.plan = *loadFloorplan(folder.file("floorplan.json"));
   result.mesh = folder.mesh("mesh.ply");
