@@ -137,6 +137,29 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
   EXPECT_TRUE(bytesOf(in("model/report.html")) == page);
 }
 
+TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
+{
+  const std::string scan = scanOf().pcd(false);
+  const ProgramRun first =
+      onFile(scan, {"--tree-depth", "6", "--pictures", "--report"});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  writeFile(in("model/notes.txt"), "mine");
+  const Strings old{"model/mesh.ply", "model/report.html", "model/pictures"};
+  const ProgramRun failed = run(SEDR, {in("nothing.pcd"), in("model"), "--no-mesh"});
+  EXPECT_EQ(failed.exit_code, 1);
+  for (const auto& name : old)
+    EXPECT_TRUE(std::filesystem::exists(in(name))) << name << ", the run failed";
+  const ProgramRun second = onFile(scan, {"--no-mesh"});
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  for (const auto& name : old)
+    EXPECT_FALSE(std::filesystem::exists(in(name))) << name << " is of another model";
+  EXPECT_TRUE(std::filesystem::exists(in("model/notes.txt")));
+  writeFile(in("model/mesh.ply"), scan); // a scan's type is told by its content
+  const ProgramRun third = run(SEDR, {in("model/mesh.ply"), in("model"), "--no-mesh"});
+  ASSERT_EQ(third.exit_code, 0) << third.err;
+  EXPECT_TRUE(bytesOf(in("model/mesh.ply")) == scan) << "what was read stays";
+}
+
 TEST_F(SedrTool, PicturesThatCannotBeWrittenAreRefusedBeforeTheWork)
 {
   std::filesystem::create_directories(in("model"));

@@ -119,6 +119,24 @@ writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictur
   });
 }
 
+/** @brief What an earlier run may have left and this one does not write: beside the
+ * new files it would be taken for theirs. */
+std::vector<std::string>
+leftOver(const ModelSettings& settings)
+{
+  std::vector<std::string> names;
+  if (settings.no_mesh)
+    names.emplace_back("mesh.ply");
+  if (!settings.report)
+    names.emplace_back("report.html");
+  if (settings.pictures)
+    return names;
+  for (const auto& name : ChainPictures::names())
+    names.push_back("pictures/" + name);
+  names.emplace_back("pictures");
+  return names;
+}
+
 /** @brief Writes report.html from the files of the model, which are there by now. */
 void
 writeReportPage(const ModelSettings& settings)
@@ -176,6 +194,7 @@ makeModel(const std::string& tool,
     }));
     writeWhole(folder.file("report.json"),
                [&](std::ostream& stream) { stream << makeReport(record, chain); });
+    folder.remove(leftOver(settings), settings.input);
     if (picture_folder)
       writePictures(*picture_folder, drawn);
     if (settings.report)

@@ -58,6 +58,20 @@ OutputFolder::fill(const std::function<void()>& write) const
 }
 
 void
+OutputFolder::remove(const std::vector<std::string>& names,
+                     const std::string& input) const
+{
+  std::error_code error;
+  for (const auto& name : names) {
+    const fs::path path = file(name);
+    const bool leads_elsewhere =
+        fs::is_symlink(path, error) && fs::is_directory(path, error);
+    if (!leads_elsewhere && !fs::equivalent(path, input, error))
+      fs::remove(path, error);
+  }
+}
+
+void
 OutputFolder::refuse(const std::string& reason) const
 {
   throw ToolError("the output folder '" + path_.string() +

@@ -24,6 +24,10 @@ public:
   /** @brief Makes the folder and calls `write`, which fills it. */
   void fill(const std::function<void()>& write) const;
 
+  /** @brief Removes what an earlier run has left: files, and folders that are empty by
+   * then, where they are. What the run has read, `input`, stays. */
+  void remove(const std::vector<std::string>& names, const std::string& input) const;
+
 private:
   [[noreturn]] void refuse(const std::string& reason) const;
 
