@@ -5,6 +5,7 @@
 #include "report/html_text.h"
 #include "report/mesh_reduction.h"
 #include "report/model_data.h"
+#include "report/page_sections.h"
 #include "tool_error.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
@@ -134,6 +135,27 @@ TEST(Advice, NamesUnseenWallsRepairsAndFarPoints)
   EXPECT_NE(advices[2].finding.find("more than 3 cm"), std::string::npos);
   EXPECT_NE(advices[2].remedy.find("--plane-tolerance"), std::string::npos);
   EXPECT_NE(advices[3].remedy.find("--fixed-grid"), std::string::npos);
+}
+
+TEST(Advice, KnowsWhatIsNotKnown)
+{
+  ReportData data;
+  EXPECT_EQ(unknownOf(data),
+            "whether all rooms are closed, how much of their surface was "
+            "seen, how far the points lie from the model");
+  const auto words = [&] { return advicePart(data); };
+  EXPECT_EQ(words().find("class=\"fine\""), std::string::npos);
+  data.rooms.resize(2);
+  for (auto& room : data.rooms) {
+    room.solid_closed = true;
+    room.repaired_share = 0.1;
+  }
+  EXPECT_EQ(unknownOf(data), "how far the points lie from the model")
+      << "as of a run without a mesh";
+  EXPECT_NE(words().find("do not tell how far the points lie"), std::string::npos);
+  data.distances = summarizeDistances(std::vector<double>(100, 0.001));
+  EXPECT_EQ(unknownOf(data), "");
+  EXPECT_NE(words().find("class=\"fine\""), std::string::npos);
 }
 
 TEST(HistogramSvg, IsEmptyWithoutAHistogram)

@@ -157,6 +157,13 @@ remedyOf(const std::string& warning)
   return "";
 }
 
+template <typename Known>
+bool
+isKnownOfAll(const std::vector<RoomFacts>& rooms, Known known)
+{
+  return !rooms.empty() && std::all_of(rooms.begin(), rooms.end(), known);
+}
+
 } // namespace
 
 std::vector<Advice>
@@ -175,6 +182,23 @@ adviceOn(const ReportData& data)
     if (!tells_repairs || !isToldAlready(warning))
       advices.push_back({warning, remedyOf(warning)});
   return advices;
+}
+
+std::string
+unknownOf(const ReportData& data)
+{
+  std::vector<std::string> unknown;
+  if (!isKnownOfAll(data.rooms, [](const RoomFacts& room) {
+        return room.mesh_closed.has_value() || room.solid_closed.has_value();
+      }))
+    unknown.emplace_back("whether all rooms are closed");
+  if (!isKnownOfAll(data.rooms, [](const RoomFacts& room) {
+        return room.repaired_share.has_value();
+      }))
+    unknown.emplace_back("how much of their surface was seen");
+  if (!data.distances)
+    unknown.emplace_back("how far the points lie from the model");
+  return joined(unknown, ", ");
 }
 
 } // namespace tools

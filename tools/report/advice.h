@@ -21,6 +21,11 @@ struct Advice {
  * amiss: nothing. */
 std::vector<Advice> adviceOn(const ReportData& data);
 
+/** @brief What would have to be known to say that nothing is amiss, and is not: in a
+ * run without a mesh, or without report.json. "whether all rooms are closed, ...";
+ * empty if all is known. */
+std::string unknownOf(const ReportData& data);
+
 } // namespace tools
 } // namespace sedr
 } // namespace pcl

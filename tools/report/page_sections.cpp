@@ -153,7 +153,11 @@ advicePart(const ReportData& data)
       html += "<span class=\"remedy\">" + escaped(advice.remedy) + "</span>";
     html += "</li>\n";
   }
-  if (advices.empty())
+  const std::string unknown = unknownOf(data);
+  if (advices.empty() && !unknown.empty())
+    html += "<li>Nothing stands out, but the files do not tell " + escaped(unknown) +
+            ".</li>\n";
+  else if (advices.empty())
     html +=
         "<li class=\"fine\">Nothing stands out: all rooms are closed, most of their "
         "surface was seen, and the points lie where the model is.</li>\n";

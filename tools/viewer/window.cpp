@@ -114,8 +114,13 @@ Window::onKey(const std::string& key)
     std::cout << keyHelp() << std::flush;
     return;
   case KeyCommand::Screenshot:
-    saveScreenshot(screenshot_name);
-    std::cout << "written: " << screenshot_name << std::endl;
+    try {
+      saveScreenshot(screenshot_name);
+      std::cout << "written: " << screenshot_name << std::endl;
+    }
+    catch (const ToolError& error) { // no reason to close the window
+      std::cerr << error.what() << std::endl;
+    }
     return;
   case KeyCommand::Quit:
     wants_to_quit_ = true; // to close the window here would take it from under VTK
