@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace {
 
@@ -273,6 +274,32 @@ TEST_F(CompareTool, WritesJsonAndAColouredMesh)
   EXPECT_EQ(reds[change_colours::moved.red], 3u * 4) << "both faces of the partition";
   EXPECT_EQ(reds[change_colours::appeared.red], 0u);
   EXPECT_EQ(reds[change_colours::unchanged.red], 3u * (2 * 12 - 4));
+}
+
+TEST_F(CompareTool, AStepIsNotPaintedAsTheFloorAroundItThatHasMoved)
+{
+  constexpr double step = 0.5;
+  Floorplan before = twoRooms();
+  before.rooms[0].floor_details.push_back({rectangle(1, 1, 3, 3), {}, slabAt(step)});
+  Floorplan after = before;
+  after.rooms[0].floor = slabAt(0.2);
+  ASSERT_EQ(told(before, after),
+            Lines{"moved floor by 0.20 m (z +0.20), 18.50 m2: room_1_floor -> "
+                  "room_1_floor"});
+  saveChangeMesh(in("d.ply"), before, after, comparePlans(before, after, {}));
+  const std::string ply = bytesOf(in("d.ply"));
+  const char* vertex = ply.data() + ply.find("end_header\n") + 11;
+  std::size_t moved = 0;
+  for (std::size_t left = std::stoul(ply.substr(ply.find("element vertex ") + 15));
+       left > 0; --left, vertex += 3 * 8 + 3) {
+    double z = 0;
+    std::memcpy(&z, vertex + 2 * 8, sizeof z);
+    if (static_cast<unsigned char>(vertex[3 * 8]) != change_colours::moved.red)
+      continue;
+    ++moved;
+    EXPECT_NEAR(z, 0.2, 1e-6) << "on the floor, not on the step";
+  }
+  EXPECT_GT(moved, 0u);
 }
 
 TEST_F(CompareTool, TellsThatModelsFarApartCannotBeAligned)

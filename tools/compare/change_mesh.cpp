@@ -25,6 +25,8 @@ struct ColouredTriangle {
  * stands for its faces, room_1 for all of the room. */
 using NamedColours = std::map<std::string, Colour>;
 
+const std::string step_name = "_floor_detail";
+
 Colour
 colourFor(const std::string& name, const NamedColours& colours, Colour otherwise)
 {
@@ -32,7 +34,11 @@ colourFor(const std::string& name, const NamedColours& colours, Colour otherwise
     const auto found = colours.find(part);
     if (found != colours.end())
       return found->second;
-    const std::size_t cut = part.rfind('_');
+    // A step is a part of its room, but none of the floor that it stands on.
+    const std::size_t step = part.rfind(step_name);
+    const bool is_step =
+        step != std::string::npos && step + step_name.size() == part.size();
+    const std::size_t cut = is_step ? step : part.rfind('_');
     part.erase(cut == std::string::npos ? 0 : cut);
   }
   return otherwise;
