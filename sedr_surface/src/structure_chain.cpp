@@ -59,6 +59,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
     enlargeCells(enlarged_from_);
   enlarged_from_ = 0;
   cloud.reset(new Cloud(*thinned));
+  scanned_points_ = cloud->size();
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
   planes.clear();

@@ -98,6 +98,7 @@ StructureChain::removePoints(const pcl::Indices& indices)
     else
       rest->push_back((*cloud)[i]);
   cloud = rest;
+  scanned_points_ = cloud->size();
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
 }

@@ -115,6 +115,29 @@ TEST(StructureChain, FindsTheWallBehindADuct)
   EXPECT_NEAR(chain.plan->rooms[0].area(), 15, 0.01);
 }
 
+TEST(StructureChain, OfAReflectedRoomTheScannedPointsAreThoseOfTheRoom)
+{
+  const auto scan = roomOf(0.04);
+  const std::size_t size = scan->size();
+  std::size_t mirrored = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    if ((*scan)[i].z > 0.3F) {
+      scan->push_back((*scan)[i]);
+      scan->back().z *= -1;
+      ++mirrored;
+    }
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+  EXPECT_EQ(scan->size(), size + mirrored);
+  EXPECT_EQ(chain.scannedPoints(), size);
+  ASSERT_LE(chain.scannedPoints(), chain.labels.size());
+  for (std::size_t i = 0; i < size; ++i)
+    EXPECT_EQ((*chain.cloud)[i].z, (*scan)[i].z);
+
+  ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
+  EXPECT_EQ(chain.scannedPoints(), size);
+}
+
 TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
 {
   // A high room, whose walls show in every fourth column of the scan only.

@@ -16,13 +16,14 @@ namespace tools {
 
 namespace {
 
-/** @brief The thinned points: what the chain's cloud began with. */
+/** @brief The thinned points, reflections left out: what the chain's cloud begins with.
+ */
 PointView
 thinnedPoints(const ChainPictures::Chain& chain)
 {
   const auto& cloud = *chain.getChain().cloud;
   return {cloud.empty() ? nullptr : &cloud[0].x, sizeof(pcl::PointXYZ),
-          chain.getStageReports().front().points_out};
+          chain.getChain().scannedPoints()};
 }
 
 /** @brief The cells of the ceilings that are kept. */

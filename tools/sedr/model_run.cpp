@@ -69,7 +69,7 @@ MeshEvaluationResult
 evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
   const auto& result = chain.getChain();
-  const std::size_t scanned = chain.getStageReports().front().points_out;
+  const std::size_t scanned = result.scannedPoints();
   pcl::IndicesPtr structure(new pcl::Indices);
   for (std::size_t i = 0; i < scanned; ++i)
     if (result.labels[i] != 0)

@@ -118,11 +118,12 @@ public:
    * is the r-th. */
   const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
 
+  /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
+   * points less reflections. What was recovered comes after them. */
+  std::size_t scannedPoints() const { return scanned_points_; }
+
   /** @brief Share of each room's points that hole repair added in the last run. */
-  std::map<std::uint32_t, double> repairedShares() const
-  {
-    return repaired_shares_;
-  }
+  std::map<std::uint32_t, double> repairedShares() const { return repaired_shares_; }
 
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
@@ -221,6 +222,7 @@ private:
   std::vector<StructureCloud::Ptr>
       refined_; ///< of each room of the plan, till repaired
   std::map<std::uint32_t, double> repaired_shares_;
+  std::size_t scanned_points_ = 0;
 };
 
 } // namespace sedr
