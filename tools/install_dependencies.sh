@@ -40,7 +40,10 @@ if [ "$with_tests" = yes ]; then
   )
 fi
 if [ "$with_benchmarks" = yes ]; then
-  needed+=("libbenchmark-dev    google-benchmark, for -DSEDR_BUILD_BENCHMARKS=ON")
+  needed+=(
+    "libbenchmark-dev    google-benchmark, for -DSEDR_BUILD_BENCHMARKS=ON"
+    "python3-matplotlib  draws the plots of performance.sh"
+  )
 fi
 if [ "$with_docs" = yes ]; then
   needed+=(

@@ -94,18 +94,19 @@ def stages(out):
     by_points = sorted((r for r in runs if "/rooms:4/" in r["run_name"]), key=lambda r: r["points"])
     for which, axis, title in ((by_points, axes[0], "four rooms, more points"),
                                (by_rooms, axes[1], "more rooms, as dense")):
-        for stage in STAGES:
+        for k, stage in enumerate(STAGES):
             axis.loglog([r["points"] for r in which], [max(r[stage], 1e-5) for r in which],
-                        marker="o", markersize=3, label=stage)
+                        marker="o", markersize=3, color=plt.get_cmap("tab20")(k), label=stage)
         axis.set_xlabel("points")
         axis.set_title(title)
         axis.grid(alpha=0.3)
     axes[0].set_ylabel("seconds")
     axes[1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
     save(figure, out / "performance_stages.png")
-    rows = [[stage] + [f"{r[stage]:.3f}" for r in by_points + by_rooms] for stage in STAGES]
-    table(["stage, s"] + [f"{r['points'] / 1e6:.2f} M, {r['run_name'].split(':')[1].split('/')[0]} rooms"
-                          for r in by_points + by_rooms], rows)
+    shown = by_points + [r for r in by_rooms if r not in by_points]
+    rooms = [r["run_name"].split(":")[1].split("/")[0] for r in shown]
+    table(["stage, s"] + [f"{r['points'] / 1e6:.2f} M, rooms: {n}" for r, n in zip(shown, rooms)],
+          [[stage] + [f"{r[stage]:.3f}" for r in shown] for stage in STAGES])
 
 
 def buildings(out):
