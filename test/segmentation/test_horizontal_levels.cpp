@@ -128,17 +128,17 @@ TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
 
 TEST(Levels, TheTailsOfASlabAreNotThoseOfAnotherRoomsSoffit)
 {
-  // Ten centimetres below the ceiling next door, which five standard deviations are.
+  // Twelve centimetres below the ceiling next door, which six standard deviations are.
   RoomPoints points(0.05, 0.02);
-  points.room(rectangle(0, 0, 6, 5), 0, 2.55);
-  PlanRoom room = roomOf(rectangle(6.12, 0, 12.12, 5), 2.8);
-  room.details = {detailOf(rectangle(6.12, 4.4, 12.12, 5), 2.45)};
+  points.room(rectangle(0, 0, 6, 5), 0, 2.57);
+  PlanRoom room = roomOf(rectangle(6.12, 0, 12.12, 5), 2.9);
+  room.details = {detailOf(rectangle(6.12, 4.5, 12.12, 5), 2.46)};
   points.room(room);
   const auto levels = levelsOf(points);
   ASSERT_EQ(kindsOf(levels),
             (std::vector<LevelKind>{Floor, Ceiling, Ceiling, Ceiling}));
-  EXPECT_NEAR(levels[1].height, 2.45, 0.005);
-  EXPECT_NEAR(levels[2].height, 2.55, 0.005);
+  EXPECT_NEAR(levels[1].height, 2.46, 0.005);
+  EXPECT_NEAR(levels[2].height, 2.57, 0.005);
 }
 
 TEST(Levels, WallsBlurredByNoiseDoNotHideThatASoffitIsACeiling)
@@ -220,6 +220,10 @@ TEST(Levels, ASoffitIsACeilingWhereTheSameHeightIsNoneElsewhere)
   EXPECT_FALSE(levels[1].inliers.empty());
   for (const int i : levels[1].inliers)
     EXPECT_LT(points[i].x(), 4.01);
+  auto classified = findLevels(points.view(), points.all(), {});
+  classifyLevels(classified, {});
+  for (std::size_t i = 0; i < classified[1].cells.size(); ++i)
+    EXPECT_LT(classified[1].cells[i].x, 81);
 }
 
 TEST(Levels, TheGroundOutsideIsNoFloorAndTheSkyNoCeiling)

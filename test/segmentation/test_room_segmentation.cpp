@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 namespace {
 
@@ -312,6 +313,17 @@ TEST(SegmentRooms, CellsTooSmallForACeilingAreRefusedWithTheirNumber)
   std::string problem;
   EXPECT_TRUE(segmentRooms(points.view(), points.all(), {level}, {}, problem).empty());
   EXPECT_NE(problem.find("cells"), std::string::npos) << problem;
+}
+
+TEST(SegmentRooms, StraysBelowTheFloorAreNoWallsThatGoOn)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 5.01, 4.01), 0, 2.5);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 900; ++i)
+    points.point(5 * share(random), 4 * share(random), -0.15 - 0.25 * share(random));
+  EXPECT_EQ(Rooms(points).regions.size(), 1u);
 }
 
 } // namespace
