@@ -70,14 +70,6 @@ peaksOf(std::vector<double> values, double width)
   return peaks;
 }
 
-/** @brief How far from a side its points may be: the two of a plate stay apart. */
-double
-bandOf(const Rectangle& r, double tolerance)
-{
-  const double thickness = std::min(r.side[1] - r.side[0], r.side[3] - r.side[2]);
-  return std::min(tolerance, 0.45 * thickness);
-}
-
 /** @brief The points of each side, those near a corner left out. */
 std::array<std::vector<Eigen::Vector2d>, 4>
 pointsOfSides(const std::vector<Eigen::Vector2d>& in_frame,
@@ -125,7 +117,7 @@ makeSquare(const std::array<bool, 4>& is_shown, double slack, Rectangle& r)
 void
 judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle& r)
 {
-  const auto sides = pointsOfSides(in_frame, r, bandOf(r, band));
+  const auto sides = pointsOfSides(in_frame, r, band);
   const double least =
       std::max(5.0, least_share * static_cast<double>(in_frame.size()));
   std::array<bool, 4> is_shown{};
@@ -286,8 +278,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
             tryOne(x0, x1, y0, y1);
   // Sides by all their points, then those that nobody saw.
   for (int round = 0; round < 3; ++round) {
-    const double band = bandOf(best, tolerance);
-    const auto sides = pointsOfSides(in_frame, best, band);
+    const auto sides = pointsOfSides(in_frame, best, tolerance);
     for (std::size_t k = 0; k < 4; ++k) {
       std::vector<double> own;
       for (const auto& p : sides[k])
@@ -299,7 +290,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
       double sum = 0;
       double count = 0;
       for (const double v : own)
-        if (std::abs(v - middle) <= band) {
+        if (std::abs(v - middle) <= tolerance) {
           sum += v;
           count += 1;
         }
@@ -317,7 +308,7 @@ fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
 {
   Rectangle r = start;
   for (int round = 0; round < 8 && r.isSound(); ++round) {
-    const auto sides = pointsOfSides(framed(points, r), r, bandOf(r, tolerance));
+    const auto sides = pointsOfSides(framed(points, r), r, tolerance);
     // Unknown: a turn about the origin of the frame, and a shift of each side.
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity() * 1e-9;
     Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
