@@ -2,6 +2,7 @@
 #include "level_candidates.h"
 #include "level_contrast.h"
 #include "level_parting.h"
+#include "level_regions.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -142,14 +143,63 @@ withTails(const std::vector<Candidate>& candidates,
   std::vector<std::size_t> near =
       nearPlane(candidates, draft, reachOfNoise(slab, tolerance));
   const auto isElsewhere = [&](std::size_t k) {
-    if (std::abs(distanceAbove(slab, candidates[k].position())) <= tolerance)
-      return false;
     const CellBlock block = blockAround(cells, candidates[k].cell);
     return std::none_of(block.begin(), block.end(),
                         [&](std::size_t b) { return draft.cells[b] != 0; });
   };
   near.erase(std::remove_if(near.begin(), near.end(), isElsewhere), near.end());
   return near;
+}
+
+/** @brief The plane of the candidates in marked cells, near which it is looked for. */
+PlanSlab
+slabOver(const PointView& points,
+         const std::vector<Candidate>& candidates,
+         const std::vector<std::uint8_t>& marked,
+         const PlanSlab& near,
+         double tolerance)
+{
+  std::vector<int> own;
+  for (const Candidate& c : candidates)
+    if (marked[c.cell] && std::abs(distanceAbove(near, c.position())) <= tolerance)
+      own.push_back(c.index);
+  return fitSlabRobustly(points, own, near, tolerance);
+}
+
+/** @brief Leaves a level that stands out as it is, and of any other only the regions
+ * that do: at the height of a small ceiling there may be clutter all over the building.
+ * @return whether anything is left */
+bool
+keepWhatStandsOut(const PointView& points,
+                  const std::vector<Candidate>& columns,
+                  const std::vector<Candidate>& candidates,
+                  const CellSet& cells,
+                  double tolerance,
+                  std::size_t minimum_cells,
+                  LevelDraft& draft)
+{
+  const auto count = std::count(draft.cells.begin(), draft.cells.end(), 1);
+  if (static_cast<std::size_t>(count) < minimum_cells)
+    return false;
+  if (standsOut(columns, cells, draft.cells, draft.slab, tolerance))
+    return true;
+  std::vector<std::uint8_t> standing;
+  for (const auto& region : levelRegions(columns, cells, draft.cells, draft.slab,
+                                         tolerance, minimum_cells)) {
+    std::vector<std::uint8_t> alone(cells.size(), 0);
+    for (const std::size_t i : region)
+      alone[i] = 1;
+    if (!standsOut(columns, cells, alone, draft.slab, tolerance))
+      continue;
+    standing.resize(cells.size(), 0);
+    for (const std::size_t i : region)
+      standing[i] = 1;
+  }
+  if (standing.empty())
+    return false;
+  draft.slab = slabOver(points, candidates, standing, draft.slab, tolerance);
+  draft.cells = std::move(standing);
+  return true;
 }
 
 /** @brief Takes `positions`, increasing, out of the candidates. */
@@ -183,50 +233,6 @@ slabOfWindow(const PointView& points,
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
   return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
-}
-
-/** @brief The level nearest to each point, of those that may have points in its cell,
- * if within the tolerance; else the number of levels. */
-std::vector<std::size_t>
-nearestLevels(const std::vector<Level>& levels,
-              const std::vector<Candidate>& columns,
-              const CellSet& cells,
-              double tolerance)
-{
-  std::vector<std::size_t> nearest(columns.size(), levels.size());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    double least = tolerance;
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-      const double d = std::abs(distanceAbove(levels[l].slab, columns[k].position()));
-      if (d > least || (d == least && nearest[k] != levels.size()) ||
-          levels[l].without.contains(cells[columns[k].cell]))
-        continue;
-      least = d;
-      nearest[k] = l;
-    }
-  }
-  return nearest;
-}
-
-/** @brief The cells of a set that lie in a block of five by five with more cells of the
- * set than a strip two cells wide has: an uneven part of a ceiling does, the last
- * centimetres of a wall below it do not. */
-CellSet
-withoutFringes(const CellSet& cells)
-{
-  std::vector<CellKey> kept;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::vector<CellKey> block;
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        const Cell cell{cells[i].x + dx, cells[i].y + dy};
-        if (cells.contains(cell))
-          block.push_back(keyOf(cell));
-      }
-    if (block.size() > 10)
-      kept.insert(kept.end(), block.begin(), block.end());
-  }
-  return CellSet(std::move(kept));
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of
@@ -276,11 +282,11 @@ findLevels(const PointView& points,
       has_changed = partLevel(points, columns, candidates, cells, parameters,
                               minimum_cells, draft);
     }
-    Level level;
-    level.slab = draft.slab;
-    level.cells = markedCells(cells, draft.cells);
-    if (level.cells.size() >= minimum_cells &&
-        standsOut(columns, cells, draft.cells, level.slab, parameters.tolerance)) {
+    if (keepWhatStandsOut(points, columns, candidates, cells, parameters.tolerance,
+                          minimum_cells, draft)) {
+      Level level;
+      level.slab = draft.slab;
+      level.cells = markedCells(cells, draft.cells);
       own = withTails(candidates, cells, draft, level.slab, parameters.tolerance);
       level.without = markedCells(cells, draft.apart);
       keepApart(levels, level);
@@ -298,49 +304,6 @@ findLevels(const PointView& points,
   std::sort(levels.begin(), levels.end(),
             [](const Level& a, const Level& b) { return a.height < b.height; });
   return levels;
-}
-
-void
-collectInliers(std::vector<Level>& levels,
-               const PointView& points,
-               const std::vector<int>& indices,
-               const LevelParameters& parameters)
-{
-  const CellGrid grid(parameters.cell_size);
-  const CellSet cells(grid, points, indices);
-  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
-  const std::vector<std::size_t> nearest =
-      nearestLevels(levels, columns, cells, parameters.tolerance);
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    Level& level = levels[l];
-    level.inliers.clear();
-    // Just below a ceiling, or just above a floor, a room has nothing: a wall has.
-    const std::vector<std::uint8_t> goes_on =
-        level.kind == LevelKind::Other
-            ? std::vector<std::uint8_t>(cells.size(), 0)
-            : columnsThatGoOn(columns, cells, level.slab,
-                              level.kind == LevelKind::Ceiling ? -1 : 1,
-                              parameters.tolerance);
-    // Cells with points on the plane itself, and cells with points near it only.
-    const double on_plane =
-        std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);
-    std::vector<CellKey> on;
-    std::vector<CellKey> near;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (nearest[k] != l || goes_on[columns[k].cell] ||
-          !(level.within.empty() || level.within.contains(cells[columns[k].cell])))
-        continue;
-      const auto p = columns[k].position();
-      (std::abs(distanceAbove(level.slab, p)) <= on_plane ? on : near)
-          .push_back(cells.keys()[columns[k].cell]);
-    }
-    const CellSet core(std::move(on));
-    level.cells = unite(core, withoutFringes(subtract(CellSet(std::move(near)), core)));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      if (nearest[k] == l && level.cells.contains(cells[columns[k].cell]))
-        level.inliers.push_back(columns[k].index);
-    std::sort(level.inliers.begin(), level.inliers.end());
-  }
 }
 
 } // namespace sedr

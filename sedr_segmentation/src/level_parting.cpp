@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_parting.h"
+#include "level_regions.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
 
@@ -93,38 +94,6 @@ unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSla
   for (const auto& [key, patch] : patches)
     squares += patch.sum * patch.sum / patch.count;
   return squares / std::max(1.0, static_cast<double>(own.size()));
-}
-
-/** @brief The connected regions of the level that are large enough, largest first. What
- * goes on above or below is a wall: it parts them. */
-std::vector<Region>
-regionsOf(const std::vector<Candidate>& columns,
-          const CellSet& cells,
-          const LevelParameters& parameters,
-          std::size_t minimum_cells,
-          const LevelDraft& draft)
-{
-  const std::vector<std::uint8_t> below =
-      columnsThatGoOn(columns, cells, draft.slab, -1, parameters.tolerance);
-  const std::vector<std::uint8_t> above =
-      columnsThatGoOn(columns, cells, draft.slab, 1, parameters.tolerance);
-  std::vector<std::size_t> positions;
-  std::vector<CellKey> keys;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!draft.cells[i] || below[i] || above[i])
-      continue;
-    positions.push_back(i);
-    keys.push_back(cells.keys()[i]);
-  }
-  const CellRegions labels = labelRegions(CellSet::fromSorted(std::move(keys)));
-  std::vector<Region> regions;
-  for (const std::size_t size : labels.sizes)
-    if (size >= minimum_cells)
-      regions.emplace_back();
-  for (std::size_t k = 0; k < positions.size(); ++k)
-    if (labels.label[k] < regions.size())
-      regions[labels.label[k]].cells.push_back(positions[k]);
-  return regions;
 }
 
 /** @brief Fits every region to the candidates in its cells. */
@@ -223,8 +192,12 @@ partLevel(const PointView& points,
           std::size_t minimum_cells,
           LevelDraft& draft)
 {
-  std::vector<Region> regions =
-      regionsOf(columns, cells, parameters, minimum_cells, draft);
+  std::vector<Region> regions;
+  for (auto& region : levelRegions(columns, cells, draft.cells, draft.slab,
+                                   parameters.tolerance, minimum_cells)) {
+    regions.emplace_back();
+    regions.back().cells = std::move(region);
+  }
   if (regions.empty())
     return false;
   fitRegions(points, candidates, cells.size(), parameters.tolerance, draft.slab,

@@ -93,8 +93,29 @@ askew(const LoopChain& chain, std::size_t link, const PlanCurve& line)
   return least;
 }
 
-/** @brief Whether a fit to a short part of a line turns it away from where it was and
- * from all other walls: points in one place tell little of a direction. */
+/** @brief Share of an element's length beside which some of the points lie on a curve,
+ * counted in parts of 5 cm. */
+double
+shareCovered(const PlanElement& element,
+             const PlanCurve& curve,
+             const std::vector<WeightedPoint>& points,
+             double tolerance)
+{
+  constexpr double part = 0.05;
+  const auto parts = static_cast<std::size_t>(std::ceil(element.length() / part));
+  std::vector<std::uint8_t> is_covered(parts, 0);
+  for (const auto& p : points) {
+    const double s = element.project(p.position) / part;
+    if (s >= 0 && s < static_cast<double>(parts) &&
+        curve.distance(p.position) <= tolerance)
+      is_covered[static_cast<std::size_t>(s)] = 1;
+  }
+  return static_cast<double>(std::count(is_covered.begin(), is_covered.end(), 1)) /
+         static_cast<double>(std::max<std::size_t>(1, parts));
+}
+
+/** @brief Whether a fit to little of a line turns it away from where it was and from
+ * all other walls: points in a few places tell little of a direction. */
 bool
 turnsAway(const LoopChain& chain,
           std::size_t link,
@@ -102,19 +123,12 @@ turnsAway(const LoopChain& chain,
           const std::vector<WeightedPoint>& points,
           double tolerance)
 {
-  constexpr double least_part = 0.4;
+  constexpr double least_share = 0.4;
   const PlanElement was = chain.element(link);
   if (was.isArc() || line.isCircle() ||
       std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
     return false;
-  double from = was.length();
-  double to = 0;
-  for (const auto& p : points) {
-    const double s = was.project(p.position);
-    from = std::min(from, s);
-    to = std::max(to, s);
-  }
-  return to - from < least_part * was.length() &&
+  return shareCovered(was, line, points, tolerance) < least_share &&
          askew(chain, link, line) > askew(chain, link, chain.links[link].curve);
 }
 

@@ -312,6 +312,28 @@ TEST(Levels, RoomsUnderOneLeaningSlabShareALevel)
   expectHeights(levelsOf(points), {0, 2.5}, 0.003);
 }
 
+TEST(Levels, OfOneRoomTakeNothingFromTheCeilingOfAnother)
+{
+  // The plane of the small room's ceiling, which leans, passes through the large one's,
+  // which is bent, and is nearer to many of its points than its own.
+  RoomPoints points;
+  points.slab(rectangle(0, 0, 10, 6), 0);
+  points.slab(rectangle(10.2, 0, 13.2, 6), 0);
+  for (double x = 0.025; x < 10; x += 0.05)
+    for (double y = 0.025; y < 6; y += 0.05)
+      points.point(x, y, 3 + 0.03 * std::sin(x));
+  const int large = static_cast<int>(points.all().size());
+  const double slope = std::tan(2 * M_PI / 180);
+  for (double x = 10.225; x < 13.2; x += 0.05)
+    for (double y = 0.025; y < 6; y += 0.05)
+      points.point(x, y, 3 + slope * (x - 5));
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
+  EXPECT_LT(levels[1].inliers.back(), large);
+  EXPECT_GT(levels[1].inliers.size(), 23000u); // of 24,000
+  EXPECT_GE(levels[2].inliers.front(), large);
+}
+
 TEST(Levels, NoiseOfTwoCentimetresDoesNotMoveThem)
 {
   RoomPoints points(0.05, 0.02);
@@ -368,6 +390,23 @@ TEST(Levels, ClutterIsNone)
   for (int i = 0; i < 20000; ++i)
     points.point(x(random), y(random), z(random));
   expectHeights(levelsOf(points), {0, 2.5}, 1e-3);
+}
+
+TEST(Levels, ASmallCeilingStandsOutWhereScreensElsewhereEndAtItsHeight)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 12, 8), 0, 3);
+  for (double y = 1; y < 7.5; y += 1.5)
+    points.wall(segment({1, y}, {11, y}), 0, 2.42);
+  const auto small = rectangle(12.2, 0, 13.7, 0.8);
+  points.room(small, 0, 2.42);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
+  EXPECT_NEAR(levels[1].slab.heightAt({13, 0.4}), 2.42, 0.002);
+  std::size_t in_room = 0;
+  for (const int i : levels[1].inliers)
+    in_room += small.contains(points[i].head<2>().cast<double>()) ? 1 : 0;
+  EXPECT_GT(in_room, 400u); // of 480
 }
 
 TEST(Levels, OfNothingAreNone)

@@ -392,9 +392,15 @@ TEST(FitLoop, PointsInOnePlaceDoNotTurnAWall)
   for (double s = 0; s < 1; s += 0.01)
     for (int k = 0; k < 8; ++k)
       walls.emplace_back(6.04 - 0.08 * s, 0.6 + s);
-  const PlanLoop loop = fitted(contourIn(truth), walls);
-  for (double s = 0.05; s < 5; s += 0.1)
-    EXPECT_LT(loop.distance(truth.elements[1].pointAt(s)), 0.1) << s;
+  // A few points of something else, near its other end.
+  const std::vector<Vector2d> strays{{6.02, 4.6}, {5.97, 4.1}, {5.99, 3.8}};
+  for (const bool has_strays : {false, true}) {
+    if (has_strays)
+      walls.insert(walls.end(), strays.begin(), strays.end());
+    const PlanLoop loop = fitted(contourIn(truth), walls);
+    for (double s = 0.05; s < 5; s += 0.1)
+      EXPECT_LT(loop.distance(truth.elements[1].pointAt(s)), 0.1) << s << has_strays;
+  }
 }
 
 TEST(FitLoop, AnOpeningThatLedTheContourAstrayIsBridged)
