@@ -45,6 +45,16 @@ struct LoopChain {
   PlanLoop loop() const;
 };
 
+/** @brief Sine of the angle between two curves at a place, as lines: 0 to 1. */
+double
+sineBetween(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& place);
+
+/** @brief The middle between two curves where they pass each other most closely. */
+Eigen::Vector2d nearestPass(const PlanCurve& a, const PlanCurve& b);
+
+/** @brief A straight link that nobody saw. */
+LoopLink bridgeBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+
 /** @brief Where two curves that follow each other join, near `place`: where they cross
  * or, of curves that run alike there and pass each other within half the tolerance,
  * where they are nearest to each other.
@@ -60,23 +70,6 @@ bool findCorner(const PlanCurve& a,
 LoopChain joinLinks(const std::vector<LoopLink>& links,
                     const std::vector<Eigen::Vector2d>& places,
                     const LoopParameters& parameters);
-
-/** @brief The points of the evidence that show a link: those near it, but for what is
- * at its corners and may be the neighbour's. */
-std::vector<WeightedPoint> pointsAlong(const LoopChain& chain,
-                                       std::size_t i,
-                                       const PlanPoints& evidence,
-                                       double tolerance);
-
-/** @brief Fits every link to the evidence along it, away from its corners, and joins
- * them again. The chain stays where they no longer meet. */
-void refitLinks(LoopChain& chain,
-                const PlanPoints& evidence,
-                const LoopParameters& parameters);
-
-/** @brief Makes links that pass each other at a corner touch there, moving them as
- * little as possible; where that fails, a bridge remains. */
-void closeTangents(LoopChain& chain, const LoopParameters& parameters);
 
 } // namespace sedr
 } // namespace pcl

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "link_fit.h"
 #include "loop_chain.h"
 #include "loop_path_cost.h"
 #include "loop_revision.h"
 #include "loop_runs.h"
+#include "loop_tangents.h"
 #include "loop_unseen.h"
 
 #include <pcl/sedr_segmentation/loop_fit.h>

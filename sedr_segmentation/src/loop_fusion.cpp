@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "link_fit.h"
 #include "loop_window.h"
 
 #include <algorithm>

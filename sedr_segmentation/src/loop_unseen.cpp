@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_unseen.h"
 
+#include "link_fit.h"
 #include "loop_window.h"
 #include "main_directions.h"
 
