@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/room_jobs.h>
+#include <pcl/sedr_surface/room_threads.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 
 namespace {
 
@@ -157,6 +159,69 @@ TEST(RoomJobs, ARoomThatIsLostIsLeftOutAndToldAndTheOthersStay)
     EXPECT_EQ(chain.structure->size(), here.structure->size());
     EXPECT_EQ(surfacesOf(chain), std::vector<std::uint32_t>({1}));
     EXPECT_TRUE(tells(chain));
+  }
+}
+
+/** Sizes of five rooms of which the first two outweigh what follows them. */
+const std::vector<std::size_t> sizes{10, 100, 400, 20, 30};
+
+TEST(RoomThreads, TakeEachRoomOnceAndTheLargestFirst)
+{
+  for (const unsigned threads : {1u, 2u, 3u}) {
+    std::vector<std::size_t> made;
+    std::vector<std::size_t> taken;
+    RoomThreads(threads).work(
+        sizes,
+        [&](std::size_t i) {
+          made.push_back(i);
+          SurfaceJob job;
+          job.samples.room = static_cast<std::uint32_t>(i);
+          return job;
+        },
+        [&](std::size_t i, const RoomResult& result) {
+          EXPECT_EQ(std::get<RoomSurface>(result).report.room, i);
+          taken.push_back(i);
+        });
+    EXPECT_EQ(made.front(), 2u);
+    EXPECT_EQ(made[1], 1u);
+    std::sort(made.begin(), made.end());
+    std::sort(taken.begin(), taken.end());
+    EXPECT_EQ(made, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(taken, made);
+  }
+}
+
+TEST(RoomThreads, HandOnWhatFailed)
+{
+  const auto fail = [](std::size_t i) -> RoomJob {
+    if (i == 3)
+      throw std::runtime_error("the lights went out");
+    return SurfaceJob();
+  };
+  EXPECT_THROW(RoomThreads(2).work(sizes, fail, [](std::size_t, const RoomResult&) {}),
+               std::runtime_error);
+}
+
+TEST(RoomThreads, GiveTheSurfacesOfTheRoomsInTheirOrder)
+{
+  Floorplan plan;
+  for (std::uint32_t r = 0; r < 5; ++r) {
+    plan.rooms.push_back(
+        roomOf(rectangle(5 * r, 0, 5 * r + 1 + (2 * r) % 5 * 0.7, 2), 2.5));
+    plan.rooms.back().id = r + 1;
+  }
+  pcl::StructuralPoisson<pcl::PointStructure> alone;
+  alone.setFloorplan(std::make_shared<const Floorplan>(plan));
+  ASSERT_TRUE(alone.makeMesh()) << alone.getErrorMessage();
+  for (const unsigned threads : {2u, 3u, 8u}) {
+    pcl::StructuralPoisson<pcl::PointStructure> poisson;
+    poisson.setFloorplan(std::make_shared<const Floorplan>(plan));
+    poisson.setNumberOfThreads(threads);
+    ASSERT_TRUE(poisson.makeMesh()) << poisson.getErrorMessage();
+    expectSame(poisson.getMesh(), alone.getMesh());
+    ASSERT_EQ(poisson.getReports().size(), 5u);
+    for (std::uint32_t r = 0; r < 5; ++r)
+      EXPECT_EQ(poisson.getReports()[r].room, r + 1);
   }
 }
 

@@ -93,8 +93,8 @@ public:
    * @param sizes how much work each of them is, in any unit: the largest are begun
    * first
    * @param job makes a job; called once for each, when somebody is free for it
-   * @param take is handed a job's number and result, in any order; both are called by
-   * the thread that called this */
+   * @param take is handed a job's number and result, in any order; neither is called
+   * while another call of either runs */
   virtual void work(const std::vector<std::size_t>& sizes,
                     const std::function<RoomJob(std::size_t)>& job,
                     const std::function<void(std::size_t, RoomResult)>& take) = 0;

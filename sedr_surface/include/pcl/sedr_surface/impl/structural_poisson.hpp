@@ -7,11 +7,14 @@
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>
 #include <pcl/search/impl/search.hpp>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_surface/plan_samples.h>
+#include <pcl/sedr_surface/room_threads.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -133,27 +136,40 @@ StructuralPoisson<PointNT>::addRooms(
     mesh_.append(surface.mesh);
     reports_.push_back(surface.report);
   };
-  if (!workers_) {
+  // pcl::Poisson keeps what it works on in one place for all.
+  const bool go_side_by_side = parameters.method == Solver::Sedr && sizes.size() > 1 &&
+                               sedr::resolveThreads(parameters.threads) > 1;
+  std::shared_ptr<sedr::RoomWorkers> workers = workers_;
+  if (!workers && go_side_by_side)
+    workers = std::make_shared<sedr::RoomThreads>(parameters.threads);
+  if (!workers) {
     for (std::size_t i = 0; i < sizes.size(); ++i)
       add(sedr::surfaceOf(samples(i), parameters));
     return;
   }
-  std::vector<sedr::RoomSurface> surfaces(sizes.size());
-  workers_->work(
+  std::vector<std::optional<sedr::RoomSurface>> surfaces(sizes.size());
+  std::vector<std::uint32_t> rooms(sizes.size());
+  std::size_t next = 0;
+  workers->work(
       sizes,
       [&](std::size_t i) {
         sedr::SurfaceJob job{samples(i), parameters};
-        surfaces[i].report.room = job.samples.room;
+        rooms[i] = job.samples.room;
         return job;
       },
       [&](std::size_t i, sedr::RoomResult result) {
+        surfaces[i].emplace();
         if (auto* surface = std::get_if<sedr::RoomSurface>(&result))
-          surfaces[i] = std::move(*surface);
-        else
-          surfaces[i].report.problem = std::get<sedr::LostRoom>(result).reason;
+          *surfaces[i] = std::move(*surface);
+        else {
+          surfaces[i]->report.room = rooms[i];
+          surfaces[i]->report.problem = std::get<sedr::LostRoom>(result).reason;
+        }
+        for (; next < surfaces.size() && surfaces[next]; ++next) {
+          add(*surfaces[next]);
+          *surfaces[next] = {};
+        }
       });
-  for (const auto& surface : surfaces)
-    add(surface);
 }
 
 template <typename PointNT>
