@@ -1,47 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/plane_fit.h>
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
 
-/** @brief The points of `indices` within `band` of the slab. */
-std::vector<int>
-withinBand(const PointView& points,
-           const std::vector<int>& indices,
-           const PlanSlab& slab,
-           double band)
+/** @brief Points side by side: those of a plane are all over the cloud, and looked at
+ * many times. */
+using Positions = std::vector<Eigen::Vector3f>;
+
+Positions
+positionsOf(const PointView& points, const std::vector<int>& indices)
 {
-  std::vector<int> inside;
+  Positions positions;
+  positions.reserve(indices.size());
   for (const int i : indices)
-    if (std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <= band)
-      inside.push_back(i);
+    positions.push_back(points[static_cast<std::size_t>(i)]);
+  return positions;
+}
+
+/** @brief The points within `band` of the slab. */
+Positions
+withinBand(const Positions& points, const PlanSlab& slab, double band)
+{
+  Positions inside;
+  inside.reserve(points.size());
+  for (const auto& p : points)
+    if (std::abs(distanceAbove(slab, p)) <= band)
+      inside.push_back(p);
   return inside;
 }
 
 /** @brief 1.4826 times the median distance: the standard deviation, outliers left
  * aside. */
 double
-robustDeviation(const PointView& points,
-                const std::vector<int>& indices,
-                const PlanSlab& slab)
+robustDeviation(const Positions& points, const PlanSlab& slab)
 {
   std::vector<double> distances;
-  distances.reserve(indices.size());
-  for (const int i : indices)
-    distances.push_back(
-        std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])));
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 1.4826 * *middle;
+  distances.reserve(points.size());
+  for (const auto& p : points)
+    distances.push_back(std::abs(distanceAbove(slab, p)));
+  return 1.4826 * middleValue(std::move(distances));
 }
 
 /** @brief The plane through three points, c > 0; false where it leans more than
@@ -65,18 +74,20 @@ planeThrough(const Eigen::Vector3d& a,
 }
 
 /** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the
- * tolerance, so that a thin layer wins over a thick one. */
+ * tolerance, so that a thin layer wins over a thick one. Less than it is where it cannot
+ * exceed `least`: most of the points need not be looked at then. */
 double
-agreement(const PointView& points,
-          const std::vector<int>& indices,
-          const PlanSlab& slab,
-          double tolerance)
+agreement(const Positions& points, const PlanSlab& slab, double tolerance, double least)
 {
+  constexpr std::size_t stretch = 64;
+  constexpr double rounding = 1e-6; // of the sum
   double sum = 0;
-  for (const int i : indices) {
-    const double d =
-        distanceAbove(slab, points[static_cast<std::size_t>(i)]) / tolerance;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double d = distanceAbove(slab, points[k]) / tolerance;
     sum += std::max(0.0, 1 - d * d);
+    if (k % stretch == 0 &&
+        sum + static_cast<double>(points.size() - k) + rounding < least)
+      return sum;
   }
   return sum;
 }
@@ -84,11 +95,11 @@ agreement(const PointView& points,
 /** @brief The horizontal plane at the height around which, within the tolerance, most
  * points lie. */
 PlanSlab
-densestLevel(const PointView& points, const std::vector<int>& indices, double tolerance)
+densestLevel(const Positions& points, double tolerance)
 {
   std::vector<float> heights;
-  for (const int i : indices)
-    heights.push_back(points[static_cast<std::size_t>(i)].z());
+  for (const auto& p : points)
+    heights.push_back(p.z());
   std::sort(heights.begin(), heights.end());
   std::size_t best_first = 0;
   std::size_t best_last = 0;
@@ -103,37 +114,93 @@ densestLevel(const PointView& points, const std::vector<int>& indices, double to
   return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
 }
 
+PlanSlab
+fitSlab(const Positions& points)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : points)
+    mean += p.cast<double>();
+  if (!points.empty())
+    mean /= static_cast<double>(points.size());
+
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const auto& p : points) {
+    const Eigen::Vector3d d = p.cast<double>() - mean;
+    scatter.noalias() += d * d.transpose();
+  }
+  PlanSlab slab = horizontalSlab(mean.z());
+  slab.inliers = points.size();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const bool is_flat = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
+  if (points.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
+    const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
+    slab.plane << up, -up.dot(mean);
+  }
+  double sum = 0;
+  for (const auto& p : points)
+    sum += std::pow(distanceAbove(slab, p), 2);
+  slab.residual =
+      points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
+  return slab;
+}
+
+PlanSlab
+fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
+{
+  PlanSlab slab = start;
+  const double widest = band;
+  Positions fitted;
+  for (int round = 0; round < 6; ++round) {
+    Positions inside = withinBand(points, slab, band);
+    if (inside.size() < 3 || inside == fitted) // the same again gives the same
+      break;
+    slab = fitSlab(inside);
+    band = std::clamp(2.5 * robustDeviation(inside, slab), 1e-4, widest);
+    fitted.swap(inside);
+  }
+  return slab;
+}
+
+PlanSlab
+fitParallel(const Positions& points,
+            const PlanSlab& direction,
+            const PlanSlab& start,
+            double band)
+{
+  PlanSlab slab = start;
+  slab.plane.head<3>() = direction.plane.head<3>();
+  // Turned about the points, not about the origin, which may be far away.
+  std::vector<double> offsets;
+  for (const auto& p : withinBand(points, start, band))
+    offsets.push_back(distanceAbove(slab, p));
+  if (!offsets.empty())
+    slab.plane[3] -= middleValue(std::move(offsets));
+  const double widest = band;
+  for (int round = 0; round < 6; ++round) {
+    const Positions inside = withinBand(points, slab, band);
+    if (inside.empty())
+      break;
+    double sum = 0;
+    for (const auto& p : inside)
+      sum += distanceAbove(slab, p);
+    slab.plane[3] -= sum / static_cast<double>(inside.size());
+    double squares = 0;
+    for (const auto& p : inside)
+      squares += std::pow(distanceAbove(slab, p), 2);
+    slab.inliers = inside.size();
+    slab.residual = std::sqrt(squares / static_cast<double>(inside.size()));
+    band = std::clamp(2.5 * robustDeviation(inside, slab), 1e-4, widest);
+  }
+  return slab;
+}
+
 } // namespace
 
 PlanSlab
 fitSlab(const PointView& points, const std::vector<int>& indices)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const int i : indices)
-    mean += points[static_cast<std::size_t>(i)].cast<double>();
-  if (!indices.empty())
-    mean /= static_cast<double>(indices.size());
-
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const int i : indices) {
-    const Eigen::Vector3d d = points[static_cast<std::size_t>(i)].cast<double>() - mean;
-    scatter.noalias() += d * d.transpose();
-  }
-  PlanSlab slab = horizontalSlab(mean.z());
-  slab.inliers = indices.size();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  const bool is_flat = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
-  if (indices.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
-    const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
-    slab.plane << up, -up.dot(mean);
-  }
-  double sum = 0;
-  for (const int i : indices)
-    sum += std::pow(distanceAbove(slab, points[static_cast<std::size_t>(i)]), 2);
-  slab.residual =
-      indices.empty() ? 0 : std::sqrt(sum / static_cast<double>(indices.size()));
-  return slab;
+  return fitSlab(positionsOf(points, indices));
 }
 
 PlanSlab
@@ -142,16 +209,7 @@ fitSlabRobustly(const PointView& points,
                 const PlanSlab& start,
                 double band)
 {
-  PlanSlab slab = start;
-  const double widest = band;
-  for (int round = 0; round < 6; ++round) {
-    const std::vector<int> inside = withinBand(points, indices, slab, band);
-    if (inside.size() < 3)
-      break;
-    slab = fitSlab(points, inside);
-    band = std::clamp(2.5 * robustDeviation(points, inside, slab), 1e-4, widest);
-  }
-  return slab;
+  return fitSlabRobustly(positionsOf(points, indices), start, band);
 }
 
 PlanSlab
@@ -166,17 +224,17 @@ findSlab(const PointView& points,
 
   std::mt19937_64 random(seed);
   const double minimum_cosine = std::cos(maximum_tilt);
-  std::vector<int> scored;
-  const std::size_t step = indices.size() / most_scored + 1;
-  for (std::size_t k = 0; k < indices.size(); k += step)
-    scored.push_back(indices[k]);
+  const Positions all = positionsOf(points, indices);
+  Positions scored;
+  const std::size_t step = all.size() / most_scored + 1;
+  for (std::size_t k = 0; k < all.size(); k += step)
+    scored.push_back(all[k]);
 
-  const PlanSlab level = densestLevel(points, scored, tolerance);
+  const PlanSlab level = densestLevel(scored, tolerance);
   PlanSlab best = level;
-  double best_score = agreement(points, scored, best, tolerance);
+  double best_score = agreement(scored, best, tolerance, 0);
   const auto draw = [&]() {
-    const std::size_t k = random() % indices.size();
-    return Eigen::Vector3d(points[static_cast<std::size_t>(indices[k])].cast<double>());
+    return Eigen::Vector3d(all[random() % all.size()].cast<double>());
   };
   for (int trial = 0; trial < trials && indices.size() >= 3; ++trial) {
     PlanSlab slab;
@@ -184,16 +242,16 @@ findSlab(const PointView& points,
     const Eigen::Vector3d b = draw();
     if (!planeThrough(a, b, draw(), minimum_cosine, slab))
       continue;
-    const double score = agreement(points, scored, slab, tolerance);
+    const double score = agreement(scored, slab, tolerance, best_score);
     if (score > best_score) {
       best_score = score;
       best = slab;
     }
   }
-  const PlanSlab refined = fitSlabRobustly(points, indices, best, tolerance);
+  const PlanSlab refined = fitSlabRobustly(all, best, tolerance);
   return refined.plane[2] >= minimum_cosine
              ? refined
-             : fitParallel(points, indices, level, level, tolerance);
+             : fitParallel(all, level, level, tolerance);
 }
 
 PlanSlab
@@ -203,36 +261,7 @@ fitParallel(const PointView& points,
             const PlanSlab& start,
             double band)
 {
-  PlanSlab slab = start;
-  slab.plane.head<3>() = direction.plane.head<3>();
-  // Turned about the points, not about the origin, which may be far away.
-  const std::vector<int> first = withinBand(points, indices, start, band);
-  std::vector<double> offsets;
-  for (const int i : first)
-    offsets.push_back(distanceAbove(slab, points[static_cast<std::size_t>(i)]));
-  if (!offsets.empty()) {
-    const auto middle =
-        offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-    std::nth_element(offsets.begin(), middle, offsets.end());
-    slab.plane[3] -= *middle;
-  }
-  const double widest = band;
-  for (int round = 0; round < 6; ++round) {
-    const std::vector<int> inside = withinBand(points, indices, slab, band);
-    if (inside.empty())
-      break;
-    double sum = 0;
-    for (const int i : inside)
-      sum += distanceAbove(slab, points[static_cast<std::size_t>(i)]);
-    slab.plane[3] -= sum / static_cast<double>(inside.size());
-    double squares = 0;
-    for (const int i : inside)
-      squares += std::pow(distanceAbove(slab, points[static_cast<std::size_t>(i)]), 2);
-    slab.inliers = inside.size();
-    slab.residual = std::sqrt(squares / static_cast<double>(inside.size()));
-    band = std::clamp(2.5 * robustDeviation(points, inside, slab), 1e-4, widest);
-  }
-  return slab;
+  return fitParallel(positionsOf(points, indices), direction, start, band);
 }
 
 } // namespace sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 
-#include "surrounded_points.h"
+#include "neighbour_cells.h"
 
 #include <pcl/sedr_filters/parallel.h>
 
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -59,60 +58,51 @@ private:
   std::vector<float> directions_;
 };
 
-/** @brief Cells of which about five by five, at most, hold as many points as there are
- * neighbours, metres: from the distances to the last neighbours of some points. */
-double
-cellSizeFor(const pcl::PointCloud<pcl::PointXYZ>& slab,
-            const NeighbourSearch& search,
-            unsigned int neighbours)
+/** @brief The points at which the nearest neighbours leave a gap, and those where they
+ * may. */
+struct RimPoints {
+  pcl::Indices boundary;
+  pcl::Indices unknown;
+};
+
+RimPoints
+rimPoints(const std::vector<Eigen::Vector3f>& places, const BoundaryOptions& options)
 {
-  constexpr std::size_t samples = 64;
-  std::vector<float> radii;
-  pcl::Indices nearest;
-  for (std::size_t i = 0; i < slab.size(); i += slab.size() / samples + 1) {
-    search(static_cast<pcl::index_t>(i), neighbours, nearest);
-    float farthest = 0;
-    for (const auto k : nearest)
-      farthest =
-          std::max(farthest, (slab[static_cast<std::size_t>(k)].getVector3fMap() -
-                              slab[i].getVector3fMap())
-                                 .norm());
-    radii.push_back(farthest);
-  }
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  // A circle as large as the block, less a fifth of the points.
-  return *middle * std::sqrt(0.8 * M_PI) / 5;
+  const NeighbourCells cells(places, options.neighbours, options.angle);
+  std::vector<Gap> gaps(places.size());
+  parallelBlocks(places.size(), 1024, options.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   NeighbourCells::Around around;
+                   for (std::size_t i = begin; i < end; ++i)
+                     gaps[i] = cells.gapAt(places[i], around);
+                 });
+  RimPoints rim;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (gaps[i] != Gap::None)
+      (gaps[i] == Gap::Wide ? rim.boundary : rim.unknown)
+          .push_back(static_cast<pcl::index_t>(i));
+  return rim;
 }
 
-/** @brief The points that are not surrounded at first sight. */
+/** @brief Those of some points that are boundary, by a search tree. */
 pcl::Indices
-perhapsBoundary(const pcl::PointCloud<pcl::PointXYZ>& slab,
-                const NeighbourSearch& search,
-                const BoundaryOptions& options)
+boundaryByTree(const std::vector<Eigen::Vector3f>& places,
+               const pcl::Indices& some,
+               const BoundaryOptions& options)
 {
-  const double cell_size = cellSizeFor(slab, search, options.neighbours);
-  pcl::Indices rim(slab.size());
-  std::iota(rim.begin(), rim.end(), 0);
-  if (!(cell_size > 0))
-    return rim;
-  std::vector<Eigen::Vector3f> places;
-  places.reserve(slab.size());
-  for (const auto& p : slab)
-    places.push_back(p.getVector3fMap());
-  const SurroundedPoints surrounded(std::move(places), cell_size, options.neighbours,
-                                    options.angle);
-  std::vector<std::uint8_t> is_inner(slab.size());
-  parallelBlocks(slab.size(), 4096, options.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     is_inner[i] = surrounded.contains(i);
-                 });
-  rim.erase(
-      std::remove_if(rim.begin(), rim.end(),
-                     [&](int i) { return is_inner[static_cast<std::size_t>(i)]; }),
-      rim.end());
-  return rim;
+  // A cloud of these points only, so that one search tree serves every point type.
+  const auto slab = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  slab->reserve(places.size());
+  for (const auto& p : places)
+    slab->push_back({p.x(), p.y(), p.z()});
+  pcl::search::KdTree<pcl::PointXYZ> tree(false);
+  tree.setInputCloud(slab);
+  const auto search = [&](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
+    thread_local std::vector<float> square_distances;
+    tree.nearestKSearch((*slab)[static_cast<std::size_t>(index)], static_cast<int>(k),
+                        nearest, square_distances);
+  };
+  return boundaryPoints(PointView(*slab), some, search, options);
 }
 
 } // namespace
@@ -155,6 +145,12 @@ widestGap(const PointView& points,
     if (way.x() != 0 || way.y() != 0)
       directions.push_back(std::atan2(way.y(), way.x()));
   }
+  return widestGap(directions);
+}
+
+float
+widestGap(std::vector<float>& directions)
+{
   if (directions.empty())
     return two_pi;
   std::sort(directions.begin(), directions.end());
@@ -195,23 +191,19 @@ boundaryPoints(const PointView& points,
   if (finite.empty())
     return {};
 
-  // A cloud of these points only, so that one search tree serves every point type.
-  const auto slab = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  slab->reserve(finite.size());
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(finite.size());
   for (const auto i : finite) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    slab->push_back({p.x(), p.y(), nearness == Nearness::Plan ? 0.f : p.z()});
+    places.emplace_back(p.x(), p.y(), nearness == Nearness::Plan ? 0.f : p.z());
   }
-  pcl::search::KdTree<pcl::PointXYZ> tree(false);
-  tree.setInputCloud(slab);
-  const auto search = [&](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
-    thread_local std::vector<float> square_distances;
-    tree.nearestKSearch((*slab)[static_cast<std::size_t>(index)], static_cast<int>(k),
-                        nearest, square_distances);
-  };
-
-  const pcl::Indices rim = perhapsBoundary(*slab, search, options);
-  pcl::Indices boundary = boundaryPoints(PointView(*slab), rim, search, options);
+  const RimPoints rim = rimPoints(places, options);
+  pcl::Indices boundary = rim.boundary;
+  if (!rim.unknown.empty()) {
+    const pcl::Indices others = boundaryByTree(places, rim.unknown, options);
+    boundary.insert(boundary.end(), others.begin(), others.end());
+    std::sort(boundary.begin(), boundary.end());
+  }
   for (auto& i : boundary)
     i = finite[static_cast<std::size_t>(i)];
   return boundary;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "level_candidates.h"
-
 #include <pcl/sedr_segmentation/floor_reflections.h>
 
 #include <pcl/sedr_filters/plane_fit.h>
@@ -54,122 +52,110 @@ isBelowCeilings(const std::vector<Level>& levels,
 }
 
 bool
-hasPointsBelow(const Level& level,
-               const PointView& points,
-               const std::vector<int>& indices)
+hasPointsBelow(const Level& level, const std::vector<Candidate>& all)
 {
-  std::size_t below = 0;
-  for (const int i : indices)
-    below +=
-        distanceAbove(level.slab, points[static_cast<std::size_t>(i)]) < -least_depth
-            ? 1
-            : 0;
-  return below >= least_points;
+  const auto below = std::count_if(all.begin(), all.end(), [&](const Candidate& c) {
+    return distanceAbove(level.slab, c.position()) < -least_depth;
+  });
+  return static_cast<std::size_t>(below) >= least_points;
+}
+
+/** @brief Those of some points that are below a level, over its footprint. */
+std::vector<Candidate>
+belowFootprint(const Level& level,
+               const CellSet& footprint,
+               const std::vector<Candidate>& some)
+{
+  const CellGrid wide(wide_cell);
+  std::vector<Candidate> below;
+  for (const Candidate& c : some)
+    if (distanceAbove(level.slab, c.position()) <= -least_depth &&
+        footprint.contains(wide.at(c.x, c.y)))
+      below.push_back(c);
+  return below;
 }
 
 /** @brief Tells whether there is a point near a place. */
-class Columns {
+class NearPoints {
 public:
-  Columns(const std::vector<Candidate>& columns, const CellSet& cells, double size)
+  explicit NearPoints(const LevelColumns& columns)
       : columns_(columns)
-      , cells_(cells)
-      , grid_(size)
-      , reach_(1.5 * size)
+      , reach_(1.5 * columns.grid().size())
   {}
 
-  bool hasNear(const Eigen::Vector3d& place) const
+  /** @brief Whether a point that is below a level has its like above it. */
+  bool holdImage(const Candidate& c, const Level& level) const
   {
-    const Cell cell = grid_.at(place.x(), place.y());
+    const double above = distanceAbove(level.slab, c.position());
+    return holdNear(c.position().cast<double>() -
+                    2 * above * level.slab.plane.head<3>());
+  }
+
+private:
+  bool holdNear(const Eigen::Vector3d& place) const
+  {
+    const Cell cell = columns_.grid().at(place.x(), place.y());
     for (int k = 0; k < 9; ++k)
-      if (hasNear({cell.x + k % 3 - 1, cell.y + k / 3 - 1}, place.z()))
+      if (holdNear({cell.x + k % 3 - 1, cell.y + k / 3 - 1}, place.z()))
         return true;
     return false;
   }
 
-private:
-  bool hasNear(Cell cell, double z) const
+  bool holdNear(Cell cell, double z) const
   {
-    const std::size_t at = cells_.find(cell);
+    const std::size_t at = columns_.cells().find(cell);
     if (at == CellSet::npos)
       return false;
-    const auto low =
-        std::lower_bound(columns_.begin(), columns_.end(), z - reach_,
-                         [&](const Candidate& c, double height) {
-                           return c.cell != at ? c.cell < at : c.z < height;
-                         });
-    return low != columns_.end() && low->cell == at && low->z <= z + reach_;
+    const Candidate* last = columns_.all().data() + columns_.last(at);
+    const Candidate* low =
+        std::lower_bound(columns_.all().data() + columns_.first(at), last, z - reach_,
+                         [](const Candidate& c, double height) { return c.z < height; });
+    return low != last && low->z <= z + reach_;
   }
 
-  const std::vector<Candidate>& columns_;
-  const CellSet& cells_;
-  CellGrid grid_;
+  const LevelColumns& columns_;
   double reach_;
 };
 
-/** @brief Those of some points below a level, over its footprint, that have their like
- * above it. */
-struct Reflected {
-  std::vector<int> points;
-  std::size_t below = 0; ///< with their like above or not
-
-  double share() const
-  {
-    return below == 0 ? 0
-                      : static_cast<double>(points.size()) / static_cast<double>(below);
-  }
-};
-
-Reflected
-reflectedIn(const Level& level,
-            const CellSet& footprint,
-            const std::vector<Candidate>& some,
-            const Columns& columns)
+/** @brief Whether so many of some points below a level have their like above it that it
+ * mirrors. Mostly the first few hundred say no. */
+bool
+mirrors(const Level& level,
+        const std::vector<Candidate>& below,
+        const NearPoints& near_points)
 {
-  const CellGrid wide(wide_cell);
-  Reflected reflected;
-  for (const Candidate& c : some) {
-    const double above = distanceAbove(level.slab, c.position());
-    if (above > -least_depth || !footprint.contains(wide.at(c.x, c.y)))
-      continue;
-    ++reflected.below;
-    const Eigen::Vector3d image =
-        c.position().cast<double>() - 2 * above * level.slab.plane.head<3>();
-    if (columns.hasNear(image))
-      reflected.points.push_back(c.index);
+  if (below.size() < least_points)
+    return false;
+  std::size_t left = below.size();
+  for (const Candidate& c : below) {
+    left -= near_points.holdImage(c, level) ? 0 : 1;
+    if (static_cast<double>(left) / static_cast<double>(below.size()) < least_share)
+      return false;
   }
-  return reflected;
+  return true;
 }
 
 } // namespace
 
 std::vector<int>
-findReflections(const PointView& points,
-                const std::vector<int>& indices,
+findReflections(const LevelColumns& columns,
                 const std::vector<Level>& levels,
                 const LevelParameters& parameters)
 {
-  std::vector<const Level*> floors;
-  for (std::size_t l = 0; l < levels.size(); ++l)
-    if (levels[l].kind != LevelKind::Ceiling &&
-        isBelowCeilings(levels, l, parameters) &&
-        hasPointsBelow(levels[l], points, indices))
-      floors.push_back(&levels[l]);
-  if (floors.empty())
-    return {};
-  const CellGrid grid(parameters.cell_size);
-  const CellSet cells(grid, points, indices);
-  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
-  const std::vector<Candidate> free =
-      withoutWalls(columns, cells, parameters.tolerance);
-  const Columns table(columns, cells, grid.size());
+  const NearPoints near_points(columns);
   std::vector<int> found;
-  for (const Level* floor : floors) {
-    const CellSet footprint = footprintOf(*floor, grid);
-    const Reflected seen = reflectedIn(*floor, footprint, free, table);
-    if (seen.below < least_points || seen.share() < least_share)
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const Level& floor = levels[l];
+    if (floor.kind == LevelKind::Ceiling || !isBelowCeilings(levels, l, parameters) ||
+        !hasPointsBelow(floor, columns.all()))
       continue;
-    const Reflected all = reflectedIn(*floor, footprint, columns, table);
-    found.insert(found.end(), all.points.begin(), all.points.end());
+    const CellSet footprint = footprintOf(floor, columns.grid());
+    if (!mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
+                 near_points))
+      continue;
+    for (const Candidate& c : belowFootprint(floor, footprint, columns.all()))
+      if (near_points.holdImage(c, floor))
+        found.push_back(c.index);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -170,10 +170,8 @@ slabOver(const PointView& points,
  * that do: at the height of a small ceiling there may be clutter all over the building.
  * @return whether anything is left */
 bool
-keepWhatStandsOut(const PointView& points,
-                  const std::vector<Candidate>& columns,
+keepWhatStandsOut(const LevelColumns& columns,
                   const std::vector<Candidate>& candidates,
-                  const CellSet& cells,
                   double tolerance,
                   std::size_t minimum_cells,
                   LevelDraft& draft)
@@ -181,23 +179,24 @@ keepWhatStandsOut(const PointView& points,
   const auto count = std::count(draft.cells.begin(), draft.cells.end(), 1);
   if (static_cast<std::size_t>(count) < minimum_cells)
     return false;
-  if (standsOut(columns, cells, draft.cells, draft.slab, tolerance))
+  if (standsOut(columns, draft.cells, draft.slab, tolerance))
     return true;
   std::vector<std::uint8_t> standing;
-  for (const auto& region : levelRegions(columns, cells, draft.cells, draft.slab,
-                                         tolerance, minimum_cells)) {
-    std::vector<std::uint8_t> alone(cells.size(), 0);
+  for (const auto& region :
+       levelRegions(columns, draft.cells, draft.slab, tolerance, minimum_cells)) {
+    std::vector<std::uint8_t> alone(draft.cells.size(), 0);
     for (const std::size_t i : region)
       alone[i] = 1;
-    if (!standsOut(columns, cells, alone, draft.slab, tolerance))
+    if (!standsOut(columns, alone, draft.slab, tolerance))
       continue;
-    standing.resize(cells.size(), 0);
+    standing.resize(draft.cells.size(), 0);
     for (const std::size_t i : region)
       standing[i] = 1;
   }
   if (standing.empty())
     return false;
-  draft.slab = slabOver(points, candidates, standing, draft.slab, tolerance);
+  draft.slab =
+      slabOver(columns.points(), candidates, standing, draft.slab, tolerance);
   draft.cells = std::move(standing);
   return true;
 }
@@ -247,17 +246,32 @@ keepApart(const std::vector<Level>& earlier, Level& level)
 
 } // namespace
 
+LevelColumns
+columnsOf(const PointView& points,
+          const std::vector<int>& indices,
+          const LevelParameters& parameters)
+{
+  return LevelColumns(points, indices, parameters.cell_size, parameters.tolerance,
+                      parameters.threads);
+}
+
 std::vector<Level>
 findLevels(const PointView& points,
            const std::vector<int>& indices,
            const LevelParameters& parameters,
            HeightHistogram* histogram)
 {
-  const CellGrid grid(parameters.cell_size);
-  const CellSet cells(grid, points, indices);
-  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
-  std::vector<Candidate> candidates =
-      withoutWalls(columns, cells, parameters.tolerance);
+  return findLevels(columnsOf(points, indices, parameters), parameters, histogram);
+}
+
+std::vector<Level>
+findLevels(const LevelColumns& columns,
+           const LevelParameters& parameters,
+           HeightHistogram* histogram)
+{
+  const CellGrid& grid = columns.grid();
+  const CellSet& cells = columns.cells();
+  std::vector<Candidate> candidates = columns.withoutWalls();
   if (histogram)
     *histogram = histogramOf(candidates, parameters.tolerance / 2);
   const auto minimum_cells = std::max<std::size_t>(
@@ -271,7 +285,7 @@ findLevels(const PointView& points,
     if (window.cells < minimum_cells)
       break;
     LevelDraft draft;
-    draft.slab = slabOfWindow(points, candidates, window, parameters,
+    draft.slab = slabOfWindow(columns.points(), candidates, window, parameters,
                               parameters.seed + levels.size());
     draft.apart.assign(cells.size(), 0);
     std::vector<std::size_t> own;
@@ -279,11 +293,10 @@ findLevels(const PointView& points,
     for (int round = 0; round < most_rounds && has_changed; ++round) {
       own = nearPlane(candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
-      has_changed = partLevel(points, columns, candidates, cells, parameters,
-                              minimum_cells, draft);
+      has_changed = partLevel(columns, candidates, parameters, minimum_cells, draft);
     }
-    if (keepWhatStandsOut(points, columns, candidates, cells, parameters.tolerance,
-                          minimum_cells, draft)) {
+    if (keepWhatStandsOut(columns, candidates, parameters.tolerance, minimum_cells,
+                          draft)) {
       Level level;
       level.slab = draft.slab;
       level.cells = markedCells(cells, draft.cells);

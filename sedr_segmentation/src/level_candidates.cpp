@@ -4,76 +4,9 @@
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace pcl {
 namespace sedr {
-
-namespace {
-
-/** @brief Candidates sorted by cell and height, reached by cell. */
-class Columns {
-public:
-  Columns(const std::vector<Candidate>& sorted, const CellSet& cells)
-      : sorted_(sorted)
-      , first_(cells.size() + 1, 0)
-  {
-    for (const Candidate& c : sorted)
-      ++first_[c.cell + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  }
-
-  std::size_t first(std::size_t cell) const { return first_[cell]; }
-  std::size_t last(std::size_t cell) const { return first_[cell + 1]; }
-
-  const Candidate& operator[](std::size_t i) const { return sorted_[i]; }
-
-private:
-  const std::vector<Candidate>& sorted_;
-  std::vector<std::size_t> first_; ///< of each cell, and the end
-};
-
-/** @brief Whether any of some columns holds a point within a window of height that
- * only ever rises. */
-class RisingWindow {
-public:
-  RisingWindow(const Columns& columns, const CellBlock& block)
-      : columns_(columns)
-      , block_(block)
-  {
-    std::size_t* next = next_.data();
-    for (const std::size_t cell : block)
-      *next++ = columns.first(cell);
-  }
-
-  bool holds(float low, float high)
-  {
-    bool is_seen = false;
-    std::size_t* next = next_.data();
-    for (const std::size_t cell : block_) {
-      const std::size_t last = columns_.last(cell);
-      while (*next < last && columns_[*next].z < low)
-        ++*next;
-      is_seen = is_seen || (*next < last && columns_[*next].z <= high);
-      ++next;
-    }
-    return is_seen;
-  }
-
-private:
-  const Columns& columns_;
-  const CellBlock& block_;
-  std::array<std::size_t, 9> next_{}; ///< first point of each column not below it
-};
-
-bool
-isLower(const Candidate& a, const Candidate& b)
-{
-  return a.z != b.z ? a.z < b.z : a.index < b.index;
-}
-
-} // namespace
 
 CellBlock
 blockAround(const CellSet& cells, std::size_t at)
@@ -92,79 +25,40 @@ blockAround(const CellSet& cells, std::size_t at)
   return block;
 }
 
-std::vector<Candidate>
-sortIntoColumns(const PointView& points,
-                const std::vector<int>& indices,
-                const CellGrid& grid,
-                const CellSet& cells)
-{
-  std::vector<Candidate> unsorted;
-  unsorted.reserve(indices.size());
-  std::vector<std::size_t> next(cells.size() + 1, 0);
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
-      continue;
-    const std::size_t cell = cells.find(grid.at(p.x(), p.y()));
-    unsorted.push_back({i, static_cast<std::uint32_t>(cell), p.x(), p.y(), p.z()});
-    ++next[cell + 1];
-  }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<Candidate> columns(unsorted.size());
-  for (const Candidate& c : unsorted)
-    columns[next[c.cell]++] = c;
-  for (std::size_t i = 0, first = 0; i < cells.size(); first = next[i++])
-    std::sort(columns.begin() + static_cast<std::ptrdiff_t>(first),
-              columns.begin() + static_cast<std::ptrdiff_t>(next[i]), isLower);
-  return columns;
-}
-
-std::vector<Candidate>
-withoutWalls(const std::vector<Candidate>& sorted,
-             const CellSet& cells,
-             double tolerance)
-{
-  const Columns columns(sorted, cells);
-  const auto near = static_cast<float>(tolerance);
-  const auto far = static_cast<float>(3 * tolerance);
-  std::vector<Candidate> horizontal;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const CellBlock block = blockAround(cells, cell);
-    RisingWindow above(columns, block);
-    RisingWindow below(columns, block);
-    for (std::size_t i = columns.first(cell); i < columns.last(cell); ++i) {
-      const float z = sorted[i].z;
-      if (!above.holds(z + near, z + far) || !below.holds(z - far, z - near))
-        horizontal.push_back(sorted[i]);
-    }
-  }
-  std::sort(horizontal.begin(), horizontal.end(), isLower);
-  return horizontal;
-}
-
 std::vector<std::uint8_t>
-columnsThatGoOn(const std::vector<Candidate>& columns,
-                const CellSet& cells,
+columnsThatGoOn(const LevelColumns& columns,
+                const std::vector<std::uint8_t>& asked,
                 const PlanSlab& slab,
                 double direction,
                 double tolerance)
 {
   constexpr std::uint8_t away = 1;
   constexpr std::uint8_t close = 2;
-  std::vector<std::uint8_t> holds(cells.size(), 0);
-  for (const Candidate& c : columns) {
-    const double d = direction * distanceAbove(slab, c.position());
-    if (d > 1.5 * tolerance && d < 4 * tolerance)
-      holds[c.cell] |= d < 2.25 * tolerance ? away | close : away;
-  }
+  constexpr std::uint8_t looked_at = 4;
+  const CellSet& cells = columns.cells();
+  std::vector<std::uint8_t> seen(cells.size(), 0);
+  const auto look = [&](std::size_t cell) {
+    if (seen[cell] == 0) {
+      seen[cell] = looked_at;
+      for (std::size_t k = columns.first(cell); k < columns.last(cell); ++k) {
+        const double d = direction * distanceAbove(slab, columns.all()[k].position());
+        if (d > 1.5 * tolerance && d < 4 * tolerance)
+          seen[cell] |= d < 2.25 * tolerance ? away | close : away;
+      }
+    }
+    return seen[cell];
+  };
   std::vector<std::uint8_t> goes_on(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    goes_on[i] = (holds[i] & close) != 0;
-    if (!holds[i] || goes_on[i])
+    if (!asked[i])
+      continue;
+    const std::uint8_t here = look(i);
+    goes_on[i] = (here & close) != 0;
+    if ((here & away) == 0 || goes_on[i])
       continue;
     const CellBlock block = blockAround(cells, i);
     goes_on[i] = std::any_of(block.begin(), block.end(),
-                             [&](std::size_t b) { return holds[b] & close; });
+                             [&](std::size_t b) { return look(b) & close; });
   }
   return goes_on;
 }

@@ -3,7 +3,7 @@
 
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/level_columns.h>
 
 #include <array>
 #include <cstddef>
@@ -12,24 +12,6 @@
 
 namespace pcl {
 namespace sedr {
-
-/** @brief A point on its way to a level: with its coordinates, as those of neighbours
- * in a column are far apart in the cloud. */
-struct Candidate {
-  int index;
-  std::uint32_t cell; ///< position of its cell in the set of all cells
-  float x;
-  float y;
-  float z;
-
-  Eigen::Vector3f position() const { return {x, y, z}; }
-};
-
-/** @brief The points with their cells, sorted by cell and height. O(n log n). */
-std::vector<Candidate> sortIntoColumns(const PointView& points,
-                                       const std::vector<int>& indices,
-                                       const CellGrid& grid,
-                                       const CellSet& cells);
 
 /** @brief Positions of up to nine cells. */
 class CellBlock {
@@ -47,24 +29,12 @@ private:
 /** @brief Positions of a cell and of the eight around it, those that are in the set. */
 CellBlock blockAround(const CellSet& cells, std::size_t at);
 
-/** @brief Leaves out the points of vertical surfaces, and sorts the others by height:
- * those that see others both above and below, between one and three tolerances away, in
- * their own column or one of the eight around it. Noise spreads a wall over several
- * columns, of which the outer ones alone hold too few points to tell. A ceiling has
- * nothing above it, a floor nothing below, and a soffit hides the wall that it meets.
- * O(n log n).
- * @param columns as sortIntoColumns() gives them
- * @param cells   the set that their cells are positions in */
-std::vector<Candidate> withoutWalls(const std::vector<Candidate>& columns,
-                                    const CellSet& cells,
-                                    double tolerance);
-
-/** @brief Marks the columns of walls: those that go on beyond a plane, with points one
- * and a half to four tolerances above it where `direction` is 1, below it where it is
- * -1, and right beside it, up to 2.75 tolerances, in a block of three by three: a tall
- * cupboard ends before. O(n log n). */
-std::vector<std::uint8_t> columnsThatGoOn(const std::vector<Candidate>& columns,
-                                          const CellSet& cells,
+/** @brief Marks, of the `asked` cells, the columns of walls: those that go on beyond a
+ * plane, with points one and a half to four tolerances above it where `direction` is 1,
+ * below it where it is -1, and right beside it, up to 2.75 tolerances, in a block of
+ * three by three: a tall cupboard ends before. O(points of those). */
+std::vector<std::uint8_t> columnsThatGoOn(const LevelColumns& columns,
+                                          const std::vector<std::uint8_t>& asked,
                                           const PlanSlab& slab,
                                           double direction,
                                           double tolerance);

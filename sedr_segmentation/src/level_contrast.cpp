@@ -21,20 +21,22 @@ struct Contrast {
 
 /** @brief Counts the points of the columns, each as often as its cell weighs. */
 Contrast
-contrastOf(const std::vector<Candidate>& columns,
+contrastOf(const LevelColumns& columns,
            const std::vector<std::uint8_t>& weights,
            const PlanSlab& slab,
            double tolerance)
 {
   Contrast contrast;
-  for (const Candidate& c : columns) {
-    const std::size_t weight = weights[c.cell];
+  for (std::size_t cell = 0; cell < weights.size(); ++cell) {
+    const std::size_t weight = weights[cell];
     if (weight == 0)
       continue;
-    const double d = distanceAbove(slab, c.position());
-    contrast.at_slab += std::abs(d) <= tolerance / 2 ? weight : 0;
-    contrast.above += d > tolerance && d <= 2 * tolerance ? weight : 0;
-    contrast.below += d < -tolerance && d >= -2 * tolerance ? weight : 0;
+    for (std::size_t k = columns.first(cell); k < columns.last(cell); ++k) {
+      const double d = distanceAbove(slab, columns.all()[k].position());
+      contrast.at_slab += std::abs(d) <= tolerance / 2 ? weight : 0;
+      contrast.above += d > tolerance && d <= 2 * tolerance ? weight : 0;
+      contrast.below += d < -tolerance && d >= -2 * tolerance ? weight : 0;
+    }
   }
   return contrast;
 }
@@ -71,12 +73,12 @@ markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 } // namespace
 
 bool
-standsOut(const std::vector<Candidate>& columns,
-          const CellSet& cells,
+standsOut(const LevelColumns& columns,
           const std::vector<std::uint8_t>& marked,
           const PlanSlab& slab,
           double tolerance)
 {
+  const CellSet& cells = columns.cells();
   const std::vector<std::uint8_t> about = withNeighbours(cells, marked);
   const Contrast all = contrastOf(columns, about, slab, tolerance);
   if (all.at_slab <= 2 * std::max(all.above, all.below))

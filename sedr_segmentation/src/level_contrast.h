@@ -17,11 +17,8 @@ namespace sedr {
  * cells were chosen for them. So where a level is made of such, what lies around its
  * cells counts, not what is in them: points of a surface have others at their height
  * around them, strays at any. O(n).
- * @param columns as sortIntoColumns() gives them
- * @param cells   the set that their cells are positions in
- * @param marked  1 for the cells of the slab */
-bool standsOut(const std::vector<Candidate>& columns,
-               const CellSet& cells,
+ * @param marked 1 for the cells of the slab */
+bool standsOut(const LevelColumns& columns,
                const std::vector<std::uint8_t>& marked,
                const PlanSlab& slab,
                double tolerance);

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
@@ -19,17 +20,19 @@ namespace {
  * The number of levels for the other points. */
 std::vector<std::size_t>
 ownLevels(const std::vector<Level>& levels,
-          const std::vector<Candidate>& columns,
-          const CellSet& cells,
-          double tolerance)
+          const LevelColumns& columns,
+          const LevelParameters& parameters)
 {
-  std::vector<std::size_t> own(columns.size(), levels.size());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Cell cell = cells[columns[k].cell];
+  constexpr std::size_t points_a_block = 16384;
+  const double tolerance = parameters.tolerance;
+  const std::vector<Candidate>& all = columns.all();
+  std::vector<std::size_t> own(all.size(), levels.size());
+  const auto look = [&](std::size_t k) {
+    const Cell cell = columns.cells()[all[k].cell];
     double least = tolerance;
     bool is_found_there = false;
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      const double d = std::abs(distanceAbove(levels[l].slab, columns[k].position()));
+      const double d = std::abs(distanceAbove(levels[l].slab, all[k].position()));
       if (d > tolerance)
         continue;
       const bool is_here = levels[l].cells.contains(cell);
@@ -42,7 +45,12 @@ ownLevels(const std::vector<Level>& levels,
       own[k] = l;
       is_found_there = is_here;
     }
-  }
+  };
+  parallelBlocks(all.size(), points_a_block, parameters.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     look(k);
+                 });
   return own;
 }
 
@@ -67,6 +75,46 @@ withoutFringes(const CellSet& cells)
   return CellSet(std::move(kept));
 }
 
+/** @brief Gives a level its inliers and their cells: those of its own points, positions
+ * among all, that are no wall's. */
+void
+takeInliers(const LevelColumns& columns,
+            const std::vector<std::size_t>& own,
+            double tolerance,
+            Level& level)
+{
+  const std::vector<Candidate>& all = columns.all();
+  const CellSet& cells = columns.cells();
+  // Just below a ceiling, or just above a floor, a room has nothing: a wall has.
+  std::vector<std::uint8_t> goes_on(cells.size(), 0);
+  if (level.kind != LevelKind::Other) {
+    std::vector<std::uint8_t> asked(cells.size(), 0);
+    for (const std::size_t k : own)
+      asked[all[k].cell] = 1;
+    goes_on = columnsThatGoOn(columns, asked, level.slab,
+                              level.kind == LevelKind::Ceiling ? -1 : 1, tolerance);
+  }
+  // Cells with points on the plane itself, and cells with points near it only.
+  const double on_plane = std::clamp(4 * level.slab.residual, 0.015, tolerance);
+  std::vector<CellKey> on;
+  std::vector<CellKey> near;
+  for (const std::size_t k : own) {
+    const Candidate& c = all[k];
+    if (goes_on[c.cell] ||
+        !(level.within.empty() || level.within.contains(cells[c.cell])))
+      continue;
+    (std::abs(distanceAbove(level.slab, c.position())) <= on_plane ? on : near)
+        .push_back(cells.keys()[c.cell]);
+  }
+  const CellSet core(std::move(on));
+  level.cells = unite(core, withoutFringes(subtract(CellSet(std::move(near)), core)));
+  level.inliers.clear();
+  for (const std::size_t k : own)
+    if (level.cells.contains(cells[all[k].cell]))
+      level.inliers.push_back(all[k].index);
+  std::sort(level.inliers.begin(), level.inliers.end());
+}
+
 } // namespace
 
 void
@@ -75,41 +123,22 @@ collectInliers(std::vector<Level>& levels,
                const std::vector<int>& indices,
                const LevelParameters& parameters)
 {
-  const CellGrid grid(parameters.cell_size);
-  const CellSet cells(grid, points, indices);
-  const std::vector<Candidate> columns = sortIntoColumns(points, indices, grid, cells);
-  const std::vector<std::size_t> own =
-      ownLevels(levels, columns, cells, parameters.tolerance);
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    Level& level = levels[l];
-    level.inliers.clear();
-    // Just below a ceiling, or just above a floor, a room has nothing: a wall has.
-    const std::vector<std::uint8_t> goes_on =
-        level.kind == LevelKind::Other
-            ? std::vector<std::uint8_t>(cells.size(), 0)
-            : columnsThatGoOn(columns, cells, level.slab,
-                              level.kind == LevelKind::Ceiling ? -1 : 1,
-                              parameters.tolerance);
-    // Cells with points on the plane itself, and cells with points near it only.
-    const double on_plane =
-        std::clamp(4 * level.slab.residual, 0.015, parameters.tolerance);
-    std::vector<CellKey> on;
-    std::vector<CellKey> near;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (own[k] != l || goes_on[columns[k].cell] ||
-          !(level.within.empty() || level.within.contains(cells[columns[k].cell])))
-        continue;
-      const auto p = columns[k].position();
-      (std::abs(distanceAbove(level.slab, p)) <= on_plane ? on : near)
-          .push_back(cells.keys()[columns[k].cell]);
-    }
-    const CellSet core(std::move(on));
-    level.cells = unite(core, withoutFringes(subtract(CellSet(std::move(near)), core)));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      if (own[k] == l && level.cells.contains(cells[columns[k].cell]))
-        level.inliers.push_back(columns[k].index);
-    std::sort(level.inliers.begin(), level.inliers.end());
-  }
+  collectInliers(levels, columnsOf(points, indices, parameters), parameters);
+}
+
+void
+collectInliers(std::vector<Level>& levels,
+               const LevelColumns& columns,
+               const LevelParameters& parameters)
+{
+  const std::vector<std::size_t> level_of = ownLevels(levels, columns, parameters);
+  std::vector<std::vector<std::size_t>> own(levels.size() + 1);
+  for (std::size_t k = 0; k < level_of.size(); ++k)
+    own[level_of[k]].push_back(k);
+  parallelBlocks(levels.size(), 1, parameters.threads,
+                 [&](std::size_t l, std::size_t) {
+                   takeInliers(columns, own[l], parameters.tolerance, levels[l]);
+                 });
 }
 
 } // namespace sedr

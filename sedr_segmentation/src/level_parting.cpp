@@ -184,16 +184,16 @@ setApart(const CellSet& cells,
 } // namespace
 
 bool
-partLevel(const PointView& points,
-          const std::vector<Candidate>& columns,
+partLevel(const LevelColumns& columns,
           const std::vector<Candidate>& candidates,
-          const CellSet& cells,
           const LevelParameters& parameters,
           std::size_t minimum_cells,
           LevelDraft& draft)
 {
+  const PointView& points = columns.points();
+  const CellSet& cells = columns.cells();
   std::vector<Region> regions;
-  for (auto& region : levelRegions(columns, cells, draft.cells, draft.slab,
+  for (auto& region : levelRegions(columns, draft.cells, draft.slab,
                                    parameters.tolerance, minimum_cells)) {
     regions.emplace_back();
     regions.back().cells = std::move(region);

@@ -25,16 +25,13 @@ struct LevelDraft {
  * Every region of at least `minimum_cells`, walls left out, is fitted by itself. The
  * largest keeps the level, and so do the others, one by one, as long as one plane fits
  * all of them: as two levels less than a step apart have one between them. O(n).
- * @param columns    all points, as sortIntoColumns() gives them
+ * @param columns    all points
  * @param candidates those that no level has taken yet
- * @param cells      the set that cells are positions in
  * @param[in,out] draft gets the plane of the regions that stay, and the others' cells,
  *   with those around them, apart
  * @return whether there were others; then its cells are out of date */
-bool partLevel(const PointView& points,
-               const std::vector<Candidate>& columns,
+bool partLevel(const LevelColumns& columns,
                const std::vector<Candidate>& candidates,
-               const CellSet& cells,
                const LevelParameters& parameters,
                std::size_t minimum_cells,
                LevelDraft& draft);

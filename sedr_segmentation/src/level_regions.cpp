@@ -5,17 +5,17 @@ namespace pcl {
 namespace sedr {
 
 std::vector<std::vector<std::size_t>>
-levelRegions(const std::vector<Candidate>& columns,
-             const CellSet& cells,
+levelRegions(const LevelColumns& columns,
              const std::vector<std::uint8_t>& marked,
              const PlanSlab& slab,
              double tolerance,
              std::size_t minimum_cells)
 {
+  const CellSet& cells = columns.cells();
   const std::vector<std::uint8_t> below =
-      columnsThatGoOn(columns, cells, slab, -1, tolerance);
+      columnsThatGoOn(columns, marked, slab, -1, tolerance);
   const std::vector<std::uint8_t> above =
-      columnsThatGoOn(columns, cells, slab, 1, tolerance);
+      columnsThatGoOn(columns, marked, slab, 1, tolerance);
   std::vector<std::size_t> positions;
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -12,14 +12,11 @@ namespace sedr {
 
 /** @brief The eight-connected regions of a level's cells that are large enough, largest
  * first. What goes on above or below the level is a wall: it parts them. O(n log n).
- * @param columns       as sortIntoColumns() gives them
- * @param cells         the set that their cells are positions in
  * @param marked        1 for the cells of the level
  * @param minimum_cells least size of a region
  * @return the positions of each region's cells, increasing */
 std::vector<std::vector<std::size_t>>
-levelRegions(const std::vector<Candidate>& columns,
-             const CellSet& cells,
+levelRegions(const LevelColumns& columns,
              const std::vector<std::uint8_t>& marked,
              const PlanSlab& slab,
              double tolerance,

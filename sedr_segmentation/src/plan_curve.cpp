@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/plan_curve.h>
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -31,12 +34,10 @@ double
 robustDeviation(const std::vector<WeightedPoint>& points, const PlanCurve& curve)
 {
   std::vector<double> distances;
+  distances.reserve(points.size());
   for (const auto& p : points)
     distances.push_back(curve.distance(p.position));
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 1.4826 * *middle;
+  return 1.4826 * middleValue(std::move(distances));
 }
 
 std::vector<Eigen::Vector2d>

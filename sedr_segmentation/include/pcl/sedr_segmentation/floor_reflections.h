@@ -16,11 +16,11 @@ namespace sedr {
  * above it as they are below: a storey below has a ceiling of its own, under which
  * nothing is where the mirror image would have it. Then all points below it that have
  * their like are reflections.
- * @param levels of these points, after classifyLevels()
+ * @param columns the points, by the cell size and tolerance of `parameters`
+ * @param levels  of these points, after classifyLevels()
  * @return indices into the points, increasing; empty for nearly all scans. O(n log n)
  * for each level that may mirror */
-std::vector<int> findReflections(const PointView& points,
-                                 const std::vector<int>& indices,
+std::vector<int> findReflections(const LevelColumns& columns,
                                  const std::vector<Level>& levels,
                                  const LevelParameters& parameters);
 

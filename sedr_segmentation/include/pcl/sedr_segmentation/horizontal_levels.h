@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/level_columns.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct LevelParameters {
   double minimum_room_height = 1.8; ///< from a floor to its ceiling
   double least_step = 0.06; ///< rooms whose slabs differ by less may share a level
   std::uint64_t seed = 1;
+  unsigned threads = 0; ///< 0: as many as there are processors
 };
 
 /** @brief A horizontal plane of a scan, with all points within the tolerance. */
@@ -50,6 +52,11 @@ struct HeightHistogram {
   std::vector<Bin> bins; ///< by increasing height
 };
 
+/** @brief The columns that levels of these points are looked for in. */
+LevelColumns columnsOf(const PointView& points,
+                       const std::vector<int>& indices,
+                       const LevelParameters& parameters);
+
 /** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper,
  * section 2.3.1).
  *
@@ -65,6 +72,11 @@ std::vector<Level> findLevels(const PointView& points,
                               const LevelParameters& parameters,
                               HeightHistogram* histogram = nullptr);
 
+/** @brief The same of columns made before, see columnsOf(). */
+std::vector<Level> findLevels(const LevelColumns& columns,
+                              const LevelParameters& parameters,
+                              HeightHistogram* histogram = nullptr);
+
 /** @brief Collects the inliers of classified levels: the points within the tolerance,
  * but for those of columns that go on below a ceiling or above a floor, and of narrow
  * fringes where no point is on the plane itself. So the wall points that reach a slab
@@ -73,6 +85,11 @@ std::vector<Level> findLevels(const PointView& points,
 void collectInliers(std::vector<Level>& levels,
                     const PointView& points,
                     const std::vector<int>& indices,
+                    const LevelParameters& parameters);
+
+/** @brief The same of columns made before, see columnsOf(). */
+void collectInliers(std::vector<Level>& levels,
+                    const LevelColumns& columns,
                     const LevelParameters& parameters);
 
 /** @brief Decides what each level is. A ceiling is the highest level over most of its

@@ -75,6 +75,11 @@ public:
   void setSeed(std::uint64_t seed) { parameters_.seed = seed; }
   std::uint64_t getSeed() const { return parameters_.seed; }
 
+  /** @brief Number of threads, 0 (default) for all processors. The planes do not depend
+   * on it. */
+  void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
+  unsigned getNumberOfThreads() const { return parameters_.threads; }
+
   /** @brief Finds the planes, lowest first.
    * @param[out] planes cleared first; empty where nothing was found
    * @return false, with a reason in getErrorMessage(), for bad input or parameters or
@@ -95,8 +100,7 @@ private:
 
   bool checkParameters();
 
-  std::vector<sedr::Level> findLevels(const sedr::PointView& points,
-                                      const pcl::Indices& indices);
+  std::vector<sedr::Level> findLevels(const sedr::LevelColumns& columns);
 
   sedr::LevelParameters parameters_;
   pcl::Indices reflections_;

@@ -42,6 +42,9 @@ float widestGap(const PointView& points,
                 const pcl::Indices& neighbours,
                 std::vector<float>& directions);
 
+/** @brief The same of directions, angles in any order, which are sorted. */
+float widestGap(std::vector<float>& directions);
+
 /** @brief Those of `indices` (finite points, ascending) whose neighbours leave a gap
  * wider than the angle: the criterion of pcl::BoundaryEstimation with a vertical
  * normal. */

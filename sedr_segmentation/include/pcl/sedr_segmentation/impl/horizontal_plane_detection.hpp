@@ -33,11 +33,10 @@ pcl::HorizontalPlaneDetection<PointT>::checkParameters()
 
 template <typename PointT>
 std::vector<pcl::sedr::Level>
-pcl::HorizontalPlaneDetection<PointT>::findLevels(const sedr::PointView& points,
-                                                  const pcl::Indices& indices)
+pcl::HorizontalPlaneDetection<PointT>::findLevels(const sedr::LevelColumns& columns)
 {
   std::vector<sedr::Level> levels =
-      sedr::findLevels(points, indices, parameters_, &histogram_);
+      sedr::findLevels(columns, parameters_, &histogram_);
   sedr::classifyLevels(levels, parameters_);
   return levels;
 }
@@ -64,8 +63,9 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
 
   const sedr::PointView points(*input_);
   pcl::Indices used = *indices_;
-  std::vector<sedr::Level> levels = findLevels(points, used);
-  reflections_ = sedr::findReflections(points, used, levels, parameters_);
+  sedr::LevelColumns columns = sedr::columnsOf(points, used, parameters_);
+  std::vector<sedr::Level> levels = findLevels(columns);
+  reflections_ = sedr::findReflections(columns, levels, parameters_);
   if (!reflections_.empty()) {
     used.erase(std::remove_if(used.begin(), used.end(),
                               [&](index_t i) {
@@ -73,10 +73,11 @@ pcl::HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& pla
                                                           reflections_.end(), i);
                               }),
                used.end());
-    levels = findLevels(points, used);
+    columns = sedr::columnsOf(points, used, parameters_);
+    levels = findLevels(columns);
   }
   sedr::markPlatforms(levels, points, used, parameters_);
-  sedr::collectInliers(levels, points, used, parameters_);
+  sedr::collectInliers(levels, columns, parameters_);
   for (auto& level : levels) {
     HorizontalPlane plane;
     plane.inliers.header = plane.coefficients.header = input_->header;
