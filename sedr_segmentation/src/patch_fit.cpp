@@ -44,6 +44,8 @@ public:
   {
     constexpr double unevenness = 0.001; // of walls, metres
     for (std::size_t i = 0; i < patches_.size(); ++i) {
+      mean_.push_back(patches_[i]->mean());
+      own_variance_.push_back(ownVariance(i));
       vote_.push_back(voteOf(i));
       deviation_.push_back(deviationOf(i));
       spread_.push_back(std::hypot(deviation_[i], unevenness));
@@ -114,7 +116,7 @@ private:
   double residual(std::size_t i, const Eigen::Vector3d& step) const
   {
     const PatchSums& p = *patches_[i];
-    return p.mean() - p.rows.dot(step) / p.count;
+    return mean_[i] - p.rows.dot(step) / p.count;
   }
 
   /** @brief Variance of the points within a patch, as these say. */
@@ -163,7 +165,7 @@ private:
         std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
     for (std::size_t i = 0; i < patches_.size(); ++i)
       weight_[i] =
-          patches_[i]->count >= least_points && ownVariance(i) > scatter * scatter
+          patches_[i]->count >= least_points && own_variance_[i] > scatter * scatter
               ? 0
               : biweight(residual(i, step) / (sigmas * scale * deviation_[i]));
   }
@@ -179,11 +181,13 @@ private:
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
+      if (weight_[i] == 0) // all but a few, of a try
+        continue;
       const PatchSums& p = *patches_[i];
       const Eigen::Vector3d row = p.rows / p.count;
       const double weight = weight_[i] * std::min(p.count, most_points);
       normal.noalias() += weight * row * row.transpose();
-      right += weight * p.mean() * row;
+      right += weight * mean_[i] * row;
     }
     if (!(normal(0, 0) > 0))
       return false;
@@ -207,7 +211,7 @@ private:
       if (weight_[i] < 0.25)
         continue;
       fit.count += patches_[i]->count;
-      squares += ownVariance(i) * (patches_[i]->count - 1);
+      squares += own_variance_[i] * (patches_[i]->count - 1);
       freedom += patches_[i]->count - 1;
     }
     fit.share = all > 0 ? fit.count / all : 0;
@@ -222,6 +226,8 @@ private:
   std::vector<double> weight_;
   double noise_;
   double usual_variance_;
+  std::vector<double> mean_;         ///< distance of each patch, metres
+  std::vector<double> own_variance_; ///< see ownVariance()
   std::vector<double> vote_;
   std::vector<double> deviation_; ///< of the mean of each patch, metres
   std::vector<double> spread_;    ///< the same, of a wall that is not quite even
@@ -231,8 +237,6 @@ private:
 
 PatchFit
 fitPatches(const std::vector<PatchSums>& patches,
-           std::size_t first,
-           std::size_t last,
            const std::vector<bool>& is_top,
            Eigen::Index parameters,
            double noise)
@@ -240,16 +244,16 @@ fitPatches(const std::vector<PatchSums>& patches,
   // Where a wall is open, a few points of something else are seen.
   constexpr double least_share = 0.05;
   std::vector<Weighted> counts;
-  for (std::size_t p = first; p < last; ++p)
-    if (patches[p].count > 0)
-      counts.push_back({patches[p].count, std::sqrt(patches[p].count)});
+  for (const PatchSums& patch : patches)
+    if (patch.count > 0)
+      counts.push_back({patch.count, std::sqrt(patch.count)});
   const double least_points = std::max(1.0, least_share * medianOf(std::move(counts)));
   std::vector<const PatchSums*> own;
   std::vector<bool> tops;
-  for (std::size_t p = first; p < last; ++p)
+  for (std::size_t p = 0; p < patches.size(); ++p)
     if (patches[p].count >= least_points) {
       own.push_back(&patches[p]);
-      tops.push_back(is_top[p - first]);
+      tops.push_back(is_top[p]);
     }
   if (own.empty())
     return {};

@@ -165,25 +165,22 @@ private:
   }
 
   /** @brief Where the patches of each surface say that it is. */
-  std::vector<PatchFit> fitsOf(const std::vector<PatchSums>& sums) const
+  std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums) const
   {
     std::vector<PatchFit> fits(targets_.size());
     parallelBlocks(fits.size(), 1, raw_.threads, [&](std::size_t t, std::size_t) {
       if (!isSparse(t))
-        fits[t] = fitOf(sums, t);
+        fits[t] = fitOf(sums[t], t);
     });
     return fits;
   }
 
   PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const
   {
-    const std::size_t first = targets_.firstPatch(t);
-    const std::size_t last = targets_.firstPatch(t + 1);
     std::vector<bool> is_top;
-    for (std::size_t p = first; p < last; ++p)
+    for (std::size_t p = 0; p < sums.size(); ++p)
       is_top.push_back(targets_.isTop(t, p));
-    return fitPatches(sums, first, last, is_top, parametersOf(t),
-                      scatters_[t].deviation);
+    return fitPatches(sums, is_top, parametersOf(t), scatters_[t].deviation);
   }
 
   void move(std::size_t t, const PatchFit& fit)

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -21,15 +23,6 @@ constexpr double bin = 0.0005;
 constexpr double farthest_slab = 0.05;
 
 } // namespace
-
-void
-PatchSums::add(double distance, const Eigen::Vector3d& row)
-{
-  count += 1;
-  sum += distance;
-  squares += distance * distance;
-  rows += row;
-}
 
 PatchSums&
 PatchSums::operator+=(const PatchSums& other)
@@ -55,8 +48,6 @@ Sightings::find()
 {
   constexpr std::size_t most_blocks = 8;
   constexpr std::size_t least_block = std::size_t{1} << 16;
-  // A slab that leans otherwise than before is a little farther from a point.
-  const double far = targets_.reach() + 2 * farthest_slab;
   slabs_were_.clear();
   for (std::size_t k = 0; k < targets_.slabCount(); ++k)
     slabs_were_.push_back(targets_.slab(k));
@@ -64,18 +55,42 @@ Sightings::find()
   const std::size_t block = std::max(least_block, n / most_blocks + 1);
   blocks_.assign((n + block - 1) / block, {});
   parallelBlocks(n, block, raw_.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Sighting> own;
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::size_t i = raw_.at(k);
-      if (raw_.points.isFinite(i))
-        targets_.candidates(raw_.points[i].cast<double>(), far,
-                            [&](std::size_t candidate) {
-                              own.push_back({static_cast<std::uint32_t>(i),
-                                             static_cast<std::uint32_t>(candidate)});
-                            });
-    }
-    blocks_[begin / block] = std::move(own);
+    blocks_[begin / block] = lookAt(begin, end);
   });
+  shares_.clear();
+  for (std::size_t t = 0; t < targets_.size(); ++t)
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if (blocks_[b].first[t] < blocks_[b].first[t + 1])
+        shares_.push_back({t, b});
+}
+
+Sightings::Block
+Sightings::lookAt(std::size_t begin, std::size_t end) const
+{
+  // A slab that leans otherwise than before is a little farther from a point.
+  const double far = targets_.reach() + 2 * farthest_slab;
+  std::vector<std::pair<std::uint32_t, Sighting>> seen; // and the surface
+  seen.reserve(end - begin);
+  Block block;
+  block.first.assign(targets_.size() + 1, 0);
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::size_t i = raw_.at(k);
+    if (!raw_.points.isFinite(i))
+      continue;
+    targets_.candidates(
+        raw_.points[i].cast<double>(), far, [&](std::size_t t, std::size_t place) {
+          ++block.first[t + 1];
+          seen.push_back(
+              {static_cast<std::uint32_t>(t),
+               {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(place)}});
+        });
+  }
+  std::partial_sum(block.first.begin(), block.first.end(), block.first.begin());
+  std::vector<std::size_t> next = block.first;
+  block.sightings.resize(seen.size());
+  for (const auto& [t, sighting] : seen)
+    block.sightings[next[t]++] = sighting;
+  return block;
 }
 
 bool
@@ -91,25 +106,36 @@ Sightings::update()
     find();
 }
 
-/** @brief Adds up what `see(sums, number, patch, distance, row)` makes of all points
- * within reach of a surface. */
-template <typename Sum, typename See>
-std::vector<Sum>
-Sightings::overAll(std::size_t size, See see) const
+/** @brief For each surface `sizeOf(surface)` sums, to which `add(own, view, p, d, place)`
+ * adds what a point `p` within reach of it, at distance `d`, shows: over each block in
+ * the order of the points, then over the blocks. */
+template <typename Sum, typename SizeOf, typename Add>
+std::vector<std::vector<Sum>>
+Sightings::bySurface(SizeOf sizeOf, Add add) const
 {
-  std::vector<std::vector<Sum>> blocks(blocks_.size());
-  parallelBlocks(blocks.size(), 1, raw_.threads, [&](std::size_t b, std::size_t) {
-    std::vector<Sum> own(size);
-    for (const Sighting& s : blocks_[b])
-      targets_.look(s.candidate, raw_.points[s.point].cast<double>(),
-                    [&](std::size_t t, std::size_t patch, double d,
-                        const Eigen::Vector3d& row) { see(own, t, patch, d, row); });
-    blocks[b] = std::move(own);
+  std::vector<std::vector<Sum>> parts(shares_.size());
+  parallelBlocks(shares_.size(), 1, raw_.threads, [&](std::size_t s, std::size_t) {
+    const std::size_t t = shares_[s].surface;
+    const Block& block = blocks_[shares_[s].block];
+    std::vector<Sum> own(sizeOf(t));
+    const double reach = targets_.reach();
+    targets_.view(t, [&](const auto& view) {
+      for (std::size_t k = block.first[t]; k < block.first[t + 1]; ++k) {
+        const auto [point, place] = block.sightings[k];
+        const Eigen::Vector3d p = raw_.points[point].template cast<double>();
+        const double d = view.distance(p);
+        if (std::abs(d) <= reach)
+          add(own, t, view, p, d, place);
+      }
+    });
+    parts[s] = std::move(own);
   });
-  std::vector<Sum> sums(size);
-  for (const auto& own : blocks)
-    for (std::size_t i = 0; i < own.size(); ++i)
-      sums[i] += own[i];
+  std::vector<std::vector<Sum>> sums;
+  for (std::size_t t = 0; t < targets_.size(); ++t)
+    sums.emplace_back(sizeOf(t));
+  for (std::size_t s = 0; s < shares_.size(); ++s)
+    for (std::size_t i = 0; i < parts[s].size(); ++i)
+      sums[shares_[s].surface][i] += parts[s][i];
   return sums;
 }
 
@@ -117,20 +143,19 @@ std::vector<Scatter>
 Sightings::scatters(double reach) const
 {
   const auto bins = static_cast<std::size_t>(std::ceil(2 * reach / bin)) + 1;
-  const auto counts = overAll<std::uint32_t>(
-      targets_.size() * bins, [&](std::vector<std::uint32_t>& own, std::size_t t,
-                                  std::size_t, double d, const Eigen::Vector3d&) {
-        if (2 * std::abs(d) > targets_.gap(t))
-          return;
-        const auto at = static_cast<std::size_t>((d + reach) / bin);
-        ++own[t * bins + std::min(bins - 1, at)];
+  const auto counts = bySurface<std::uint32_t>(
+      [&](std::size_t) { return bins; },
+      [&](std::vector<std::uint32_t>& own, std::size_t t, const auto&,
+          const Eigen::Vector3d&, double d, std::size_t) {
+        if (2 * std::abs(d) <= targets_.gap(t))
+          ++own[std::min(bins - 1, static_cast<std::size_t>((d + reach) / bin))];
       });
   std::vector<Scatter> scatters;
-  for (std::size_t t = 0; t < targets_.size(); ++t) {
+  for (const auto& own : counts) {
     std::vector<Weighted> values;
     Scatter scatter;
     for (std::size_t i = 0; i < bins; ++i) {
-      const auto count = static_cast<double>(counts[t * bins + i]);
+      const auto count = static_cast<double>(own[i]);
       scatter.count += count;
       if (count > 0)
         values.push_back({(static_cast<double>(i) + 0.5) * bin - reach, count});
@@ -146,17 +171,19 @@ Sightings::scatters(double reach) const
   return scatters;
 }
 
-std::vector<PatchSums>
+std::vector<std::vector<PatchSums>>
 Sightings::patchSums(const std::vector<double>& centre,
                      const std::vector<double>& band) const
 {
-  return overAll<PatchSums>(targets_.patchCount(),
-                            [&](std::vector<PatchSums>& own, std::size_t t,
-                                std::size_t patch, double d,
-                                const Eigen::Vector3d& row) {
-                              if (std::abs(d - centre[t]) <= band[t])
-                                own[patch].add(d, row);
-                            });
+  return bySurface<PatchSums>(
+      [&](std::size_t t) { return targets_.firstPatch(t + 1) - targets_.firstPatch(t); },
+      [&](std::vector<PatchSums>& own, std::size_t t, const auto& view,
+          const Eigen::Vector3d& p, double d, std::size_t place) {
+        if (std::abs(d - centre[t]) > band[t])
+          return;
+        const Eigen::Vector3d row = view.row(p);
+        own[view.patch(row, place)].add(d, row);
+      });
 }
 
 } // namespace sedr

@@ -22,7 +22,14 @@ struct PatchSums {
   double squares = 0; ///< of the distances
   Eigen::Vector3d rows = Eigen::Vector3d::Zero();
 
-  void add(double distance, const Eigen::Vector3d& row);
+  void add(double distance, const Eigen::Vector3d& row)
+  {
+    count += 1;
+    sum += distance;
+    squares += distance * distance;
+    rows += row;
+  }
+
   PatchSums& operator+=(const PatchSums& other);
 
   double mean() const { return count > 0 ? sum / count : 0; }
@@ -71,26 +78,41 @@ public:
    * them (Rousseeuw 1984), which what is beside a wall hardly moves. */
   std::vector<Scatter> scatters(double reach) const;
 
-  /** @brief Sums of all patches over the points within the `band` of their surface's
+  /** @brief Sums of the patches of each surface over the points within the `band` of their surface's
    * `centre`. The same for any number of threads. */
-  std::vector<PatchSums> patchSums(const std::vector<double>& centre,
-                                   const std::vector<double>& band) const;
+  std::vector<std::vector<PatchSums>> patchSums(const std::vector<double>& centre,
+                                                const std::vector<double>& band) const;
 
 private:
-  /** @brief A point of the scan and a candidate of RefitTargets. */
+  /** @brief A point of the scan and where it is seen on a surface, see
+   * RefitTargets::candidates(). */
   struct Sighting {
     std::uint32_t point;
-    std::uint32_t candidate;
+    std::uint32_t place;
+  };
+
+  /** @brief What a block of the scan shows: by surface, in the order of the points. */
+  struct Block {
+    std::vector<Sighting> sightings;
+    std::vector<std::size_t> first; ///< of each surface, and the end
+  };
+
+  /** @brief What a block shows of a surface. */
+  struct Share {
+    std::size_t surface;
+    std::size_t block;
   };
 
   void find();
+  Block lookAt(std::size_t begin, std::size_t end) const;
 
-  template <typename Sum, typename See>
-  std::vector<Sum> overAll(std::size_t size, See see) const;
+  template <typename Sum, typename SizeOf, typename Add>
+  std::vector<std::vector<Sum>> bySurface(SizeOf sizeOf, Add add) const;
 
   const RawPoints& raw_;
   const RefitTargets& targets_;
-  std::vector<std::vector<Sighting>> blocks_; ///< in the order of the points
+  std::vector<Block> blocks_;
+  std::vector<Share> shares_; ///< by surface, then block
   std::vector<PlanSlab> slabs_were_;
 };
 
@@ -112,8 +134,6 @@ struct PatchFit {
  * @param noise expected standard deviation of the points, metres: patches of few
  * points say little of it */
 PatchFit fitPatches(const std::vector<PatchSums>& patches,
-                    std::size_t first,
-                    std::size_t last,
                     const std::vector<bool>& is_top,
                     Eigen::Index parameters,
                     double noise);

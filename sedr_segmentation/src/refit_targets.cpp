@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_targets.h"
 
-#include "quarter_turns.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -302,23 +300,14 @@ RefitTargets::numberPatches()
   }
 }
 
-/** @brief The patch of a point before a stretch, from the top down. */
+/** @brief The row of patches at a height of a stretch, from the top down. */
 std::size_t
-RefitTargets::patchOf(const Stretch& stretch,
-                      const MeasuredCurve& m,
-                      const Eigen::Vector3d& row,
-                      double z) const
+RefitTargets::rowOf(const Stretch& stretch, double z)
 {
-  const std::size_t c = stretch.curve;
-  const double s = m.curve.isCircle()
-                       ? quarterTurns(row.x(), row.y()) * M_PI / 2 * m.curve.radius
-                       : row[1] + curves_.reach(c);
-  const auto x =
-      std::min(along_[c] - 1, static_cast<std::size_t>(std::max(0.0, s / patch_[c])));
-  const auto y = static_cast<std::size_t>((stretch.high - z) / upright_patch);
-  return first_patch_[c] + y * along_[c] + x;
+  return static_cast<std::size_t>((stretch.high - z) / upright_patch);
 }
 
+/** @brief The patch of a slab at a place, from its first. */
 std::size_t
 RefitTargets::patchOf(std::size_t slab, const Eigen::Vector2d& p) const
 {
@@ -329,7 +318,7 @@ RefitTargets::patchOf(std::size_t slab, const Eigen::Vector2d& p) const
   const std::size_t rows =
       (first_patch_[number + 1] - first_patch_[number]) / along_[number];
   const auto y = std::min(rows - 1, static_cast<std::size_t>(at.y()));
-  return first_patch_[number] + y * along_[number] + x;
+  return y * along_[number] + x;
 }
 
 /** @brief Sorts stretches, rooms and niches by the cells that they may be seen in. */

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "refit_views.h"
+
 #include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
-#include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/plan_curves.h>
 
 #include <Eigen/Core>
@@ -64,30 +65,46 @@ public:
   /** @brief Number of the patches that the plan shows: curves go on beyond that. */
   std::size_t shownPatches() const { return shown_patches_; }
 
-  /** @brief Whether a patch is at the top of a wall, where least stands before it. */
+  /** @brief Whether a patch, from the first of its surface, is at the top of a wall, where least stands before it. */
   bool isTop(std::size_t number, std::size_t patch) const
   {
     constexpr std::size_t rows = 3;
     return number < curves_.curves.size() &&
-           patch - first_patch_[number] < rows * along_[number];
+           patch < rows * along_[number];
   }
 
-  /** @brief Calls `note(candidate)` for every surface that a point may show by its
-   * place: one before which it is, and any slab at most `far` metres from it. */
+  /** @brief Calls `note(number, place)` for every surface that a point may show by its
+   * place: one before which it is, and any slab at most `far` metres from it. `place` is
+   * what does not change with the surface: the row of patches of an upright, the patch
+   * of a slab. */
   template <typename Note>
   void candidates(const Eigen::Vector3d& p, double far, Note note) const
   {
-    findUprights(p, note);
-    findSlabs(p, far, note);
+    const Eigen::Vector2d place = p.head<2>();
+    const CellGrid& grid = stretches_near_.grid(); // that of all tables
+    if (!grid.holds(place.x(), place.y()))
+      return;
+    const Cell cell = grid.at(place.x(), place.y());
+    findUprights(p, cell, note);
+    findSlabs(p, cell, far, note);
   }
 
-  /** @brief Calls `see(number, patch, distance, row)` if a point is within reach of a
-   * candidate: its signed distance, and how that falls with each parameter. */
+  /** @brief Calls `see(view)` by the kind of a surface: a LineView, CircleView or
+   * SlabView. */
   template <typename See>
-  void look(std::size_t candidate, const Eigen::Vector3d& p, See see) const
+  void view(std::size_t number, See see) const
   {
-    candidate < stretches_.size() ? lookAtUpright(candidate, p, see)
-                                  : lookAtSlab(candidate - stretches_.size(), p, see);
+    if (number >= curves_.curves.size()) {
+      const Slab& slab = slabs_[number - curves_.curves.size()];
+      see(SlabView{*slab.slab, slab.middle});
+      return;
+    }
+    const PatchColumns columns{patch_[number], along_[number]};
+    const MeasuredCurve& m = curves_.curves[number];
+    if (m.curve.isCircle())
+      see(CircleView{m.curve, columns});
+    else
+      see(LineView{m, curves_.reach(number), columns});
   }
 
   /** @brief The greatest distance, metres, of a slab from where it was, `before` having
@@ -130,74 +147,45 @@ private:
   };
 
   template <typename Note>
-  void findUprights(const Eigen::Vector3d& p, Note note) const
+  void findUprights(const Eigen::Vector3d& p, Cell cell, Note note) const
   {
-    const Eigen::Vector2d place = p.head<2>();
-    for (const std::uint32_t k : stretches_near_.at(place)) {
+    for (const std::uint32_t k : stretches_near_.at(cell)) {
       const Stretch& stretch = stretches_[k];
-      if (p.z() >= stretch.low && p.z() <= stretch.high && stretch.part.isBeside(place))
-        note(k);
+      if (p.z() >= stretch.low && p.z() <= stretch.high &&
+          stretch.part.isBeside(p.head<2>()))
+        note(stretch.curve, rowOf(stretch, p.z()));
     }
-  }
-
-  template <typename See>
-  void lookAtUpright(std::size_t k, const Eigen::Vector3d& p, See see) const
-  {
-    const Eigen::Vector2d place = p.head<2>();
-    const Stretch& stretch = stretches_[k];
-    const MeasuredCurve& m = curves_.curves[stretch.curve];
-    const double d = m.curve.signedDistance(place);
-    if (std::abs(d) > reach_)
-      return;
-    Eigen::Vector3d row(1, (place - m.pivot).dot(m.curve.direction), 0);
-    if (m.curve.isCircle())
-      row << (place - m.curve.point).normalized(), 1;
-    see(stretch.curve, patchOf(stretch, m, row, p.z()), d, row);
   }
 
   template <typename Note>
-  void findSlabs(const Eigen::Vector3d& p, double far, Note note) const
+  void findSlabs(const Eigen::Vector3d& p, Cell cell, double far, Note note) const
   {
+    const Eigen::Vector2d place = p.head<2>();
     const auto noteNear = [&](std::size_t k) {
       if (std::abs(distanceAbove(*slabs_[k].slab, p.cast<float>())) <= far)
-        note(stretches_.size() + k);
+        note(curves_.curves.size() + k, patchOf(k, place));
     };
-    const Eigen::Vector2d place = p.head<2>();
-    for (const std::uint32_t r : rooms_near_.at(place)) {
+    for (const std::uint32_t r : rooms_near_.at(cell)) {
       const RoomMap& map = rooms_[r];
-      const auto x =
-          static_cast<std::int64_t>(std::floor((p.x() - map.low.x()) / map.cell));
-      const auto y =
-          static_cast<std::int64_t>(std::floor((p.y() - map.low.y()) / map.cell));
-      if (x < 0 || y < 0 || x >= map.width || y >= map.height)
+      const Eigen::Vector2d at = (place - map.low) / map.cell;
+      if (at.x() < 0 || at.y() < 0 || at.x() >= map.width || at.y() >= map.height)
         continue;
-      const auto at = static_cast<std::size_t>(y * map.width + x);
-      if (map.ceiling[at] >= 0)
-        noteNear(static_cast<std::size_t>(map.ceiling[at]));
-      if (map.floor[at] >= 0)
-        noteNear(static_cast<std::size_t>(map.floor[at]));
+      const auto i = static_cast<std::size_t>(at.y()) *
+                         static_cast<std::size_t>(map.width) +
+                     static_cast<std::size_t>(at.x());
+      if (map.ceiling[i] >= 0)
+        noteNear(static_cast<std::size_t>(map.ceiling[i]));
+      if (map.floor[i] >= 0)
+        noteNear(static_cast<std::size_t>(map.floor[i]));
     }
-    for (const std::uint32_t n : niches_near_.at(place))
+    for (const std::uint32_t n : niches_near_.at(cell))
       if (isIn(niches_[n], place)) {
         noteNear(niches_[n].bottom);
         noteNear(niches_[n].top);
       }
   }
 
-  template <typename See>
-  void lookAtSlab(std::size_t k, const Eigen::Vector3d& p, See see) const
-  {
-    const Slab& s = slabs_[k];
-    const double d = distanceAbove(*s.slab, p.cast<float>());
-    if (std::abs(d) <= reach_)
-      see(curves_.curves.size() + k, patchOf(k, p.head<2>()), d,
-          Eigen::Vector3d(1, p.x() - s.middle.x(), p.y() - s.middle.y()));
-  }
-
-  std::size_t patchOf(const Stretch& stretch,
-                      const MeasuredCurve& m,
-                      const Eigen::Vector3d& row,
-                      double z) const;
+  static std::size_t rowOf(const Stretch& stretch, double z);
   std::size_t patchOf(std::size_t slab, const Eigen::Vector2d& p) const;
   void numberPatches();
 
@@ -233,9 +221,10 @@ private:
   std::vector<RoomMap> rooms_;
   std::vector<NicheSlabs> niches_;
   std::size_t shown_patches_ = 0;
-  CellTable stretches_near_{0.2};
-  CellTable rooms_near_{0.2};
-  CellTable niches_near_{0.2};
+  static constexpr double table_cell = 0.2; // metres
+  CellTable stretches_near_{table_cell};
+  CellTable rooms_near_{table_cell};
+  CellTable niches_near_{table_cell};
 };
 
 } // namespace sedr

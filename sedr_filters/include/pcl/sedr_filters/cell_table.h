@@ -44,11 +44,16 @@ public:
    * @return why it cannot be filled, a sentence; empty otherwise */
   std::string fill(const std::vector<Entry>& entries);
 
+  const CellGrid& grid() const { return grid_; }
+
   Numbers at(const Eigen::Vector2d& p) const
   {
-    if (first_.empty() || !grid_.holds(p.x(), p.y()))
-      return {};
-    const Cell cell = grid_.at(p.x(), p.y());
+    return grid_.holds(p.x(), p.y()) ? at(grid_.at(p.x(), p.y())) : Numbers();
+  }
+
+  /** @brief The same of a cell of its grid(). */
+  Numbers at(Cell cell) const
+  {
     if (!frame_.isInside(cell))
       return {};
     const std::size_t i = frame_.indexOf(cell);
