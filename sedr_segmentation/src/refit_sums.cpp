@@ -77,12 +77,12 @@ Sightings::lookAt(std::size_t begin, std::size_t end) const
     const std::size_t i = raw_.at(k);
     if (!raw_.points.isFinite(i))
       continue;
+    const Eigen::Vector3f p = raw_.points[i];
     targets_.candidates(
-        raw_.points[i].cast<double>(), far, [&](std::size_t t, std::size_t place) {
+        p.cast<double>(), far, [&](std::size_t t, std::size_t place) {
           ++block.first[t + 1];
           seen.push_back(
-              {static_cast<std::uint32_t>(t),
-               {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(place)}});
+              {static_cast<std::uint32_t>(t), {p, static_cast<std::uint32_t>(place)}});
         });
   }
   std::partial_sum(block.first.begin(), block.first.end(), block.first.begin());
@@ -121,11 +121,11 @@ Sightings::bySurface(SizeOf sizeOf, Add add) const
     const double reach = targets_.reach();
     targets_.view(t, [&](const auto& view) {
       for (std::size_t k = block.first[t]; k < block.first[t + 1]; ++k) {
-        const auto [point, place] = block.sightings[k];
-        const Eigen::Vector3d p = raw_.points[point].template cast<double>();
+        const Sighting& sighting = block.sightings[k];
+        const Eigen::Vector3d p = sighting.point.cast<double>();
         const double d = view.distance(p);
         if (std::abs(d) <= reach)
-          add(own, t, view, p, d, place);
+          add(own, t, view, p, d, sighting.place);
       }
     });
     parts[s] = std::move(own);

@@ -85,9 +85,10 @@ public:
 
 private:
   /** @brief A point of the scan and where it is seen on a surface, see
-   * RefitTargets::candidates(). */
+   * RefitTargets::candidates(). With its coordinates: those of the points of a surface
+   * are far apart in the scan. */
   struct Sighting {
-    std::uint32_t point;
+    Eigen::Vector3f point;
     std::uint32_t place;
   };
 
