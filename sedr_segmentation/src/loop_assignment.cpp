@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_stretch.h"
+#include "loop_assignment.h"
 
-#include <pcl/sedr_segmentation/loop_fit.h>
+#include "wall_stretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,108 +42,6 @@ costUnsupported(const ContourSample& sample, const PlanCurve& curve)
   return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
 }
 
-/** @brief What the points around a sample say about a curve. */
-struct Testimony {
-  double count = 0;  ///< of the points on the curve, those near it counting more
-  double offset = 0; ///< of their mean from the curve, metres
-};
-
-/** @brief The points around one sample, and the costs of curves by them. */
-class SampleWitness {
-public:
-  SampleWitness(const PlanPoints& evidence, const LoopParameters& parameters)
-      : evidence_(evidence)
-      , parameters_(parameters)
-  {}
-
-  /** @brief Costs of all curves for a sample. */
-  void judge(const ContourSample& sample,
-             const std::vector<PlanCurve>& curves,
-             double* costs)
-  {
-    if (sample.isSupported())
-      gather(sample);
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      const double cosine =
-          std::abs(curves[c].tangentAt(sample.place).dot(sample.tangent));
-      costs[c] = cosine < least_cosine ? sample.weight() : 0;
-      if (!sample.isSupported())
-        costs[c] += costUnsupported(sample, curves[c]);
-    }
-    if (!sample.isSupported())
-      return;
-    testimonies_.clear();
-    most_ = 0;
-    for (const auto& curve : curves) {
-      testimonies_.push_back(hear(sample, curve));
-      most_ = std::max(most_, testimonies_.back().count);
-    }
-    const WallStretch wall =
-        wallAcross(evidence_, sample.place, sample.tangent, parameters_);
-    most_ = std::max(most_, 0.6 * static_cast<double>(wall.count));
-    for (std::size_t c = 0; c < curves.size(); ++c)
-      costs[c] += costSupported(sample, curves[c], testimonies_[c]);
-  }
-
-private:
-  /** @brief How far a curve may be from the contour and still be the wall there. */
-  double reach() const
-  {
-    return std::abs(parameters_.expected_offset) + parameters_.reach;
-  }
-
-  void gather(const ContourSample& sample)
-  {
-    points_.clear();
-    evidence_.forEachWithin(
-        sample.place,
-        std::hypot(reach() + parameters_.tolerance, parameters_.evidence_span),
-        [&](const Eigen::Vector2d& p) { points_.push_back(p); });
-  }
-
-  Testimony hear(const ContourSample& sample, const PlanCurve& curve) const
-  {
-    Testimony heard;
-    if (curve.distance(sample.place) > reach())
-      return heard;
-    const Eigen::Vector2d foot = curve.project(sample.place);
-    const Eigen::Vector2d along = curve.tangentAt(sample.place);
-    for (const auto& p : points_) {
-      const double d = curve.signedDistance(p);
-      const double share = d / parameters_.tolerance;
-      if (std::abs(share) >= 1 ||
-          std::abs((p - foot).dot(along)) > parameters_.evidence_span)
-        continue;
-      const double weight = 1 - share * share;
-      heard.count += weight;
-      heard.offset += weight * d;
-    }
-    if (heard.count > 0)
-      heard.offset /= heard.count;
-    return heard;
-  }
-
-  double costSupported(const ContourSample& sample,
-                       const PlanCurve& curve,
-                       const Testimony& heard) const
-  {
-    // A curve that most of the points here are on lacks nothing.
-    constexpr double enough = 0.95;
-    const double far = curve.distance(sample.place) - reach();
-    if (far > 0)
-      return sample.weight() * outlier_cost + cost_per_metre * far;
-    const double lack = std::max(0.0, 1 - heard.count / (enough * most_));
-    const double squared = std::pow(heard.offset / (parameters_.tolerance / 2), 2);
-    return sample.weight() * std::min(outlier_cost, squared + outlier_cost * lack);
-  }
-
-  const PlanPoints& evidence_;
-  const LoopParameters& parameters_;
-  std::vector<Eigen::Vector2d> points_;
-  std::vector<Testimony> testimonies_;
-  double most_ = 0;
-};
-
 /** @brief The curves as seen from one sample. */
 class CurvesAt {
 public:
@@ -173,18 +71,116 @@ private:
 
 } // namespace
 
-std::vector<std::size_t>
-assignCurves(const std::vector<ContourSample>& samples,
-             const PlanPoints& evidence,
-             const std::vector<PlanCurve>& curves,
-             const LoopParameters& parameters)
+CurveAssignment::CurveAssignment(const std::vector<ContourSample>& samples,
+                                 const PlanPoints& evidence,
+                                 const LoopParameters& parameters)
+    : samples_(samples)
+    , evidence_(evidence)
+    , parameters_(parameters)
 {
-  const std::size_t n = samples.size();
+  first_.push_back(0);
+  for (const auto& sample : samples) {
+    if (sample.isSupported())
+      gather(sample);
+    first_.push_back(points_.size());
+    wall_.push_back(
+        sample.isSupported()
+            ? wallAcross(evidence, sample.place, sample.tangent, parameters).count
+            : 0);
+  }
+}
+
+/** @brief How far a curve may be from the contour and still be the wall there. */
+double
+CurveAssignment::reach() const
+{
+  return std::abs(parameters_.expected_offset) + parameters_.reach;
+}
+
+void
+CurveAssignment::gather(const ContourSample& sample)
+{
+  evidence_.forEachWithin(
+      sample.place,
+      std::hypot(reach() + parameters_.tolerance, parameters_.evidence_span),
+      [&](const Eigen::Vector2d& p) { points_.push_back(p); });
+}
+
+/** @brief Costs of all curves for a sample. */
+void
+CurveAssignment::judge(std::size_t i,
+                       const std::vector<PlanCurve>& curves,
+                       double* costs) const
+{
+  const ContourSample& sample = samples_[i];
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const double cosine =
+        std::abs(curves[c].tangentAt(sample.place).dot(sample.tangent));
+    costs[c] = cosine < least_cosine ? sample.weight() : 0;
+    if (!sample.isSupported())
+      costs[c] += costUnsupported(sample, curves[c]);
+  }
+  if (!sample.isSupported())
+    return;
+  std::vector<Testimony> testimonies;
+  double most = 0.6 * static_cast<double>(wall_[i]);
+  for (const auto& curve : curves) {
+    testimonies.push_back(hear(i, curve));
+    most = std::max(most, testimonies.back().count);
+  }
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    costs[c] += costSupported(sample, curves[c], testimonies[c], most);
+}
+
+CurveAssignment::Testimony
+CurveAssignment::hear(std::size_t i, const PlanCurve& curve) const
+{
+  const ContourSample& sample = samples_[i];
+  Testimony heard;
+  if (curve.distance(sample.place) > reach())
+    return heard;
+  const Eigen::Vector2d foot = curve.project(sample.place);
+  const Eigen::Vector2d along = curve.tangentAt(sample.place);
+  for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+    const Eigen::Vector2d& p = points_[k];
+    const double d = curve.signedDistance(p);
+    const double share = d / parameters_.tolerance;
+    if (std::abs(share) >= 1 ||
+        std::abs((p - foot).dot(along)) > parameters_.evidence_span)
+      continue;
+    const double weight = 1 - share * share;
+    heard.count += weight;
+    heard.offset += weight * d;
+  }
+  if (heard.count > 0)
+    heard.offset /= heard.count;
+  return heard;
+}
+
+double
+CurveAssignment::costSupported(const ContourSample& sample,
+                               const PlanCurve& curve,
+                               const Testimony& heard,
+                               double most) const
+{
+  // A curve that most of the points here are on lacks nothing.
+  constexpr double enough = 0.95;
+  const double far = curve.distance(sample.place) - reach();
+  if (far > 0)
+    return sample.weight() * outlier_cost + cost_per_metre * far;
+  const double lack = std::max(0.0, 1 - heard.count / (enough * most));
+  const double squared = std::pow(heard.offset / (parameters_.tolerance / 2), 2);
+  return sample.weight() * std::min(outlier_cost, squared + outlier_cost * lack);
+}
+
+std::vector<std::size_t>
+CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
+{
+  const std::size_t n = samples_.size();
   const std::size_t k = curves.size();
   std::vector<double> costs(n * k);
-  SampleWitness witness(evidence, parameters);
   for (std::size_t i = 0; i < n; ++i)
-    witness.judge(samples[i], curves, costs.data() + i * k);
+    judge(i, curves, costs.data() + i * k);
 
   // Two rounds: by the second, what the first sample was given no longer matters.
   const std::size_t rounds = 2 * n;
@@ -193,7 +189,7 @@ assignCurves(const std::vector<ContourSample>& samples,
   std::vector<std::uint16_t> from(rounds * k);
   CurvesAt here;
   for (std::size_t step = 0; step < rounds; ++step) {
-    here.look(samples[step % n], curves);
+    here.look(samples_[step % n], curves);
     for (std::size_t c = 0; c < k; ++c) {
       std::size_t best = c;
       double least = cost[c];
@@ -201,7 +197,7 @@ assignCurves(const std::vector<ContourSample>& samples,
         if (cost[other] + change_cost >= least)
           continue;
         const double changed =
-            cost[other] + change_cost + here.sideStep(other, c, parameters.tolerance);
+            cost[other] + change_cost + here.sideStep(other, c, parameters_.tolerance);
         if (changed < least) {
           least = changed;
           best = other;

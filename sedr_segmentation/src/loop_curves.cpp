@@ -75,13 +75,23 @@ private:
   static constexpr int trials = 400;
 
   /** @brief How much of the open samples a curve explains. Where nothing was seen,
-   * walls are taken for straight, unless nothing was seen of the whole loop. */
-  double scoreOf(const PlanCurve& curve, const std::vector<std::size_t>& open) const
+   * walls are taken for straight, unless nothing was seen of the whole loop. Where that
+   * cannot exceed `least` it is not added up to the end. */
+  double scoreOf(const PlanCurve& curve,
+                 const std::vector<std::size_t>& open,
+                 double least) const
   {
+    constexpr double most_weight = 1; // of a sample
+    constexpr double rounding = 1e-6; // of the sum
     double sum = 0;
-    for (const std::size_t i : open)
+    auto left = static_cast<double>(open.size());
+    for (const std::size_t i : open) {
       if (samples_[i].isSupported() || !curve.isCircle() || !is_seen_)
         sum += agreement(samples_[i], curve, parameters_.tolerance);
+      left -= 1;
+      if (sum + most_weight * left + rounding < least)
+        break;
+    }
     return sum;
   }
 
@@ -90,7 +100,7 @@ private:
                   PlanCurve& best,
                   double& best_score) const
   {
-    const double s = scoreOf(curve, open);
+    const double s = scoreOf(curve, open, best_score);
     if (s > best_score) {
       best_score = s;
       best = curve;
@@ -110,7 +120,7 @@ private:
     const PlanCurve fitted =
         fitRobustly(inliers, curve, parameters_.tolerance, parameters_.minimum_radius,
                     parameters_.maximum_radius);
-    const double s = scoreOf(fitted, open);
+    const double s = scoreOf(fitted, open, best_score);
     if (s <= best_score)
       return curve;
     best_score = s;

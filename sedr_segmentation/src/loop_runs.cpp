@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_runs.h"
 
+#include "loop_assignment.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -192,12 +194,13 @@ findAssignment(const std::vector<ContourSample>& samples,
   a.known = known.size();
   if (a.curves.empty())
     return a;
+  const CurveAssignment assignment(samples, walls, search);
   for (int round = 0; round < rounds; ++round) {
-    a.curve_of = assignCurves(samples, walls, a.curves, search);
+    a.curve_of = assignment.assign(a.curves);
     refit(a, samples, walls, parameters);
     dropUnused(a, least_samples);
   }
-  a.curve_of = assignCurves(samples, walls, a.curves, search);
+  a.curve_of = assignment.assign(a.curves);
   return a;
 }
 

@@ -160,20 +160,53 @@ fitLine(const std::vector<WeightedPoint>& points)
   return judged(line, points);
 }
 
+namespace {
+
+/** @brief The normal matrix, of which only the lower half is filled, and the right side
+ * of a Gauss-Newton step of a circle. */
+std::pair<Eigen::Matrix3d, Eigen::Vector3d>
+normalEquations(const std::vector<WeightedPoint>& points, const PlanCurve& circle)
+{
+  // Some at a time: roots and quotients of neighbours are taken together.
+  constexpr Eigen::Index stretch = 64;
+  using Values = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, stretch, 1>;
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (Eigen::Index first = 0; first < n; first += stretch) {
+    const WeightedPoint* some = points.data() + first;
+    Values x(std::min(stretch, n - first));
+    Values y(x.size());
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      x[k] = some[k].position.x() - circle.point.x();
+      y[k] = some[k].position.y() - circle.point.y();
+    }
+    const Values d = (x * x + y * y).sqrt().max(1e-12);
+    x = -x / d;
+    y = -y / d;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const double weight = some[k].weight;
+      const Eigen::Vector3d weighted(weight * x[k], weight * y[k], -weight);
+      normal(0, 0) += weighted[0] * x[k];
+      normal(1, 0) += weighted[1] * x[k];
+      normal(1, 1) += weighted[1] * y[k];
+      normal(2, 0) += weighted[2] * x[k];
+      normal(2, 1) += weighted[2] * y[k];
+      normal(2, 2) -= weighted[2];
+      right += weight * (circle.radius - d[k]) * Eigen::Vector3d(x[k], y[k], -1);
+    }
+  }
+  return {normal, right};
+}
+
+} // namespace
+
 PlanCurve
 fitCircle(const std::vector<WeightedPoint>& points, const PlanCurve& start)
 {
   PlanCurve circle = start;
   for (int round = 0; round < 20; ++round) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (const auto& p : points) {
-      const Eigen::Vector2d way = p.position - circle.point;
-      const double d = std::max(way.norm(), 1e-12);
-      const Eigen::Vector3d row(-way.x() / d, -way.y() / d, -1);
-      normal.noalias() += p.weight * row * row.transpose();
-      right.noalias() += p.weight * (circle.radius - d) * row;
-    }
+    const auto [normal, right] = normalEquations(points, circle);
     const Eigen::Vector3d step = normal.ldlt().solve(right);
     if (!step.allFinite())
       return start;
@@ -198,17 +231,21 @@ fitShrinking(const std::vector<WeightedPoint>& points,
              std::size_t least_points,
              Fit fit)
 {
+  constexpr int rounds = 6;
   PlanCurve curve = start;
   const double widest = band;
-  for (int round = 0; round < 6; ++round) {
-    std::vector<WeightedPoint> inside;
+  std::vector<WeightedPoint> inside;
+  inside.reserve(points.size());
+  for (int round = 0; round < rounds; ++round) {
+    inside.clear();
     for (const auto& p : points)
       if (curve.distance(p.position) <= band)
         inside.push_back(p);
     if (inside.size() < least_points)
       return round == 0 ? start : curve;
     curve = fit(inside, curve);
-    band = std::clamp(2.5 * robustDeviation(inside, curve), 2e-4, widest);
+    if (round + 1 < rounds)
+      band = std::clamp(2.5 * robustDeviation(inside, curve), 2e-4, widest);
   }
   return curve;
 }

@@ -62,15 +62,6 @@ std::vector<PlanCurve> findCurves(const std::vector<ContourSample>& samples,
                                   const std::vector<PlanCurve>& known,
                                   const LoopParameters& parameters);
 
-/** @brief The curve of every sample: the cheapest closed sequence, where a sample costs
- * what the evidence around it has against the curve, and every change of curve costs a
- * constant, more where the two run side by side (Viterbi 1967, around the loop). O(n
- * k^2) for n samples and k curves. */
-std::vector<std::size_t> assignCurves(const std::vector<ContourSample>& samples,
-                                      const PlanPoints& evidence,
-                                      const std::vector<PlanCurve>& curves,
-                                      const LoopParameters& parameters);
-
 /** @brief A closed loop of segments and arcs along a contour, corners where
  * neighbouring curves meet.
  *

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -33,21 +32,22 @@ public:
     const Cell low = grid_.at(p.x() - radius, p.y() - radius);
     const Cell high = grid_.at(p.x() + radius, p.y() + radius);
     for (std::int32_t y = low.y; y <= high.y; ++y) {
-      const auto from = std::lower_bound(keys_.begin(), keys_.end(), keyOf({low.x, y}));
-      const auto to = std::upper_bound(from, keys_.end(), keyOf({high.x, y}));
-      for (auto it = from; it != to; ++it) {
-        const Eigen::Vector2d& q =
-            points_[static_cast<std::size_t>(it - keys_.begin())];
-        if ((q - p).squaredNorm() <= radius * radius)
-          visit(q);
-      }
+      std::size_t i = CellSet::npos;
+      for (std::int32_t x = low.x; x <= high.x && i == CellSet::npos; ++x)
+        i = cells_.find({x, y});
+      // Cells side by side follow one another in the set.
+      for (; i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+          if ((points_[k] - p).squaredNorm() <= radius * radius)
+            visit(points_[k]);
     }
   }
 
 private:
   CellGrid grid_;
-  std::vector<Eigen::Vector2d> points_; ///< sorted by key
-  std::vector<CellKey> keys_;
+  std::vector<Eigen::Vector2d> points_; ///< sorted by cell
+  CellSet cells_;
+  std::vector<std::size_t> first_; ///< of the points of each cell, and the end
 };
 
 } // namespace sedr
