@@ -74,8 +74,8 @@ planeThrough(const Eigen::Vector3d& a,
 }
 
 /** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the
- * tolerance, so that a thin layer wins over a thick one. Less than it is where it cannot
- * exceed `least`: most of the points need not be looked at then. */
+ * tolerance, so that a thin layer wins over a thick one. Less than it is where it
+ * cannot exceed `least`: most of the points need not be looked at then. */
 double
 agreement(const Positions& points, const PlanSlab& slab, double tolerance, double least)
 {
@@ -249,9 +249,8 @@ findSlab(const PointView& points,
     }
   }
   const PlanSlab refined = fitSlabRobustly(all, best, tolerance);
-  return refined.plane[2] >= minimum_cosine
-             ? refined
-             : fitParallel(all, level, level, tolerance);
+  return refined.plane[2] >= minimum_cosine ? refined
+                                            : fitParallel(all, level, level, tolerance);
 }
 
 PlanSlab

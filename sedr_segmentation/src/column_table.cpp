@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl {
 namespace sedr {
@@ -68,17 +69,28 @@ ColumnTable::share(Cell cell, double low, double high, int bins, int radius) con
 {
   if (high <= low || bins <= 0)
     return 0;
-  int occupied = 0;
-  for (int b = 0; b < bins; ++b) {
-    const double from = low + (high - low) * b / bins;
-    const double to = low + (high - low) * (b + 1) / bins;
-    bool is_occupied = false;
-    for (int dy = -radius; dy <= radius && !is_occupied; ++dy)
-      for (int dx = -radius; dx <= radius && !is_occupied; ++dx)
-        is_occupied = hasWithin({cell.x + dx, cell.y + dy}, from, to);
-    occupied += is_occupied ? 1 : 0;
-  }
-  return static_cast<double>(occupied) / bins;
+  const auto parts = static_cast<std::size_t>(bins);
+  std::vector<double> edges;
+  for (int b = 0; b <= bins; ++b)
+    edges.push_back(low + (high - low) * b / bins);
+  std::vector<std::uint8_t> is_occupied(parts, 0);
+  std::size_t empty = parts;
+  const auto look = [&](Cell at) {
+    const Entry* it = begin(at);
+    const Entry* last = end(at);
+    for (std::size_t b = 0; b < parts && it != last; ++b) {
+      if (is_occupied[b])
+        continue;
+      it = std::lower_bound(it, last, edges[b],
+                            [](const Entry& e, double z) { return e.z < z; });
+      is_occupied[b] = it != last && it->z <= edges[b + 1] ? 1 : 0;
+      empty -= is_occupied[b];
+    }
+  };
+  for (int dy = -radius; dy <= radius && empty > 0; ++dy)
+    for (int dx = -radius; dx <= radius && empty > 0; ++dx)
+      look({cell.x + dx, cell.y + dy});
+  return static_cast<double>(parts - empty) / bins;
 }
 
 std::vector<ColumnRun>

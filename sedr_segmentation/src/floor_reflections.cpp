@@ -107,9 +107,9 @@ private:
     if (at == CellSet::npos)
       return false;
     const Candidate* last = columns_.all().data() + columns_.last(at);
-    const Candidate* low =
-        std::lower_bound(columns_.all().data() + columns_.first(at), last, z - reach_,
-                         [](const Candidate& c, double height) { return c.z < height; });
+    const Candidate* low = std::lower_bound(
+        columns_.all().data() + columns_.first(at), last, z - reach_,
+        [](const Candidate& c, double height) { return c.z < height; });
     return low != last && low->z <= z + reach_;
   }
 

@@ -108,13 +108,12 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices, unsigned threads)
   all_.resize(unsorted.size());
   for (const Candidate& c : unsorted)
     all_[next[c.cell]++] = c;
-  parallelBlocks(cells_.size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     std::sort(all_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-                               all_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]),
-                               isLower);
-                 });
+  parallelBlocks(
+      cells_.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          std::sort(all_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+                    all_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]), isLower);
+      });
 }
 
 void

@@ -46,7 +46,7 @@ private:
   const LoopParameters& parameters_;
   std::vector<Eigen::Vector2d> points_; ///< around all samples, sample by sample
   std::vector<std::size_t> first_;      ///< of each sample, and the end
-  std::vector<std::size_t> wall_;       ///< points of the densest wall across each sample
+  std::vector<std::size_t> wall_; ///< points of the densest wall across each sample
 };
 
 } // namespace sedr

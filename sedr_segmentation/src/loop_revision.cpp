@@ -103,11 +103,17 @@ reviseChain(LoopChain& chain,
   // Points all over the place, where there are no walls, would be followed for ever.
   std::size_t changes = 0;
   const std::size_t most_changes = 16 + chain.size() / 2;
-  for (bool is_changed = true; is_changed && changes < most_changes;) {
-    is_changed = false;
+  // Once all windows of a chain have been tried in vain, it stays as it is.
+  std::size_t in_vain = 0;
+  const auto isDone = [&] {
+    std::size_t windows = 0;
     for (std::size_t inner = 0; inner <= most_fusion; ++inner)
-      for (std::size_t i = 0;
-           i < chain.size() && chain.size() >= inner + 3 && changes < most_changes;
+      windows += chain.size() >= inner + 3 ? chain.size() : 0;
+    return in_vain >= windows || changes >= most_changes;
+  };
+  while (!isDone())
+    for (std::size_t inner = 0; inner <= most_fusion; ++inner)
+      for (std::size_t i = 0; i < chain.size() && chain.size() >= inner + 3 && !isDone();
            ++i) {
         const Window window = windowOf(chain, i, inner);
         double length = 0;
@@ -117,11 +123,12 @@ reviseChain(LoopChain& chain,
              tryFusion(chain, window, cost, evidence, guides, parameters)) ||
             (inner <= most_detour && length < longest_detour &&
              tryDetour(chain, window, cost, guides, parameters))) {
-          is_changed = true;
+          in_vain = 0;
           ++changes;
         }
+        else
+          ++in_vain;
       }
-  }
 }
 
 } // namespace sedr

@@ -58,8 +58,8 @@ private:
   Ball ballAround(const Eigen::Vector3f& place, int reach, Around& around) const;
   Gap gapOfNearest(Around& around) const;
 
-  /** @brief Calls `see(first, last)` for the points of each row of cells around a place,
-   * nearer rows first. */
+  /** @brief Calls `see(first, last)` for the points of each row of cells around a
+   * place, nearer rows first. */
   template <typename See>
   void forEachRow(const Eigen::Vector3f& place, int reach, See see) const;
 

@@ -78,12 +78,11 @@ Sightings::lookAt(std::size_t begin, std::size_t end) const
     if (!raw_.points.isFinite(i))
       continue;
     const Eigen::Vector3f p = raw_.points[i];
-    targets_.candidates(
-        p.cast<double>(), far, [&](std::size_t t, std::size_t place) {
-          ++block.first[t + 1];
-          seen.push_back(
-              {static_cast<std::uint32_t>(t), {p, static_cast<std::uint32_t>(place)}});
-        });
+    targets_.candidates(p.cast<double>(), far, [&](std::size_t t, std::size_t place) {
+      ++block.first[t + 1];
+      seen.push_back(
+          {static_cast<std::uint32_t>(t), {p, static_cast<std::uint32_t>(place)}});
+    });
   }
   std::partial_sum(block.first.begin(), block.first.end(), block.first.begin());
   std::vector<std::size_t> next = block.first;
@@ -106,9 +105,9 @@ Sightings::update()
     find();
 }
 
-/** @brief For each surface `sizeOf(surface)` sums, to which `add(own, view, p, d, place)`
- * adds what a point `p` within reach of it, at distance `d`, shows: over each block in
- * the order of the points, then over the blocks. */
+/** @brief For each surface `sizeOf(surface)` sums, to which `add(own, view, p, d,
+ * place)` adds what a point `p` within reach of it, at distance `d`, shows: over each
+ * block in the order of the points, then over the blocks. */
 template <typename Sum, typename SizeOf, typename Add>
 std::vector<std::vector<Sum>>
 Sightings::bySurface(SizeOf sizeOf, Add add) const
@@ -176,7 +175,9 @@ Sightings::patchSums(const std::vector<double>& centre,
                      const std::vector<double>& band) const
 {
   return bySurface<PatchSums>(
-      [&](std::size_t t) { return targets_.firstPatch(t + 1) - targets_.firstPatch(t); },
+      [&](std::size_t t) {
+        return targets_.firstPatch(t + 1) - targets_.firstPatch(t);
+      },
       [&](std::vector<PatchSums>& own, std::size_t t, const auto& view,
           const Eigen::Vector3d& p, double d, std::size_t place) {
         if (std::abs(d - centre[t]) > band[t])

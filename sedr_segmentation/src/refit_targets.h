@@ -65,18 +65,18 @@ public:
   /** @brief Number of the patches that the plan shows: curves go on beyond that. */
   std::size_t shownPatches() const { return shown_patches_; }
 
-  /** @brief Whether a patch, from the first of its surface, is at the top of a wall, where least stands before it. */
+  /** @brief Whether a patch, from the first of its surface, is at the top of a wall,
+   * where least stands before it. */
   bool isTop(std::size_t number, std::size_t patch) const
   {
     constexpr std::size_t rows = 3;
-    return number < curves_.curves.size() &&
-           patch < rows * along_[number];
+    return number < curves_.curves.size() && patch < rows * along_[number];
   }
 
   /** @brief Calls `note(number, place)` for every surface that a point may show by its
-   * place: one before which it is, and any slab at most `far` metres from it. `place` is
-   * what does not change with the surface: the row of patches of an upright, the patch
-   * of a slab. */
+   * place: one before which it is, and any slab at most `far` metres from it. `place`
+   * is what does not change with the surface: the row of patches of an upright, the
+   * patch of a slab. */
   template <typename Note>
   void candidates(const Eigen::Vector3d& p, double far, Note note) const
   {
@@ -170,9 +170,9 @@ private:
       const Eigen::Vector2d at = (place - map.low) / map.cell;
       if (at.x() < 0 || at.y() < 0 || at.x() >= map.width || at.y() >= map.height)
         continue;
-      const auto i = static_cast<std::size_t>(at.y()) *
-                         static_cast<std::size_t>(map.width) +
-                     static_cast<std::size_t>(at.x());
+      const auto i =
+          static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(map.width) +
+          static_cast<std::size_t>(at.x());
       if (map.ceiling[i] >= 0)
         noteNear(static_cast<std::size_t>(map.ceiling[i]));
       if (map.floor[i] >= 0)

@@ -4,11 +4,13 @@
 
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/hidden_ceiling.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl {
 namespace sedr {
@@ -135,15 +137,19 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
         if (findFloor(storey, piece))
           pieces.push_back(std::move(piece));
   const std::vector<std::size_t> group = groupPieces(storey, pieces);
-  for (std::size_t g = 0; g < pieces.size(); ++g) {
-    std::vector<const Piece*> members;
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      if (group[p] == g)
-        members.push_back(&pieces[p]);
-    RoomRegion room;
-    if (!members.empty() && makeRoom(storey, members, room))
-      rooms.push_back(std::move(room));
-  }
+  std::vector<std::vector<const Piece*>> members(pieces.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    members[group[p]].push_back(&pieces[p]);
+  std::vector<RoomRegion> made(pieces.size());
+  std::vector<std::uint8_t> is_room(pieces.size(), 0);
+  parallelBlocks(pieces.size(), 1, storey.parameters.threads,
+                 [&](std::size_t g, std::size_t) {
+                   is_room[g] = !members[g].empty() &&
+                                makeRoom(storey, members[g], made[g]);
+                 });
+  for (std::size_t g = 0; g < pieces.size(); ++g)
+    if (is_room[g])
+      rooms.push_back(std::move(made[g]));
   addHiddenCeilings(storey, first, rooms);
 }
 

@@ -49,6 +49,7 @@ normalsOf(const PointView& points,
   constexpr double least_spread = 0.08; // along it
   constexpr double farthest = 1e5;
   std::map<std::array<std::int64_t, 3>, PatchMoments> patches;
+  auto last = patches.end(); // where most of the next points are too
   for (const int i : indices) {
     const Eigen::Vector3d p = turn * points[static_cast<std::size_t>(i)].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
@@ -58,7 +59,9 @@ normalsOf(const PointView& points,
       key[k] = static_cast<std::int64_t>(
           std::floor(p[static_cast<Eigen::Index>(k)] / patch));
     // About the patch's corner: squares of large coordinates leave no digits.
-    patches[key].add(p - patch * Eigen::Vector3d(static_cast<double>(key[0]),
+    if (last == patches.end() || last->first != key)
+      last = patches.try_emplace(key).first;
+    last->second.add(p - patch * Eigen::Vector3d(static_cast<double>(key[0]),
                                                  static_cast<double>(key[1]),
                                                  static_cast<double>(key[2])));
   }

@@ -20,6 +20,7 @@ struct RoomParameters {
   double minimum_open_share =
       0.15; ///< of the outline of a piece that is open to what it belongs to
   double widest_door = 1.6; ///< an opening below a lintel that is wider joins two rooms
+  unsigned threads = 0;     ///< 0: as many as there are processors
 };
 
 /** @brief A room as the ceilings show it. */

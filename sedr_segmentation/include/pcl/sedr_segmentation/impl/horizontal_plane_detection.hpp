@@ -35,8 +35,7 @@ template <typename PointT>
 std::vector<pcl::sedr::Level>
 pcl::HorizontalPlaneDetection<PointT>::findLevels(const sedr::LevelColumns& columns)
 {
-  std::vector<sedr::Level> levels =
-      sedr::findLevels(columns, parameters_, &histogram_);
+  std::vector<sedr::Level> levels = sedr::findLevels(columns, parameters_, &histogram_);
   sedr::classifyLevels(levels, parameters_);
   return levels;
 }
