@@ -149,7 +149,7 @@ private:
   template <typename Note>
   void findUprights(const Eigen::Vector3d& p, Cell cell, Note note) const
   {
-    for (const std::uint32_t k : stretches_near_.at(cell)) {
+    for (const std::uint32_t k : stretches_near_.ofCell(cell)) {
       const Stretch& stretch = stretches_[k];
       if (p.z() >= stretch.low && p.z() <= stretch.high &&
           stretch.part.isBeside(p.head<2>()))
@@ -165,7 +165,7 @@ private:
       if (std::abs(distanceAbove(*slabs_[k].slab, p.cast<float>())) <= far)
         note(curves_.curves.size() + k, patchOf(k, place));
     };
-    for (const std::uint32_t r : rooms_near_.at(cell)) {
+    for (const std::uint32_t r : rooms_near_.ofCell(cell)) {
       const RoomMap& map = rooms_[r];
       const Eigen::Vector2d at = (place - map.low) / map.cell;
       if (at.x() < 0 || at.y() < 0 || at.x() >= map.width || at.y() >= map.height)
@@ -178,7 +178,7 @@ private:
       if (map.floor[i] >= 0)
         noteNear(static_cast<std::size_t>(map.floor[i]));
     }
-    for (const std::uint32_t n : niches_near_.at(cell))
+    for (const std::uint32_t n : niches_near_.ofCell(cell))
       if (isIn(niches_[n], place)) {
         noteNear(niches_[n].bottom);
         noteNear(niches_[n].top);

@@ -48,11 +48,11 @@ public:
 
   Numbers at(const Eigen::Vector2d& p) const
   {
-    return grid_.holds(p.x(), p.y()) ? at(grid_.at(p.x(), p.y())) : Numbers();
+    return grid_.holds(p.x(), p.y()) ? ofCell(grid_.at(p.x(), p.y())) : Numbers();
   }
 
   /** @brief The same of a cell of its grid(). */
-  Numbers at(Cell cell) const
+  Numbers ofCell(Cell cell) const
   {
     if (!frame_.isInside(cell))
       return {};
