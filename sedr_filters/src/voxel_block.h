@@ -84,12 +84,6 @@ struct alignas(32) VoxelBlock {
 
   void unlock() { locked.store(false, std::memory_order_release); }
 
-  /** @brief The sum of a voxel; it must be among the occupied ones. */
-  BlockSum& at(unsigned local)
-  {
-    return sums.load(std::memory_order_relaxed)[placeOf(local) - 1];
-  }
-
   /** @brief One more than the place of a voxel's sum, 0: it has none yet. */
   unsigned placeOf(unsigned local) const
   {
