@@ -2,7 +2,6 @@
 #include "field_means.h"
 
 #include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/large_memory.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/voxel_visit.h>
 
@@ -153,7 +152,7 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
   const std::size_t size = finish(sums);
   output.width = static_cast<std::uint32_t>(size);
   output.row_step = output.width * output.point_step;
-  sedr::resizeLarge(output.data, size * output.point_step);
+  output.data.resize(size * output.point_step);
   writeMeans(sums, output);
 
   std::vector<pcl::PCLPointField> others;

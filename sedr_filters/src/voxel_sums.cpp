@@ -2,7 +2,6 @@
 #include "voxel_adder.h"
 #include "voxel_order.h"
 
-#include <pcl/sedr_filters/large_memory.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/voxel_sums.h>
 
@@ -151,8 +150,7 @@ VoxelSums::take(unsigned threads)
 {
   if (!state_->order)
     arrange(0, threads);
-  std::vector<VoxelSum> taken;
-  resizeLarge(taken, state_->order->size());
+  std::vector<VoxelSum> taken(state_->order->size());
   forEach(
       [&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
         for (std::size_t i = 0; i < n; ++i)

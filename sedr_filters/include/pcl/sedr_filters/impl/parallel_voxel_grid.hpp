@@ -6,7 +6,6 @@
 #include <pcl/conversions.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/large_memory.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/voxel_visit.h>
@@ -181,7 +180,7 @@ ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& out
   }
   sedr::VoxelSums sums(inverseLeaf());
   this->addRows(source, nullptr, sums);
-  sedr::resizeLarge(output, this->finish(sums));
+  output.resize(this->finish(sums));
   writeMeans(sums, output);
 }
 
@@ -204,7 +203,7 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
     sums.add(points, *chosen, getNumberOfThreads());
   else
     sums.add(points, getNumberOfThreads());
-  sedr::resizeLarge(output, this->finish(sums));
+  output.resize(this->finish(sums));
   writeMeans(sums, output);
   constexpr bool has_more_fields =
       boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;

@@ -14,15 +14,5 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
  * hint, that changes nothing else. */
 void expectLarge(void* begin, std::size_t bytes);
 
-/** @brief Resizes an empty vector, in memory that is expected to be written at once. */
-template <typename VectorT>
-void
-resizeLarge(VectorT& vector, std::size_t size)
-{
-  vector.reserve(size);
-  expectLarge(vector.data(), size * sizeof(vector[0]));
-  vector.resize(size);
-}
-
 } // namespace sedr
 } // namespace pcl
