@@ -6,6 +6,8 @@
 #include <pcl/sedr_filters/voxel_visit.h>
 
 #include <array>
+#include <cstring>
+#include <utility>
 
 namespace pcl {
 
@@ -147,15 +149,20 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
     return fail("ParallelVoxelGrid", problem);
   sedr::VoxelSums sums(inverseLeaf());
   addRows(source, indices, sums);
-  const std::vector<sedr::VoxelSum> voxels = finish(sums);
+  const std::size_t size = finish(sums);
+  output.width = static_cast<std::uint32_t>(size);
+  output.row_step = output.width * output.point_step;
+  output.data.resize(size * output.point_step);
+  writeMeans(sums, output);
 
   std::vector<pcl::PCLPointField> others;
   for (const auto& field : source.fields())
     if (field.name != "_" && !isSummed(field) &&
         (getDownsampleAllData() || isCoordinate(field)))
       others.push_back(field);
-  sedr::FieldMeans means(others, voxels.size());
   if (!others.empty() || extract_removed_indices_) {
+    const std::vector<sedr::VoxelSum> voxels = sums.take(threads);
+    sedr::FieldMeans means(others, size);
     const sedr::VoxelIndex index(sums.frame(), voxels);
     std::vector<bool> stays(extract_removed_indices_ ? source.size() : 0, false);
     forEachPiece(source, indices,
@@ -176,29 +183,41 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
       for (const auto i : *indices)
         if (!stays[static_cast<std::size_t>(i)])
           removed_indices_->push_back(i);
+    sedr::parallelBlocks(size, voxels_at_once, threads,
+                         [&](std::size_t begin, std::size_t end) {
+                           for (std::size_t v = begin; v < end; ++v) {
+                             auto* to = output.data.data() + v * output.point_step;
+                             means.write(v, voxels[v].count, to);
+                             if (getDownsampleAllData())
+                               normalise(output.fields, to);
+                           }
+                         });
   }
-
-  output.width = static_cast<std::uint32_t>(voxels.size());
-  output.row_step = output.width * output.point_step;
-  output.data.assign(voxels.size() * output.point_step, 0);
-  const std::array<const char*, 3> axes{"x", "y", "z"};
-  sedr::parallelBlocks(
-      voxels.size(), voxels_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          auto* to = output.data.data() + v * output.point_step;
-          means.write(v, voxels[v].count, to);
-          const Eigen::Vector3f mean = sums.frame().mean(voxels[v]);
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto* field = sedr::findField(output.fields, axes[axis]);
-            if (isSummed(*field))
-              sedr::writeField(to + field->offset, field->datatype,
-                               mean[static_cast<int>(axis)]);
-          }
-          if (getDownsampleAllData())
-            normalise(output.fields, to);
-        }
-      });
   return true;
+}
+
+void
+ParallelVoxelGrid<pcl::PCLPointCloud2>::writeMeans(const sedr::VoxelSums& sums,
+                                                   PCLPointCloud2& output) const
+{
+  std::vector<std::pair<int, std::size_t>> summed; // axis and offset
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto* field =
+        sedr::findField(output.fields, axes[static_cast<std::size_t>(axis)]);
+    if (isSummed(*field))
+      summed.emplace_back(axis, field->offset);
+  }
+  sums.forEach(
+      [&](const sedr::VoxelSum* voxels, const std::size_t* places, std::size_t n) {
+        for (std::size_t i = 0; i < n; ++i) {
+          const Eigen::Vector3f mean = sums.frame().mean(voxels[i]);
+          auto* to = output.data.data() + places[i] * output.point_step;
+          for (const auto& [axis, offset] : summed)
+            std::memcpy(to + offset, &mean[axis], sizeof mean[axis]);
+        }
+      },
+      getNumberOfThreads());
 }
 
 } // namespace pcl

@@ -29,24 +29,18 @@ public:
     ++size_;
   }
 
-  /** @brief Finds voxel, hash and steps of every point. */
+  /** @brief Finds voxel and steps of every point. */
   void find(const VoxelFrame& frame)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
       frame.find(axis, points_[axis].data(), size_, codes_[axis].data(),
                  steps_[axis].data());
-    for (std::size_t i = 0; i < size_; ++i)
-      hashes_[i] = hashOf({codes_[0][i], codes_[1][i], codes_[2][i]});
   }
 
   VoxelCode code(std::size_t i) const
   {
     return {codes_[0][i], codes_[1][i], codes_[2][i]};
   }
-
-  std::uint32_t hash(std::size_t i) const { return hashes_[i]; }
-
-  float coordinate(std::size_t axis, std::size_t i) const { return points_[axis][i]; }
 
   std::uint64_t steps(std::size_t axis, std::size_t i) const { return steps_[axis][i]; }
 
@@ -58,7 +52,6 @@ private:
   Columns<float> points_;
   Columns<std::int32_t> codes_;
   Columns<std::uint64_t> steps_;
-  std::array<std::uint32_t, most> hashes_;
 };
 
 } // namespace sedr

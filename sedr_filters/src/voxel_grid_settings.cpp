@@ -93,30 +93,25 @@ VoxelGridSettings::clearLayout()
   layout_.clear();
 }
 
-std::vector<VoxelSum>
+std::size_t
 VoxelGridSettings::finish(VoxelSums& sums)
 {
-  std::vector<VoxelSum> voxels = sums.take(threads_);
   clearLayout();
-  if (voxels.empty())
-    return voxels;
-  auto low = voxels.front().code;
-  auto high = low;
-  for (const VoxelSum& voxel : voxels)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], voxel.code[axis]);
-      high[axis] = std::max(high[axis], voxel.code[axis]);
-    }
-  min_box_ = voxelAt(low);
-  max_box_ = voxelAt(high);
-  const auto holds_few = [&](const VoxelSum& voxel) {
-    return voxel.count < min_points_per_voxel_;
-  };
-  voxels.erase(std::remove_if(voxels.begin(), voxels.end(), holds_few), voxels.end());
-  if (save_leaf_layout_)
-    for (const VoxelSum& voxel : voxels)
-      layout_.push_back(voxelAt(voxel.code));
-  return voxels;
+  const std::size_t size = sums.arrange(min_points_per_voxel_, threads_);
+  if (size == 0 && sums.size() == 0)
+    return 0;
+  min_box_ = voxelAt(sums.box().low);
+  max_box_ = voxelAt(sums.box().high);
+  if (save_leaf_layout_) {
+    layout_.resize(size);
+    sums.forEach(
+        [&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
+          for (std::size_t i = 0; i < n; ++i)
+            layout_[places[i]] = voxelAt(voxels[i].code);
+        },
+        threads_);
+  }
+  return size;
 }
 
 } // namespace sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxel_dealer.h"
+#include "voxel_adder.h"
 #include "voxel_order.h"
 
 #include <pcl/sedr_filters/parallel.h>
@@ -10,55 +10,79 @@ namespace sedr {
 
 namespace {
 
-constexpr std::size_t points_per_block = std::size_t{1} << 16;
+constexpr std::size_t points_at_once = std::size_t{1} << 16;
 
 } // namespace
 
-/** @brief The tables, and the dealers that wait for a thread. */
+/** @brief The blocks, and the adders in whose memory they stand, a thread each. */
 class VoxelSums::State {
 public:
   explicit State(const Eigen::Array3f& inverse_leaf)
       : frame(inverse_leaf)
-      , tables(new VoxelTable[VoxelTable::table_count])
+      , blocks(new BlockDirectory)
   {}
 
-  template <typename PointAt>
-  void add(std::size_t n, const PointAt& point_at, unsigned threads)
+  template <typename IndexOf>
+  void
+  add(const PointView& points, std::size_t n, const IndexOf& index_of, unsigned threads)
   {
-    parallelBlocks(n, points_per_block, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     const auto dealer = takeDealer();
-                     dealer->deal(begin, end, point_at);
-                     giveBack(dealer);
-                   });
-    parallelBlocks(dealers_.size(), 1, threads,
-                   [&](std::size_t i, std::size_t) { dealers_[i]->finish(); });
+    parallelBlocks(n, points_at_once, threads, [&](std::size_t begin, std::size_t end) {
+      withAdder([&](VoxelAdder& adder) { adder.add(points, begin, end, index_of); });
+    });
+  }
+
+  void add(const std::vector<VoxelSum>& sums)
+  {
+    withAdder([&](VoxelAdder& adder) {
+      for (const VoxelSum& sum : sums)
+        if (sum.count > 0)
+          adder.add(sum);
+    });
+  }
+
+  void arrange(std::uint32_t least_points, unsigned threads)
+  {
+    order.reset(new VoxelOrder(*blocks, least_points, threads));
+  }
+
+  void forget()
+  {
+    order.reset();
+    idle_.clear();
+    adders_.clear();
+    blocks.reset(new BlockDirectory);
   }
 
   VoxelFrame frame;
-  std::unique_ptr<VoxelTable[]> tables;
+  std::unique_ptr<BlockDirectory> blocks;
+  std::unique_ptr<VoxelOrder> order; ///< null where points came since
 
 private:
-  using DealerPtr = std::shared_ptr<VoxelDealer>;
-
-  DealerPtr takeDealer()
+  template <typename Use>
+  void withAdder(const Use& use)
   {
+    VoxelAdder& adder = takeAdder();
+    use(adder);
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (dealers_.empty())
-      return std::make_shared<VoxelDealer>(frame, tables.get());
-    const DealerPtr dealer = dealers_.back();
-    dealers_.pop_back();
-    return dealer;
+    idle_.push_back(&adder);
   }
 
-  void giveBack(const DealerPtr& dealer)
+  VoxelAdder& takeAdder()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    dealers_.push_back(dealer);
+    order.reset();
+    if (idle_.empty()) {
+      adders_.emplace_back(new VoxelAdder(frame, *blocks));
+      return *adders_.back();
+    }
+    VoxelAdder& adder = *idle_.back();
+    idle_.pop_back();
+    return adder;
   }
 
   std::mutex mutex_;
-  std::vector<DealerPtr> dealers_;
+  std::vector<std::unique_ptr<VoxelAdder>> adders_;
+  std::vector<VoxelAdder*> idle_;
 };
 
 VoxelSums::VoxelSums(const Eigen::Array3f& inverse_leaf)
@@ -77,42 +101,64 @@ void
 VoxelSums::add(const PointView& points, unsigned threads)
 {
   state_->add(
-      points.size(), [&](std::size_t i) { return points[i]; }, threads);
+      points, points.size(), [](std::size_t k) { return k; }, threads);
 }
 
 void
 VoxelSums::add(const PointView& points, const pcl::Indices& indices, unsigned threads)
 {
   state_->add(
-      indices.size(),
-      [&](std::size_t i) { return points[static_cast<std::size_t>(indices[i])]; },
-      threads);
+      points, indices.size(),
+      [&](std::size_t k) { return static_cast<std::size_t>(indices[k]); }, threads);
 }
 
 void
 VoxelSums::add(const std::vector<VoxelSum>& sums)
 {
-  for (const VoxelSum& sum : sums)
-    if (sum.count > 0) {
-      const std::uint32_t hash = hashOf(sum.code);
-      const DealtSum dealt{sum, hash};
-      state_->tables[VoxelTable::tableOf(hash)].add(state_->frame, &dealt, 1);
-    }
+  state_->add(sums);
 }
 
 std::size_t
 VoxelSums::size() const
 {
   std::size_t size = 0;
-  for (std::size_t t = 0; t < VoxelTable::table_count; ++t)
-    size += state_->tables[t].size();
+  state_->blocks->forEach([&](const VoxelBlock& block) { size += block.size; });
   return size;
+}
+
+std::size_t
+VoxelSums::arrange(std::uint32_t least_points, unsigned threads)
+{
+  state_->arrange(least_points, threads);
+  return state_->order->size();
+}
+
+VoxelBox
+VoxelSums::box() const
+{
+  return state_->order->box();
+}
+
+void
+VoxelSums::forEach(const See& see, unsigned threads) const
+{
+  state_->order->forEach(threads, see);
 }
 
 std::vector<VoxelSum>
 VoxelSums::take(unsigned threads)
 {
-  return takeSorted(state_->tables.get(), threads);
+  if (!state_->order)
+    arrange(0, threads);
+  std::vector<VoxelSum> taken(state_->order->size());
+  forEach(
+      [&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
+        for (std::size_t i = 0; i < n; ++i)
+          taken[places[i]] = voxels[i];
+      },
+      threads);
+  state_->forget();
+  return taken;
 }
 
 } // namespace sedr

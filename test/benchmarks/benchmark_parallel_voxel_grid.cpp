@@ -148,7 +148,8 @@ cloudsAndThreads(benchmark::internal::Benchmark* b)
 void
 measured(benchmark::internal::Benchmark* b)
 {
-  b->Iterations(1)->Repetitions(5)->UseRealTime()->Unit(benchmark::kMillisecond);
+  b->Iterations(1)->Repetitions(5)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+      benchmark::kMillisecond);
 }
 
 BENCHMARK(VoxelGrid)->Apply(clouds)->Apply(measured);

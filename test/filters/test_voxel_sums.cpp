@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_test.h"
+
 #include <pcl/sedr_filters/voxel_index.h>
-#include <pcl/sedr_filters/voxel_sums.h>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 namespace {
 
 using namespace pcl::sedr;
+using voxel_test::sumsOf;
+using voxel_test::viewOf;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -39,29 +42,11 @@ roomWithStrays(std::size_t n, const Eigen::Vector3f& middle)
   return points;
 }
 
-PointView
-viewOf(const std::vector<Eigen::Vector3f>& points)
-{
-  return points.empty()
-             ? PointView()
-             : PointView(points[0].data(), sizeof(Eigen::Vector3f), points.size());
-}
-
 bool
 areSame(const std::vector<VoxelSum>& a, const std::vector<VoxelSum>& b)
 {
   return a.size() == b.size() &&
          std::memcmp(a.data(), b.data(), a.size() * sizeof(VoxelSum)) == 0;
-}
-
-std::vector<VoxelSum>
-sumsOf(const std::vector<Eigen::Vector3f>& points,
-       const Eigen::Array3f& inverse_leaf = Eigen::Array3f::Constant(20),
-       unsigned threads = 1)
-{
-  VoxelSums sums(inverse_leaf);
-  sums.add(viewOf(points), threads);
-  return sums.take(threads);
 }
 
 TEST(VoxelSums, OrderPiecesAndThreadsLeaveTheSameBytes)

@@ -29,9 +29,10 @@ namespace pcl {
  * says why. The removed indices are those that took part in no output point:
  * non-finite, outside the limits, or in a voxel with too few points.
  *
- * O(n) for n points, about 110 bytes a voxel at the most beside input and output,
- * nothing a point; 30 MiB a thread. Where other fields are averaged, a second pass and
- * what pcl::CentroidPoint takes a voxel. The same bytes for any number of threads.
+ * O(n) for n points, some 50 bytes a voxel beside input and output (up to 240 where
+ * each lies far from all others), nothing a point. Where other fields are averaged, a
+ * second pass and what pcl::CentroidPoint takes a voxel. The same bytes for any number
+ * of threads.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
  * grid.setInputCloud(scan);
@@ -93,9 +94,7 @@ private:
   bool validate(const pcl::Indices* indices);
 
   /** @brief Writes the means of x, y and z. */
-  void writeMeans(const sedr::VoxelFrame& frame,
-                  const std::vector<sedr::VoxelSum>& voxels,
-                  PointCloud& output) const;
+  void writeMeans(const sedr::VoxelSums& sums, PointCloud& output) const;
 
   /** @brief Whether the filter field, if there is one, lets a point pass. */
   bool isWithinLimits(std::size_t i) const;
@@ -146,6 +145,9 @@ private:
   bool thin(const sedr::RowSource& source,
             const pcl::Indices* indices,
             PCLPointCloud2& output);
+
+  /** @brief Writes the means of x, y and z, where they are FLOAT32. */
+  void writeMeans(const sedr::VoxelSums& sums, PCLPointCloud2& output) const;
 };
 
 } // namespace pcl

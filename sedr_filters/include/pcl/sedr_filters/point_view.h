@@ -43,6 +43,16 @@ public:
     return p;
   }
 
+  /** @brief Tells the processor that a point will soon be read. */
+  void prefetch(std::size_t i) const
+  {
+#ifdef __GNUC__
+    __builtin_prefetch(first_ + i * stride_);
+#else
+    static_cast<void>(i);
+#endif
+  }
+
   bool isFinite(std::size_t i) const
   {
     const Eigen::Vector3f p = (*this)[i];

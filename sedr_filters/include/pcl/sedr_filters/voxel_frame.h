@@ -188,11 +188,17 @@ private:
     return static_cast<std::uint64_t>(std::signbit(value) ? -floats : floats);
   }
 
+  /** @brief llround(), of less than 2^51, without a call. */
+  static std::int64_t rounded(double value)
+  {
+    return static_cast<std::int64_t>(value + std::copysign(0.5, value));
+  }
+
   float meanAlong(const VoxelSum& voxel, std::size_t axis) const
   {
     const double count = voxel.count;
     if (isNear(voxel.code[axis])) {
-      const std::int64_t corner = std::llround(voxel.code[axis] * corner_steps_[axis]);
+      const std::int64_t corner = rounded(voxel.code[axis] * corner_steps_[axis]);
       const std::uint64_t corners = voxel.count * static_cast<std::uint64_t>(corner);
       const auto sum = static_cast<std::int64_t>(voxel.sum[axis] - corners);
       return static_cast<float>(

@@ -160,9 +160,10 @@ protected:
   void
   addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
 
-  /** @brief The voxels of all points that were added up, without those that hold too
-   * few; keeps the box, and the layout if asked for. */
-  std::vector<VoxelSum> finish(VoxelSums& sums);
+  /** @brief Sorts the voxels of all points that were added up, and leaves out those
+   * that hold too few; keeps the box, and the layout if asked for.
+   * @return how many are left */
+  std::size_t finish(VoxelSums& sums);
 
 private:
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);

@@ -3,14 +3,23 @@
 
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/voxel_frame.h>
+#include <pcl/sedr_filters/voxel_hash.h>
 #include <pcl/types.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace pcl {
 namespace sedr {
+
+/** @brief A box of voxels; both ends are in it. */
+struct VoxelBox {
+  VoxelCode low{};
+  VoxelCode high{};
+};
 
 /** @brief Adds up the points of voxels (paper, section 2.2), a cloud or one piece of it
  * after the other.
@@ -20,9 +29,10 @@ namespace sedr {
  * whatever order, pieces and number of threads the points are added, and on however
  * many machines.
  *
- * Points are dealt out to 256 tables by their voxel, by the handful, so that no voxel
- * stands in memory twice however many threads there are. O(n) for n points; about 65
- * bytes a voxel, and 30 MiB a thread.
+ * Sums stand in cubes of 4 x 4 x 4 voxels, found by their corner, that all threads
+ * share, so that no voxel stands in memory twice however many threads there are. O(n)
+ * for n points; some 50 bytes a voxel of a surface, up to 240 where each lies far from
+ * all others.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
@@ -55,7 +65,26 @@ public:
   /** @brief Voxels so far. */
   std::size_t size() const;
 
-  /** @brief Hands out the voxels, sorted by z, then y, then x, and forgets them. */
+  /** @brief Some voxels and the places that they have among all, sorted by z, then y,
+   * then x. */
+  using See = std::function<
+      void(const VoxelSum* voxels, const std::size_t* places, std::size_t n)>;
+
+  /** @brief Sorts the voxels, without a copy of them.
+   * @param least_points those with fewer points are left out
+   * @return how many are left */
+  std::size_t arrange(std::uint32_t least_points = 0, unsigned threads = 0);
+
+  /** @brief The box of all voxels, those with few points too; arrange() must have come
+   * since the last point, and there must be a voxel. */
+  VoxelBox box() const;
+
+  /** @brief Shows all voxels that are left, each once, from several threads at once;
+   * arrange() must have come since the last point. */
+  void forEach(const See& see, unsigned threads = 0) const;
+
+  /** @brief Hands out the voxels that are left, or all if points came since, sorted by
+   * z, then y, then x, and forgets all. */
   std::vector<VoxelSum> take(unsigned threads = 0);
 
 private:

@@ -50,6 +50,15 @@ private:
   std::map<std::uint32_t, std::size_t> rooms_;
 };
 
+template <typename PointT>
+void
+setPosition(PointT& point, const Eigen::Vector3f& position)
+{
+  point.x = position.x();
+  point.y = position.y();
+  point.z = position.z();
+}
+
 } // namespace sedr
 
 template <typename PointT>
@@ -137,27 +146,26 @@ ParallelVoxelGrid<PointT>::averageFields(const sedr::VoxelIndex& index,
   constexpr std::size_t voxels_at_once = 4096;
   sedr::parallelBlocks(means.size(), voxels_at_once, getNumberOfThreads(),
                        [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v)
+                         for (std::size_t v = begin; v < end; ++v) {
+                           const Eigen::Vector3f exact(output[v].x, output[v].y,
+                                                       output[v].z);
                            means[v].get(output[v]);
+                           sedr::setPosition(output[v], exact);
+                         }
                        });
 }
 
 template <typename PointT>
 void
-ParallelVoxelGrid<PointT>::writeMeans(const sedr::VoxelFrame& frame,
-                                      const std::vector<sedr::VoxelSum>& voxels,
+ParallelVoxelGrid<PointT>::writeMeans(const sedr::VoxelSums& sums,
                                       PointCloud& output) const
 {
-  constexpr std::size_t voxels_at_once = 4096;
-  sedr::parallelBlocks(voxels.size(), voxels_at_once, getNumberOfThreads(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v) {
-                           const Eigen::Vector3f mean = frame.mean(voxels[v]);
-                           output[v].x = mean.x();
-                           output[v].y = mean.y();
-                           output[v].z = mean.z();
-                         }
-                       });
+  sums.forEach(
+      [&](const sedr::VoxelSum* voxels, const std::size_t* places, std::size_t n) {
+        for (std::size_t i = 0; i < n; ++i)
+          sedr::setPosition(output[places[i]], sums.frame().mean(voxels[i]));
+      },
+      getNumberOfThreads());
 }
 
 template <typename PointT>
@@ -172,9 +180,8 @@ ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& out
   }
   sedr::VoxelSums sums(inverseLeaf());
   this->addRows(source, nullptr, sums);
-  const std::vector<sedr::VoxelSum> voxels = this->finish(sums);
-  output.resize(voxels.size());
-  writeMeans(sums.frame(), voxels, output);
+  output.resize(this->finish(sums));
+  writeMeans(sums, output);
 }
 
 template <typename PointT>
@@ -196,13 +203,13 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
     sums.add(points, *chosen, getNumberOfThreads());
   else
     sums.add(points, getNumberOfThreads());
-  const std::vector<sedr::VoxelSum> voxels = this->finish(sums);
-
-  output.resize(voxels.size());
+  output.resize(this->finish(sums));
+  writeMeans(sums, output);
   constexpr bool has_more_fields =
       boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;
   const bool averages = has_more_fields && getDownsampleAllData();
   if (averages || this->extract_removed_indices_) {
+    const std::vector<sedr::VoxelSum> voxels = sums.take(getNumberOfThreads());
     const sedr::VoxelIndex index(sums.frame(), voxels);
     if constexpr (has_more_fields)
       if (averages)
@@ -214,7 +221,6 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
           removed_indices_->push_back(i);
       }
   }
-  writeMeans(sums.frame(), voxels, output);
   return true;
 }
 

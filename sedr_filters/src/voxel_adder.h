@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "block_directory.h"
+#include "voxel_batch.h"
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Adds the points of one thread to the blocks that all threads share.
+ *
+ * A scanner sees many points of a block before it turns away, and then its neighbours:
+ * a block is locked once for all of its points that come one after the other, and
+ * looked for among those seen last. Where the points come in no such order, each would
+ * wait for memory four times over; then blocks and sums of a whole batch are sent for
+ * beforehand. */
+class VoxelAdder {
+public:
+  VoxelAdder(const VoxelFrame& frame, BlockDirectory& blocks)
+      : frame_(frame)
+      , blocks_(blocks)
+  {}
+
+  /** @brief Adds points[index_of(k)] for k from `begin` to `end`. */
+  template <typename IndexOf>
+  void add(const PointView& points,
+           std::size_t begin,
+           std::size_t end,
+           const IndexOf& index_of)
+  {
+    for (std::size_t k = begin; k < end; ++k) {
+      points.prefetch(index_of(std::min(k + VoxelBatch::most, end - 1)));
+      const Eigen::Vector3f p = points[index_of(k)];
+      // Most sums are finite, and then all of them are; large ones may overflow.
+      if (!std::isfinite(p.x() + p.y() + p.z()) && !p.allFinite())
+        continue;
+      batch_.push(p);
+      if (batch_.isFull())
+        addBatch();
+    }
+    addBatch();
+  }
+
+  /** @brief Adds what was added up before; the count must not be 0. */
+  void add(const VoxelSum& voxel)
+  {
+    VoxelBlock& block = blockAt(VoxelBlock::cornerOf(voxel.code));
+    const std::lock_guard<VoxelBlock> lock(block);
+    BlockSum& sum = sumOf(block, VoxelBlock::localOf(voxel.code));
+    sum.count += voxel.count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum.steps[axis] += voxel.sum[axis];
+  }
+
+private:
+  void addBatch()
+  {
+    batch_.find(frame_);
+    if (is_scattered_)
+      lookAhead();
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < batch_.size(); ++runs) {
+      const VoxelCode first = batch_.code(i);
+      VoxelBlock& block = is_scattered_ && guesses_[i]
+                              ? *guesses_[i]
+                              : blockAt(VoxelBlock::cornerOf(first));
+      const std::lock_guard<VoxelBlock> lock(block);
+      do {
+        BlockSum& sum = sumOf(block, VoxelBlock::localOf(batch_.code(i)));
+        ++sum.count;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          sum.steps[axis] += batch_.steps(axis, i);
+        ++i;
+      } while (i < batch_.size() && VoxelBlock::isShared(batch_.code(i), first));
+    }
+    is_scattered_ = 2 * runs > batch_.size();
+    batch_.clear();
+  }
+
+  /** @brief Finds the blocks of a batch, all at once, and sends for their sums. */
+  void lookAhead()
+  {
+    const std::size_t n = batch_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      hashes_[i] = hashOf(VoxelBlock::cornerOf(batch_.code(i)));
+      prefetch(blocks_.placeOf(hashes_[i]));
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      if (const VoxelBlock* const guess = blocks_.guess(hashes_[i])) {
+        prefetch(guess);
+        prefetch(reinterpret_cast<const char*>(guess + 1) - 1);
+      }
+    for (std::size_t i = 0; i < n; ++i) {
+      const VoxelCode code = batch_.code(i);
+      guesses_[i] = blocks_.find(VoxelBlock::cornerOf(code), hashes_[i]);
+      if (!guesses_[i])
+        continue;
+      const unsigned place = guesses_[i]->placeOf(VoxelBlock::localOf(code));
+      const auto* const sums = guesses_[i]->sums.load(std::memory_order_relaxed);
+      if (place > 0)
+        prefetch(sums + place - 1);
+    }
+  }
+
+  VoxelBlock& blockAt(const VoxelCode& corner)
+  {
+    // Blocks close to one another never share an entry.
+    constexpr std::uint32_t window = 16;
+    const auto digit = [&](std::size_t axis) {
+      return static_cast<std::uint32_t>(corner[axis]) % window;
+    };
+    VoxelBlock*& recent = recent_[digit(0) + window * (digit(1) + window * digit(2))];
+    if (!recent || !isSame(recent->corner, corner))
+      recent = &blocks_.find(corner, memory_);
+    return *recent;
+  }
+
+  BlockSum& sumOf(VoxelBlock& block, unsigned local)
+  {
+    const unsigned place = block.placeOf(local);
+    return place > 0 ? block.sums.load(std::memory_order_relaxed)[place - 1]
+                     : memory_.makeSum(block, local);
+  }
+
+  const VoxelFrame& frame_;
+  BlockDirectory& blocks_;
+  BlockMemory memory_;
+  VoxelBatch batch_;
+  bool is_scattered_ =
+      false; ///< whether most points were in another block than the last
+  std::array<std::uint32_t, VoxelBatch::most> hashes_{};
+  std::array<VoxelBlock*, VoxelBatch::most> guesses_{};
+  std::array<VoxelBlock*, 4096> recent_{};
+};
+
+} // namespace sedr
+} // namespace pcl
