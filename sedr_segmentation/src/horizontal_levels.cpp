@@ -143,6 +143,8 @@ withTails(const std::vector<Candidate>& candidates,
   std::vector<std::size_t> near =
       nearPlane(candidates, draft, reachOfNoise(slab, tolerance));
   const auto isElsewhere = [&](std::size_t k) {
+    if (draft.cells[candidates[k].cell]) // as most are
+      return false;
     const CellBlock block = blockAround(cells, candidates[k].cell);
     return std::none_of(block.begin(), block.end(),
                         [&](std::size_t b) { return draft.cells[b] != 0; });
@@ -195,8 +197,7 @@ keepWhatStandsOut(const LevelColumns& columns,
   }
   if (standing.empty())
     return false;
-  draft.slab =
-      slabOver(columns.points(), candidates, standing, draft.slab, tolerance);
+  draft.slab = slabOver(columns.points(), candidates, standing, draft.slab, tolerance);
   draft.cells = std::move(standing);
   return true;
 }

@@ -135,10 +135,9 @@ collectInliers(std::vector<Level>& levels,
   std::vector<std::vector<std::size_t>> own(levels.size() + 1);
   for (std::size_t k = 0; k < level_of.size(); ++k)
     own[level_of[k]].push_back(k);
-  parallelBlocks(levels.size(), 1, parameters.threads,
-                 [&](std::size_t l, std::size_t) {
-                   takeInliers(columns, own[l], parameters.tolerance, levels[l]);
-                 });
+  parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
+    takeInliers(columns, own[l], parameters.tolerance, levels[l]);
+  });
 }
 
 } // namespace sedr

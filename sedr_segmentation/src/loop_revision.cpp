@@ -113,8 +113,8 @@ reviseChain(LoopChain& chain,
   };
   while (!isDone())
     for (std::size_t inner = 0; inner <= most_fusion; ++inner)
-      for (std::size_t i = 0; i < chain.size() && chain.size() >= inner + 3 && !isDone();
-           ++i) {
+      for (std::size_t i = 0;
+           i < chain.size() && chain.size() >= inner + 3 && !isDone(); ++i) {
         const Window window = windowOf(chain, i, inner);
         double length = 0;
         for (const std::size_t k : window.inner)

@@ -142,11 +142,10 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
     members[group[p]].push_back(&pieces[p]);
   std::vector<RoomRegion> made(pieces.size());
   std::vector<std::uint8_t> is_room(pieces.size(), 0);
-  parallelBlocks(pieces.size(), 1, storey.parameters.threads,
-                 [&](std::size_t g, std::size_t) {
-                   is_room[g] = !members[g].empty() &&
-                                makeRoom(storey, members[g], made[g]);
-                 });
+  parallelBlocks(
+      pieces.size(), 1, storey.parameters.threads, [&](std::size_t g, std::size_t) {
+        is_room[g] = !members[g].empty() && makeRoom(storey, members[g], made[g]);
+      });
   for (std::size_t g = 0; g < pieces.size(); ++g)
     if (is_room[g])
       rooms.push_back(std::move(made[g]));
