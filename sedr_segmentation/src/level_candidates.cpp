@@ -2,6 +2,7 @@
 #include "level_candidates.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/ceiling_gap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,20 +152,26 @@ columnsThatGoOn(const std::vector<Candidate>& columns,
 {
   constexpr std::uint8_t away = 1;
   constexpr std::uint8_t close = 2;
+  constexpr std::uint8_t joined = 4;
+  const CeilingGap gap = gapBelow(slab);
   std::vector<std::uint8_t> holds(cells.size(), 0);
   for (const Candidate& c : columns) {
     const double d = direction * distanceAbove(slab, c.position());
     if (d > 1.5 * tolerance && d < 4 * tolerance)
       holds[c.cell] |= d < 2.25 * tolerance ? away | close : away;
+    if (direction > 0 || (d > gap.high && d < gap.low))
+      holds[c.cell] |= joined;
   }
   std::vector<std::uint8_t> goes_on(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    goes_on[i] = (holds[i] & close) != 0;
-    if (!holds[i] || goes_on[i])
+    if (!(holds[i] & away))
       continue;
     const CellBlock block = blockAround(cells, i);
-    goes_on[i] = std::any_of(block.begin(), block.end(),
-                             [&](std::size_t b) { return holds[b] & close; });
+    const auto anyHolds = [&](std::uint8_t what) {
+      return std::any_of(block.begin(), block.end(),
+                         [&](std::size_t b) { return (holds[b] & what) != 0; });
+    };
+    goes_on[i] = anyHolds(close) && anyHolds(joined) ? 1 : 0;
   }
   return goes_on;
 }
