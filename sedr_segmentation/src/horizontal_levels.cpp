@@ -218,7 +218,8 @@ erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positi
 }
 
 /** @brief The plane of the candidates of a window; those just outside count, as it may
- * lean. */
+ * lean. It is found as one a third of the tolerance thick: a leaning one through all of
+ * them might span a step. */
 PlanSlab
 slabOfWindow(const PointView& points,
              const std::vector<Candidate>& candidates,
@@ -232,7 +233,10 @@ slabOfWindow(const PointView& points,
   for (const auto& c : candidates)
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
-  return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
+  const PlanSlab thin = findSlab(points, around, parameters.tolerance / 3,
+                                 parameters.maximum_tilt, seed);
+  const PlanSlab slab = fitSlabRobustly(points, around, thin, parameters.tolerance);
+  return slab.plane[2] >= std::cos(parameters.maximum_tilt) ? slab : thin;
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of

@@ -36,15 +36,18 @@ loopOnCells(const RoomFitParameters& parameters)
 }
 
 /** @brief The plane of a slab: RANSAC with the small tolerance first, as the
- * detection's was wide. */
+ * detection's was wide, and half of it, lest a leaning plane span a step. */
 PlanSlab
 slabOf(const PointView& points,
        const std::vector<int>& indices,
        const RoomFitParameters& parameters)
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  return findSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
-                  parameters.loop.seed);
+  const PlanSlab thin = findSlab(points, indices, parameters.slab_tolerance / 2,
+                                 maximum_tilt, parameters.loop.seed);
+  const PlanSlab slab =
+      fitSlabRobustly(points, indices, thin, parameters.slab_tolerance);
+  return slab.plane[2] >= std::cos(maximum_tilt) ? slab : thin;
 }
 
 /** @brief Whether a point is part of something upright: its column is occupied without

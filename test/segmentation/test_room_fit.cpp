@@ -41,6 +41,19 @@ TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
     EXPECT_NEAR(e.residual, 0.02, 0.005);
 }
 
+TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreDoesNotLean)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 5.01), 2.5);
+  truth.floor_details = {detailOf(rectangle(4.5, 0.01, 8.01, 5.01), 0.1)};
+  RoomPoints points(0.05, 0.005);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_NEAR(room.floor.heightAt({1, 1}), 0, 0.002);
+  EXPECT_NEAR(room.floor.heightAt({7, 1}), 0, 0.002);
+  ASSERT_EQ(room.floor_details.size(), 1u);
+  EXPECT_NEAR(room.floor_details[0].slab.heightAt({6, 2}), 0.1, 0.002);
+}
+
 TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
 {
   const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
