@@ -197,6 +197,23 @@ findSlab(const PointView& points,
 }
 
 PlanSlab
+findThinnestSlab(const PointView& points,
+                 const std::vector<int>& indices,
+                 double tolerance,
+                 double maximum_tilt,
+                 std::uint64_t seed)
+{
+  const double thickness = tolerance / 3;
+  const PlanSlab thin = findSlab(points, indices, thickness, maximum_tilt, seed);
+  // Noise that fills a slab reaches beyond it.
+  constexpr double most_filled = 0.3;
+  if (thin.residual <= most_filled * thickness)
+    return thin;
+  const PlanSlab slab = fitSlabRobustly(points, indices, thin, tolerance);
+  return slab.plane[2] >= std::cos(maximum_tilt) ? slab : thin;
+}
+
+PlanSlab
 fitParallel(const PointView& points,
             const std::vector<int>& indices,
             const PlanSlab& direction,

@@ -17,6 +17,9 @@ namespace {
 /** @brief Smallest part of a floor at a height of its own, square metres. */
 constexpr double least_floor_area = 1.0;
 
+/** @brief Least height of it: lower ones are rugs, metres. */
+constexpr double least_floor_step = 0.06;
+
 /** @brief The levels among the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
@@ -93,6 +96,7 @@ seenHeights(const PointView& points,
   const double least_area =
       evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
   const double opening = evidence.is_floor ? 2 : 1;
+  const double step = evidence.is_floor ? least_floor_step : least_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map{room,
                 std::vector<std::int32_t>(room.values().size(), -1),
@@ -106,7 +110,7 @@ seenHeights(const PointView& points,
       map.label[i] = 0;
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     CellMask cells = intersect(CellMask(level.cells, room.box()), room);
-    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < least_step)
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < step)
       continue;
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells = intersect(cells, dilated(eroded(cells, opening), opening + 1));

@@ -3,6 +3,7 @@
 #include "level_contrast.h"
 #include "level_parting.h"
 #include "level_regions.h"
+#include "level_steps.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -218,8 +219,7 @@ erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positi
 }
 
 /** @brief The plane of the candidates of a window; those just outside count, as it may
- * lean. It is found as one a third of the tolerance thick: a leaning one through all of
- * them might span a step. */
+ * lean. */
 PlanSlab
 slabOfWindow(const PointView& points,
              const std::vector<Candidate>& candidates,
@@ -233,10 +233,8 @@ slabOfWindow(const PointView& points,
   for (const auto& c : candidates)
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
-  const PlanSlab thin = findSlab(points, around, parameters.tolerance / 3,
-                                 parameters.maximum_tilt, seed);
-  const PlanSlab slab = fitSlabRobustly(points, around, thin, parameters.tolerance);
-  return slab.plane[2] >= std::cos(parameters.maximum_tilt) ? slab : thin;
+  return findThinnestSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
+                          seed);
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of
@@ -285,6 +283,10 @@ findLevels(const PointView& points,
       draft.cells = cellsOf(candidates, own, cells.size());
       has_changed = partLevel(points, columns, candidates, cells, parameters,
                               minimum_cells, draft);
+    }
+    if (setStepsApart(candidates, own, cells, parameters.tolerance, draft)) {
+      own = nearPlane(candidates, draft, parameters.tolerance);
+      draft.cells = cellsOf(candidates, own, cells.size());
     }
     if (keepWhatStandsOut(points, columns, candidates, cells, parameters.tolerance,
                           minimum_cells, draft)) {

@@ -36,18 +36,15 @@ loopOnCells(const RoomFitParameters& parameters)
 }
 
 /** @brief The plane of a slab: RANSAC with the small tolerance first, as the
- * detection's was wide, and half of it, lest a leaning plane span a step. */
+ * detection's was wide. */
 PlanSlab
 slabOf(const PointView& points,
        const std::vector<int>& indices,
        const RoomFitParameters& parameters)
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  const PlanSlab thin = findSlab(points, indices, parameters.slab_tolerance / 2,
-                                 maximum_tilt, parameters.loop.seed);
-  const PlanSlab slab =
-      fitSlabRobustly(points, indices, thin, parameters.slab_tolerance);
-  return slab.plane[2] >= std::cos(maximum_tilt) ? slab : thin;
+  return findThinnestSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
+                          parameters.loop.seed);
 }
 
 /** @brief Whether a point is part of something upright: its column is occupied without

@@ -138,6 +138,18 @@ TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
   EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.003);
 }
 
+TEST(FitRoom, ASoffitOfFiveCentimetresIsADetail)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.45)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_NEAR(room.details[0].slab.heightAt({4, 2}), 2.45, 0.002);
+  EXPECT_NEAR(room.details[0].boundary.area(), 4.4, 0.1);
+}
+
 TEST(FitRoom, ASoffitAllAroundHasAHole)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);

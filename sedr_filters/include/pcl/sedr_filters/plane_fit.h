@@ -40,6 +40,14 @@ PlanSlab findSlab(const PointView& points,
                   double maximum_tilt,
                   std::uint64_t seed);
 
+/** @brief The same, a third of the tolerance thick where the points' noise leaves room:
+ * through two surfaces a small step apart, findSlab() may lay one plane that leans. */
+PlanSlab findThinnestSlab(const PointView& points,
+                          const std::vector<int>& indices,
+                          double tolerance,
+                          double maximum_tilt,
+                          std::uint64_t seed);
+
 /** @brief Distance of a point from a slab, metres, positive above it. */
 inline double
 distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)
