@@ -197,20 +197,34 @@ findSlab(const PointView& points,
 }
 
 PlanSlab
-findThinnestSlab(const PointView& points,
-                 const std::vector<int>& indices,
-                 double tolerance,
-                 double maximum_tilt,
-                 std::uint64_t seed)
+findLargerSlab(const PointView& points,
+               const std::vector<int>& indices,
+               double tolerance,
+               double maximum_tilt,
+               std::uint64_t seed)
 {
+  constexpr double least_spread = 0.15; // of a plane across a step, of the tolerance
+  constexpr double least_contrast = 2.5;  // of its spread and that of one surface
+  constexpr double most_turned = 0.01;  // radians, of one surface to the other
+  const PlanSlab wide = findSlab(points, indices, tolerance, maximum_tilt, seed);
+  if (wide.residual < least_spread * tolerance)
+    return wide;
   const double thickness = tolerance / 3;
-  const PlanSlab thin = findSlab(points, indices, thickness, maximum_tilt, seed);
-  // Noise that fills a slab reaches beyond it.
-  constexpr double most_filled = 0.3;
-  if (thin.residual <= most_filled * thickness)
-    return thin;
-  const PlanSlab slab = fitSlabRobustly(points, indices, thin, tolerance);
-  return slab.plane[2] >= std::cos(maximum_tilt) ? slab : thin;
+  const PlanSlab larger = findSlab(points, indices, thickness, maximum_tilt, seed);
+  std::vector<int> rest;
+  for (const int i : indices)
+    if (std::abs(distanceAbove(larger, points[static_cast<std::size_t>(i)])) >
+        thickness)
+      rest.push_back(i);
+  if (rest.size() < 3)
+    return larger;
+  const PlanSlab smaller = findSlab(points, rest, thickness, maximum_tilt, seed);
+  const bool are_thin =
+      least_contrast * std::max(larger.residual, smaller.residual) <= wide.residual;
+  const bool are_parallel =
+      larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= most_turned;
+  const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
+  return are_thin && are_parallel && are_all ? larger : wide;
 }
 
 PlanSlab

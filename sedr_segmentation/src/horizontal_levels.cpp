@@ -233,7 +233,7 @@ slabOfWindow(const PointView& points,
   for (const auto& c : candidates)
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
-  return findThinnestSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
+  return findLargerSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
                           seed);
 }
 

@@ -70,7 +70,7 @@ isStep(const CellSet& cells,
   }
   // What leaves the plane gradually is at its border just beyond the noise.
   const double height = medianOf(all);
-  return height >= 1.6 * noise && (border.empty() || medianOf(border) >= 0.75 * height);
+  return height >= 2 * noise && (border.empty() || medianOf(border) >= 0.75 * height);
 }
 
 } // namespace

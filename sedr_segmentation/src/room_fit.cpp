@@ -43,7 +43,7 @@ slabOf(const PointView& points,
        const RoomFitParameters& parameters)
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  return findThinnestSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
+  return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
                           parameters.loop.seed);
 }
 

@@ -40,13 +40,13 @@ PlanSlab findSlab(const PointView& points,
                   double maximum_tilt,
                   std::uint64_t seed);
 
-/** @brief The same, a third of the tolerance thick where the points' noise leaves room:
- * through two surfaces a small step apart, findSlab() may lay one plane that leans. */
-PlanSlab findThinnestSlab(const PointView& points,
-                          const std::vector<int>& indices,
-                          double tolerance,
-                          double maximum_tilt,
-                          std::uint64_t seed);
+/** @brief The same, but of two parallel surfaces a small step apart the larger one,
+ * where findSlab() lays a plane that leans across both. */
+PlanSlab findLargerSlab(const PointView& points,
+                        const std::vector<int>& indices,
+                        double tolerance,
+                        double maximum_tilt,
+                        std::uint64_t seed);
 
 /** @brief Distance of a point from a slab, metres, positive above it. */
 inline double
