@@ -203,9 +203,9 @@ findLargerSlab(const PointView& points,
                double maximum_tilt,
                std::uint64_t seed)
 {
-  constexpr double least_spread = 0.15; // of a plane across a step, of the tolerance
-  constexpr double least_contrast = 2.5;  // of its spread and that of one surface
-  constexpr double most_turned = 0.01;  // radians, of one surface to the other
+  constexpr double least_spread = 0.15;  // of a plane across a step, of the tolerance
+  constexpr double least_contrast = 2.5; // of its spread and that of one surface
+  constexpr double most_turned = 0.01;   // radians, of one surface to the other
   const PlanSlab wide = findSlab(points, indices, tolerance, maximum_tilt, seed);
   if (wide.residual < least_spread * tolerance)
     return wide;

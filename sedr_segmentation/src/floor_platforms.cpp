@@ -223,8 +223,12 @@ platformCells(const Level& level,
     if (floor == nullptr || is_table ||
         !isWithinAStep(region, level, *floor, levels, grid, platform))
       continue;
-    const Step step{level, *floor, grid, ColumnTable(grid, box, points, indices),
-                    unite(CellMask(higher, box), CellMask(steps_up, box)), levels};
+    const Step step{level,
+                    *floor,
+                    grid,
+                    ColumnTable(grid, box, points, indices),
+                    unite(CellMask(higher, box), CellMask(steps_up, box)),
+                    levels};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }

@@ -234,7 +234,7 @@ slabOfWindow(const PointView& points,
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
   return findLargerSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
-                          seed);
+                        seed);
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of

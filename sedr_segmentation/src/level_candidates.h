@@ -61,8 +61,9 @@ std::vector<Candidate> withoutWalls(const std::vector<Candidate>& columns,
 
 /** @brief Marks the columns of walls: those that go on beyond a plane, with points one
  * and a half to four tolerances above it where `direction` is 1, below it where it is
- * -1, and right beside it, up to 2.75 tolerances, in a block of three by three: a tall
- * cupboard ends before. O(n log n). */
+ * -1, and right beside it, up to 2.25 tolerances, in a block of three by three; below a
+ * ceiling in the gap that gapBelow() gives, too: a tall cupboard ends before. O(n log
+ * n). */
 std::vector<std::uint8_t> columnsThatGoOn(const std::vector<Candidate>& columns,
                                           const CellSet& cells,
                                           const PlanSlab& slab,

@@ -44,7 +44,7 @@ slabOf(const PointView& points,
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
   return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
-                          parameters.loop.seed);
+                        parameters.loop.seed);
 }
 
 /** @brief Whether a point is part of something upright: its column is occupied without
@@ -233,13 +233,13 @@ fitRoom(const PointView& points,
   const ColumnTable columns(grid, box, points, standing);
   const RoomOutline outline =
       outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
-  const PlanPoints walls = uprightPlaces(
-      points,
-      besides(
-          furniture, points,
-          wallEvidence(points, evidence, outline.room, grid, parameters.loop.tolerance),
-          grid),
-      room, columns, grid);
+  const PlanPoints walls =
+      uprightPlaces(points,
+                    besides(furniture, points,
+                            wallEvidence(points, evidence, outline.room, grid,
+                                         parameters.loop.tolerance),
+                            grid),
+                    room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;

@@ -45,10 +45,11 @@ tallFurniture(const CellMask& seen,
       continue;
     const double top = topAround(cell, 2, grid, columns, ceiling);
     const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
-    low.values()[i] = columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5 &&
-                              columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1
-                          ? 1
-                          : 0;
+    low.values()[i] =
+        columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5 &&
+                columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1
+            ? 1
+            : 0;
   }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
   const MaskRegions regions = labelRegions(low, true);

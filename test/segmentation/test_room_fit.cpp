@@ -70,8 +70,8 @@ TEST(FitRoom, APartitionOfEightCentimetresHasTwoFacesAndAnEnd)
   PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
   truth.elements = {
       segment({0.01, 0.01}, {5.01, 0.01}), segment({5.01, 0.01}, {5.01, 4.01}),
-      segment({5.01, 4.01}, {2.6, 4.01}), segment({2.6, 4.01}, {2.6, 1.51}),
-      segment({2.6, 1.51}, {2.52, 1.51}), segment({2.52, 1.51}, {2.52, 4.01}),
+      segment({5.01, 4.01}, {2.6, 4.01}),  segment({2.6, 4.01}, {2.6, 1.51}),
+      segment({2.6, 1.51}, {2.52, 1.51}),  segment({2.52, 1.51}, {2.52, 4.01}),
       segment({2.52, 4.01}, {0.01, 4.01}), segment({0.01, 4.01}, {0.01, 0.01})};
   RoomPoints points(0.05, 0.005);
   const RoomParts parts = points.room(truth, 0, 2.5);

@@ -20,10 +20,11 @@ struct WardrobeRoom {
     parts.floor =
         points.slab(loop, 0, [&](double x, double y) { return !isHidden(x, y); });
     for (const auto& e : loop.elements)
-      parts.walls = joined(parts.walls, points.wall(e, 0, height, [&](double s, double) {
-        const Eigen::Vector2d p = e.pointAt(s);
-        return !isHidden(p.x(), p.y());
-      }));
+      parts.walls =
+          joined(parts.walls, points.wall(e, 0, height, [&](double s, double) {
+            const Eigen::Vector2d p = e.pointAt(s);
+            return !isHidden(p.x(), p.y());
+          }));
     parts.ceiling = points.slab(loop, height, [&](double x, double y) {
       return !(x < 0.61 - depth && y < 2.01 - depth);
     });

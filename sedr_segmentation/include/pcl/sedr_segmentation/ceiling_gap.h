@@ -9,8 +9,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief The band below a ceiling, metres under it, that a wall crosses and a cupboard
- * does not reach: it begins where the ceiling's own noise ends and is so wide that every
- * wall of voxels has a point in it. A gap of less than `low` cannot be told. */
+ * does not reach: it begins where the ceiling's own noise ends and is so wide that
+ * every wall of voxels has a point in it. A gap of less than `low` cannot be told. */
 struct CeilingGap {
   double high = 0.03;
   double low = 0.085;
