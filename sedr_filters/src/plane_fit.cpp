@@ -210,7 +210,13 @@ findLargerSlab(const PointView& points,
   if (wide.residual < least_spread * tolerance)
     return wide;
   const double thickness = tolerance / 3;
-  const PlanSlab larger = findSlab(points, indices, thickness, maximum_tilt, seed);
+  const auto findThin = [&](const std::vector<int>& among) {
+    // A leaning plane comes close to two surfaces within half of it.
+    const PlanSlab found = findSlab(points, among, thickness / 2, maximum_tilt, seed);
+    const PlanSlab refined = fitSlabRobustly(points, among, found, thickness);
+    return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
+  };
+  const PlanSlab larger = findThin(indices);
   std::vector<int> rest;
   for (const int i : indices)
     if (std::abs(distanceAbove(larger, points[static_cast<std::size_t>(i)])) >
@@ -218,7 +224,7 @@ findLargerSlab(const PointView& points,
       rest.push_back(i);
   if (rest.size() < 3)
     return larger;
-  const PlanSlab smaller = findSlab(points, rest, thickness, maximum_tilt, seed);
+  const PlanSlab smaller = findThin(rest);
   const bool are_thin =
       least_contrast * std::max(larger.residual, smaller.residual) <= wide.residual;
   const bool are_parallel =

@@ -38,19 +38,20 @@ medianOf(std::vector<double> values)
   return *middle;
 }
 
-/** @brief Whether a cell on the plane lies within two cells. */
+/** @brief Whether a cell on the plane lies within some cells. */
 bool
-isBesidePlane(const CellSet& cells,
-              std::size_t at,
-              const std::vector<double>& offsets,
-              double noise)
+isNearPlane(const CellSet& cells,
+            std::size_t at,
+            int reach,
+            const std::vector<double>& offsets,
+            double noise)
 {
-  for (int k = 0; k < 25; ++k) {
-    const std::size_t near =
-        cells.find({cells[at].x + k % 5 - 2, cells[at].y + k / 5 - 2});
-    if (near != CellSet::npos && std::abs(offsets[near]) <= noise)
-      return true;
-  }
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const std::size_t near = cells.find({cells[at].x + dx, cells[at].y + dy});
+      if (near != CellSet::npos && std::abs(offsets[near]) <= noise)
+        return true;
+    }
   return false;
 }
 
@@ -65,7 +66,9 @@ isStep(const CellSet& cells,
   std::vector<double> border;
   for (const std::size_t i : region) {
     all.push_back(std::abs(offsets[i]));
-    if (isBesidePlane(cells, i, offsets, noise))
+    // The cells at the very border hold points of both.
+    if (isNearPlane(cells, i, 3, offsets, noise) &&
+        !isNearPlane(cells, i, 1, offsets, noise))
       border.push_back(all.back());
   }
   // What leaves the plane gradually is at its border just beyond the noise.
