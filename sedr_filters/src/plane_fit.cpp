@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/plane_fit.h>
 
+#include <pcl/sedr_filters/cell_grid.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -101,6 +103,18 @@ densestLevel(const PointView& points, const std::vector<int>& indices, double to
     }
   }
   return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
+}
+
+/** @brief Whether the places of the second points are hardly any of the first: the
+ * tails of noise lie above and below the surface that they are of. */
+bool
+areSideBySide(const PointView& points,
+              const std::vector<int>& first,
+              const std::vector<int>& second)
+{
+  const CellGrid grid(0.1);
+  const CellSet places(grid, points, second);
+  return 5 * intersect(CellSet(grid, points, first), places).size() <= places.size();
 }
 
 } // namespace
@@ -223,14 +237,18 @@ findLargerSlab(const PointView& points,
         thickness)
       rest.push_back(i);
   if (rest.size() < 3)
-    return larger;
+    return wide;
   const PlanSlab smaller = findThin(rest);
   const bool are_thin =
       least_contrast * std::max(larger.residual, smaller.residual) <= wide.residual;
   const bool are_parallel =
       larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= most_turned;
   const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
-  return are_thin && are_parallel && are_all ? larger : wide;
+  return are_thin && are_parallel && are_all &&
+                 areSideBySide(points, withinBand(points, indices, larger, thickness),
+                               withinBand(points, rest, smaller, thickness))
+             ? larger
+             : wide;
 }
 
 PlanSlab

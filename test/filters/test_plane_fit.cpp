@@ -266,6 +266,16 @@ TEST(FindLargerSlab, OfTwoFloorsAStepApartIsTheLargerNotOneAcrossBoth)
   }
 }
 
+TEST(FindLargerSlab, TailsOfNoiseAboveASurfaceAreNoSecondOne)
+{
+  // As voxels have them: the surface, and what is above and below it, layer by layer.
+  Points cloud;
+  cloud.add(slabAt(2.5), 0, 6);
+  cloud.add(slabAt(2.46), 0, 4);
+  const PlanSlab slab = findLargerSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1);
+  EXPECT_EQ(slab.plane, findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1).plane);
+}
+
 TEST(FindLargerSlab, IsTheSameAsFindSlabWhereThereAreNoTwoParallelPlanes)
 {
   std::mt19937 random(3);

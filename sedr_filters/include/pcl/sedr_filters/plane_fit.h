@@ -40,8 +40,8 @@ PlanSlab findSlab(const PointView& points,
                   double maximum_tilt,
                   std::uint64_t seed);
 
-/** @brief The same, but of two parallel surfaces a small step apart the larger one,
- * where findSlab() lays a plane that leans across both. */
+/** @brief The same, but of two parallel surfaces side by side, a small step apart, the
+ * larger one, where findSlab() lays a plane that leans across both. */
 PlanSlab findLargerSlab(const PointView& points,
                         const std::vector<int>& indices,
                         double tolerance,
