@@ -150,6 +150,15 @@ TEST(FitRoom, ASoffitOfFiveCentimetresIsADetail)
   EXPECT_NEAR(room.details[0].boundary.area(), 4.4, 0.1);
 }
 
+TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.31), 2.45)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  EXPECT_TRUE(fitted(points, parts).details.empty());
+}
+
 TEST(FitRoom, ASoffitAllAroundHasAHole)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
