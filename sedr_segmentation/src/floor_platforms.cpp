@@ -19,6 +19,7 @@ struct Step {
   CellGrid grid;
   ColumnTable columns;
   CellMask higher; ///< platforms above this one
+  const std::vector<Level>& levels;
 
   double topAt(Cell cell) const { return level.slab.heightAt(grid.centre(cell)); }
   double floorAt(Cell cell) const { return floor.slab.heightAt(grid.centre(cell)); }
@@ -38,36 +39,68 @@ struct Step {
     return columns.share(cell, top + 0.1, top + 0.5, 4, 2) >= 0.75;
   }
 
-  /** @brief Whether something closes the platform down to the floor here. */
+  /** @brief Whether something closes the platform here, down to the floor or to a tread
+   * before it. */
   bool isRiser(Cell cell) const
   {
-    const double low = floorAt(cell) + 0.03;
+    const double low = treadAt(cell) + 0.03;
     const double high = topAt(cell) - 0.03;
     const int bins = cellsFor(high - low, 0.08);
     return columns.share(cell, low, high, bins, 1) >= 0.5;
   }
+
+  /** @brief Height of the highest level below the platform within three cells. */
+  double treadAt(Cell cell) const
+  {
+    constexpr double least_rise = 0.06;
+    double height = floorAt(cell);
+    for (const Level& tread : levels) {
+      const double z = tread.slab.heightAt(grid.centre(cell));
+      if (z > height && z < topAt(cell) - least_rise && isNear(tread.cells, cell))
+        height = z;
+    }
+    return height;
+  }
+
+  static bool isNear(const CellSet& cells, Cell cell)
+  {
+    for (int dy = -3; dy <= 3; ++dy)
+      for (int dx = -3; dx <= 3; ++dx)
+        if (cells.contains({cell.x + dx, cell.y + dy}))
+          return true;
+    return false;
+  }
 };
 
 /** @brief Whether the rim of a region is closed all around, by risers or what stands on
- * it, in part by walls or what rises from it. */
+ * it, in part by walls or what rises from it: along a fifth of what nothing hides, for
+ * furniture is closed, too. What is larger than any needs no wall. */
 bool
 isClosed(const Step& step, const CellMask& region)
 {
+  constexpr double largest_furniture = 4.5; // square metres, two beds side by side
   const CellMask rim = subtract(region, eroded(region, 1));
   const CellMask near_higher = dilated(step.higher, 3);
   std::size_t walls = 0;
   std::size_t risers = 0;
+  std::size_t hidden = 0;
   for (std::size_t i = 0; i < rim.values().size(); ++i) {
     if (!rim.values()[i])
       continue;
     const Cell cell = rim.cellAt(i);
     if (near_higher.at(cell) || step.isWall(cell))
       ++walls;
-    else if (step.isRiser(cell) || step.isFurnished(cell))
+    else if (step.isFurnished(cell))
+      ++hidden;
+    else if (step.isRiser(cell))
       ++risers;
   }
   const std::size_t all = rim.count();
-  return 5 * walls >= all && 10 * (walls + risers) >= 7 * all;
+  const double size = step.grid.size();
+  const bool is_large =
+      static_cast<double>(region.count()) * size * size > largest_furniture;
+  return (is_large || 5 * walls >= all - hidden) &&
+         10 * (walls + hidden + risers) >= 7 * all;
 }
 
 /** @brief Whether the floor is seen below a tenth of the region, its rim left out. */
@@ -87,8 +120,8 @@ widePart(const CellMask& region, double width, double cell_size)
   return intersect(region, dilated(eroded(region, radius), radius));
 }
 
-/** @brief The floor that goes on most beside a region, or null if that is at none of
- * the heights of platforms. */
+/** @brief The lower floor that goes on most beside a region, or null if that is at none
+ * of the heights of platforms. */
 const Level*
 floorBeside(const CellMask& region,
             const Level& level,
@@ -97,23 +130,24 @@ floorBeside(const CellMask& region,
             const PlatformParameters& platform)
 {
   const CellMask beside = subtract(dilated(region, cellsFor(0.6, grid.size())), region);
+  const CellBox& box = region.box();
+  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
+  const auto stepUpFrom = [&](const Level& floor) {
+    return level.slab.heightAt(middle) - floor.slab.heightAt(middle);
+  };
   const Level* best = nullptr;
   std::size_t most = 0;
   for (const Level* floor : floors) {
-    const std::size_t cells =
-        intersect(CellMask(floor->cells, region.box()), beside).count();
-    if (cells <= most)
+    const std::size_t cells = intersect(CellMask(floor->cells, box), beside).count();
+    if (cells <= most || stepUpFrom(*floor) <= 0)
       continue;
     most = cells;
     best = floor;
   }
-  if (best == nullptr)
-    return nullptr;
-  const CellBox& box = region.box();
-  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
-  const double step = level.slab.heightAt(middle) - best->slab.heightAt(middle);
-  return step >= platform.least_height && step <= platform.greatest_height ? best
-                                                                           : nullptr;
+  const bool is_platform = best != nullptr &&
+                           stepUpFrom(*best) >= platform.least_height &&
+                           stepUpFrom(*best) <= platform.greatest_height;
+  return is_platform ? best : nullptr;
 }
 
 /** @brief Whether one can step onto a region, from the floor or from a tread between
@@ -189,8 +223,12 @@ platformCells(const Level& level,
     if (floor == nullptr || is_table ||
         !isWithinAStep(region, level, *floor, levels, grid, platform))
       continue;
-    const Step step{level, *floor, grid, ColumnTable(grid, box, points, indices),
-                    unite(CellMask(higher, box), CellMask(steps_up, box))};
+    const Step step{level,
+                    *floor,
+                    grid,
+                    ColumnTable(grid, box, points, indices),
+                    unite(CellMask(higher, box), CellMask(steps_up, box)),
+                    levels};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }

@@ -17,6 +17,14 @@ namespace {
 /** @brief Smallest part of a floor at a height of its own, square metres. */
 constexpr double least_floor_area = 1.0;
 
+/** @brief Least height of it: lower ones are rugs, metres. */
+constexpr double least_floor_step = 0.06;
+
+/** @brief In a ceiling, what is lower than this and smaller than that is a lamp or a
+ * panel, metres and square metres. */
+constexpr double shallow_step = 0.06;
+constexpr double least_shallow_area = 1.0;
+
 /** @brief The levels among the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
@@ -94,6 +102,7 @@ seenHeights(const PointView& points,
   const double least_area =
       evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
   const double opening = evidence.is_floor ? 2 : 1;
+  const double step = evidence.is_floor ? least_floor_step : least_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map{room,
                 std::vector<std::int32_t>(room.values().size(), -1),
@@ -107,13 +116,16 @@ seenHeights(const PointView& points,
       map.label[i] = 0;
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     CellMask cells = intersect(CellMask(level.cells, room.box()), room);
-    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) < least_step)
+    const double height = std::abs(heightOverMain(main_slab, level.slab, cells, grid));
+    if (height < step)
       continue;
+    const auto enough = static_cast<std::size_t>(
+        height < shallow_step ? least_shallow_area / (grid.size() * grid.size()) : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells = intersect(cells, dilated(eroded(cells, opening), opening + 1));
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-      if (regions.sizes[r] < least)
+      if (regions.sizes[r] < std::max(least, enough))
         continue;
       map.details.push_back(detailSlab(
           points, evidence, main_slab, level,

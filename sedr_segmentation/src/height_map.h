@@ -26,7 +26,7 @@ struct HeightMap {
 };
 
 /** @brief A step of less than this between two heights is unevenness, metres. */
-constexpr double least_step = 0.06;
+constexpr double least_step = 0.03;
 
 /** @brief Mean height of a slab over the main one, above the cells of a mask. */
 double heightOverMain(const PlanSlab& main,

@@ -3,6 +3,7 @@
 #include "level_contrast.h"
 #include "level_parting.h"
 #include "level_regions.h"
+#include "level_steps.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -232,7 +233,8 @@ slabOfWindow(const PointView& points,
   for (const auto& c : candidates)
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
-  return findSlab(points, around, parameters.tolerance, parameters.maximum_tilt, seed);
+  return findLargerSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
+                        seed);
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of
@@ -295,6 +297,10 @@ findLevels(const LevelColumns& columns,
       own = nearPlane(candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
       has_changed = partLevel(columns, candidates, parameters, minimum_cells, draft);
+    }
+    if (setStepsApart(candidates, own, cells, parameters.tolerance, draft)) {
+      own = nearPlane(candidates, draft, parameters.tolerance);
+      draft.cells = cellsOf(candidates, own, cells.size());
     }
     if (keepWhatStandsOut(columns, candidates, parameters.tolerance, minimum_cells,
                           draft)) {

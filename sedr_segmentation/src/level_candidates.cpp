@@ -2,6 +2,7 @@
 #include "level_candidates.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/ceiling_gap.h>
 
 #include <algorithm>
 
@@ -34,7 +35,9 @@ columnsThatGoOn(const LevelColumns& columns,
 {
   constexpr std::uint8_t away = 1;
   constexpr std::uint8_t close = 2;
-  constexpr std::uint8_t looked_at = 4;
+  constexpr std::uint8_t joined = 4;
+  constexpr std::uint8_t looked_at = 8;
+  const CeilingGap gap = gapBelow(slab);
   const CellSet& cells = columns.cells();
   std::vector<std::uint8_t> seen(cells.size(), 0);
   const auto look = [&](std::size_t cell) {
@@ -44,21 +47,22 @@ columnsThatGoOn(const LevelColumns& columns,
         const double d = direction * distanceAbove(slab, columns.all()[k].position());
         if (d > 1.5 * tolerance && d < 4 * tolerance)
           seen[cell] |= d < 2.25 * tolerance ? away | close : away;
+        if (direction > 0 || (d > gap.high && d < gap.low))
+          seen[cell] |= joined;
       }
     }
     return seen[cell];
   };
   std::vector<std::uint8_t> goes_on(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!asked[i])
-      continue;
-    const std::uint8_t here = look(i);
-    goes_on[i] = (here & close) != 0;
-    if ((here & away) == 0 || goes_on[i])
+    if (!asked[i] || (look(i) & away) == 0)
       continue;
     const CellBlock block = blockAround(cells, i);
-    goes_on[i] = std::any_of(block.begin(), block.end(),
-                             [&](std::size_t b) { return look(b) & close; });
+    const auto anyHolds = [&](std::uint8_t what) {
+      return std::any_of(block.begin(), block.end(),
+                         [&](std::size_t b) { return (look(b) & what) != 0; });
+    };
+    goes_on[i] = anyHolds(close) && anyHolds(joined) ? 1 : 0;
   }
   return goes_on;
 }

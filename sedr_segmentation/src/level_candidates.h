@@ -31,8 +31,9 @@ CellBlock blockAround(const CellSet& cells, std::size_t at);
 
 /** @brief Marks, of the `asked` cells, the columns of walls: those that go on beyond a
  * plane, with points one and a half to four tolerances above it where `direction` is 1,
- * below it where it is -1, and right beside it, up to 2.75 tolerances, in a block of
- * three by three: a tall cupboard ends before. O(points of those). */
+ * below it where it is -1, and right beside it, up to 2.25 tolerances, in a block of
+ * three by three; below a ceiling in the gap that gapBelow() gives, too: a tall
+ * cupboard ends before. O(points of those). */
 std::vector<std::uint8_t> columnsThatGoOn(const LevelColumns& columns,
                                           const std::vector<std::uint8_t>& asked,
                                           const PlanSlab& slab,

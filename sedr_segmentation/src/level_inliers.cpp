@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_candidates.h"
+#include "level_steps.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
@@ -52,27 +53,6 @@ ownLevels(const std::vector<Level>& levels,
                      look(k);
                  });
   return own;
-}
-
-/** @brief The cells of a set that lie in a block of five by five with more cells of the
- * set than a strip two cells wide has: an uneven part of a ceiling does, the last
- * centimetres of a wall below it do not. */
-CellSet
-withoutFringes(const CellSet& cells)
-{
-  std::vector<CellKey> kept;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::vector<CellKey> block;
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        const Cell cell{cells[i].x + dx, cells[i].y + dy};
-        if (cells.contains(cell))
-          block.push_back(keyOf(cell));
-      }
-    if (block.size() > 10)
-      kept.insert(kept.end(), block.begin(), block.end());
-  }
-  return CellSet(std::move(kept));
 }
 
 /** @brief Gives a level its inliers and their cells: those of its own points, positions

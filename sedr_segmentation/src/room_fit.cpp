@@ -9,6 +9,7 @@
 #include <pcl/sedr_segmentation/detail_fit.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_outline.h>
+#include <pcl/sedr_segmentation/tall_furniture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +43,8 @@ slabOf(const PointView& points,
        const RoomFitParameters& parameters)
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  return findSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
-                  parameters.loop.seed);
+  return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
+                        parameters.loop.seed);
 }
 
 /** @brief Whether a point is part of something upright: its column is occupied without
@@ -127,6 +128,22 @@ pointsIn(const CellMask& column,
   return inside;
 }
 
+/** @brief Those of some points that are not in cells of furniture. */
+std::vector<int>
+besides(const CellMask& furniture,
+        const PointView& points,
+        const std::vector<int>& indices,
+        const CellGrid& grid)
+{
+  std::vector<int> rest;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!grid.holds(p.x(), p.y()) || !furniture.at(grid.at(p.x(), p.y())))
+      rest.push_back(i);
+  }
+  return rest;
+}
+
 /** @brief The contour around the largest region. */
 Contour
 outerContour(const CellMask& mask, double cell_size)
@@ -207,13 +224,22 @@ fitRoom(const PointView& points,
 
   room.ceiling = slabOf(points, evidence.ceiling, parameters);
   room.floor = slabOf(points, evidence.floor, parameters);
-  const ColumnTable columns(grid, box, points, evidence.around);
+  const CellMask ceilings(seen, box);
+  const ColumnTable all(grid, box, points, evidence.around);
+  const CeilingGap gap = gapBelow(room.ceiling);
+  const CellMask furniture =
+      tallFurniture(ceilings, grid, all, room.ceiling, room.floor, gap);
+  const std::vector<int> standing = besides(furniture, points, evidence.around, grid);
+  const ColumnTable columns(grid, box, points, standing);
   const RoomOutline outline =
-      outlineRoom(CellMask(seen, box), grid, columns, room.ceiling, room.floor);
-  const PlanPoints walls = uprightPlaces(
-      points,
-      wallEvidence(points, evidence, outline.room, grid, parameters.loop.tolerance),
-      room, columns, grid);
+      outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
+  const PlanPoints walls =
+      uprightPlaces(points,
+                    besides(furniture, points,
+                            wallEvidence(points, evidence, outline.room, grid,
+                                         parameters.loop.tolerance),
+                            grid),
+                    room, columns, grid);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
@@ -230,7 +256,7 @@ fitRoom(const PointView& points,
   for (const CellMask& column : outline.columns) {
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = uprightPlaces(
-        points, pointsIn(column, points, evidence.around, grid), room, columns, grid);
+        points, pointsIn(column, points, standing, grid), room, columns, grid);
     const PlanLoop loop =
         columnLoop(column, own, room.boundary, parameters, fitted.samples);
     if (loop.elements.empty() || loop.area() >= 0)

@@ -28,11 +28,13 @@ public:
   Outliner(const CellGrid& grid,
            const ColumnTable& columns,
            const PlanSlab& ceiling,
-           const PlanSlab& floor)
+           const PlanSlab& floor,
+           const CeilingGap& gap)
       : grid_(grid)
       , columns_(columns)
       , ceiling_(ceiling)
       , floor_(floor)
+      , gap_(gap)
   {}
 
   RoomOutline outline(const CellMask& seen) const
@@ -83,12 +85,18 @@ private:
     return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
 
+  /** @brief Whether something in the column or beside it goes up to the ceiling. */
+  bool reaches(Cell cell, double top) const
+  {
+    return columns_.share(cell, top - gap_.low, top - gap_.high, 1, 1) >= 1;
+  }
+
   /** @brief Whether a wall goes up to the ceiling in the column or beside it: a
    * cupboard does not. */
   bool isWall(Cell cell) const
   {
     const double top = topAround(cell, 2);
-    return columns_.share(cell, top - 0.16, top - 0.05, 1, 1) >= 1 && isTall(cell, top);
+    return reaches(cell, top) && isTall(cell, top);
   }
 
   /** @brief The same where the ceiling is seen on both sides of a slit: no cupboard
@@ -96,7 +104,7 @@ private:
   bool isPartition(Cell cell) const
   {
     const double top = topAround(cell, cellsFor(2 * gap_radius, grid_.size()));
-    return columns_.share(cell, top - 0.12, top - 0.04, 1, 1) >= 1 && isTall(cell, top);
+    return reaches(cell, top) && isTall(cell, top);
   }
 
   /** @brief Whether something stands in the column or beside it, up to just below the
@@ -106,7 +114,7 @@ private:
   {
     const double top = ceiling_.heightAt(grid_.centre(cell));
     const double floor = floor_.heightAt(grid_.centre(cell));
-    return columns_.share(cell, top - 0.25, top - 0.08, 1, 1) >= 1 &&
+    return reaches(cell, top) &&
            columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
            columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
   }
@@ -224,6 +232,7 @@ private:
   const ColumnTable& columns_;
   const PlanSlab& ceiling_;
   const PlanSlab& floor_;
+  const CeilingGap gap_;
 };
 
 } // namespace
@@ -233,9 +242,10 @@ outlineRoom(const CellMask& seen,
             const CellGrid& grid,
             const ColumnTable& columns,
             const PlanSlab& ceiling,
-            const PlanSlab& floor)
+            const PlanSlab& floor,
+            const CeilingGap& gap)
 {
-  return Outliner(grid, columns, ceiling, floor).outline(seen);
+  return Outliner(grid, columns, ceiling, floor, gap).outline(seen);
 }
 
 } // namespace sedr

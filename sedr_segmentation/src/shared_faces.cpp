@@ -56,7 +56,7 @@ std::vector<PlanElement>
 facesOfOthers(const Floorplan& plan, std::size_t room)
 {
   constexpr double shortest = 0.1;
-  constexpr double times_longer = 2;
+  constexpr double times_longer = 1.25;
   std::vector<PlanElement> all;
   for (const auto& e : plan.rooms[room].boundary.elements) {
     if (e.length() < shortest)

@@ -252,6 +252,49 @@ TEST(FindSlab, IsTheSameForASeedAndNearlyTheSameForAll)
   }
 }
 
+TEST(FindLargerSlab, OfTwoFloorsAStepApartIsTheLargerNotOneAcrossBoth)
+{
+  for (const double step : {0.05, 0.08, 0.1}) {
+    Points cloud;
+    cloud.add(slabAt(0), 0, 4.5);
+    cloud.add(slabAt(step), 4.5, 3.5);
+    const PlanSlab across = findSlab(cloud.view(), cloud.all(), 0.07, 0.05, 1);
+    EXPECT_GT(across.residual, 0.01) << "there would be nothing to do";
+    const PlanSlab slab = findLargerSlab(cloud.view(), cloud.all(), 0.07, 0.05, 1);
+    EXPECT_NEAR(slab.heightAt({0, 0}), 0, 1e-4) << step;
+    EXPECT_NEAR(slab.heightAt({8, 3}), 0, 1e-4) << step;
+  }
+}
+
+TEST(FindLargerSlab, TailsOfNoiseAboveASurfaceAreNoSecondOne)
+{
+  // As voxels have them: the surface, and what is above and below it, layer by layer.
+  Points cloud;
+  cloud.add(slabAt(2.5), 0, 6);
+  cloud.add(slabAt(2.46), 0, 4);
+  const PlanSlab slab = findLargerSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1);
+  EXPECT_EQ(slab.plane, findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 1).plane);
+}
+
+TEST(FindLargerSlab, IsTheSameAsFindSlabWhereThereAreNoTwoParallelPlanes)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.02);
+  Points noisy;
+  noisy.add(slabAt(2.5, 0.01, 0), 0, 4);
+  for (auto& p : noisy.points)
+    p.z() += static_cast<float>(noise(random));
+  Points wave; // 3 cm up and down over 6 m
+  wave.add(slabAt(2.5), 0, 6);
+  for (auto& p : wave.points)
+    p.z() += 0.03F * std::sin(p.x() * static_cast<float>(M_PI) / 3);
+  for (const Points* cloud : {&noisy, &wave}) {
+    const PlanSlab larger = findLargerSlab(cloud->view(), cloud->all(), 0.07, 0.05, 1);
+    const PlanSlab one = findSlab(cloud->view(), cloud->all(), 0.07, 0.05, 1);
+    EXPECT_EQ(larger.plane, one.plane);
+  }
+}
+
 TEST(FindSlab, OfHardlyAnythingIsHorizontal)
 {
   Points cloud;

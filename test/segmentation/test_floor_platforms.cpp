@@ -89,6 +89,35 @@ TEST(Platforms, RowsOfSeatsStandOnEachOther)
   expectFloors(points, {0, 0.2, 0.4, 0.6, 0.8});
 }
 
+TEST(Platforms, StairsAreFloorsTreadByTread)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 5, 5), 2.6);
+  for (int tread = 1; tread <= 3; ++tread)
+    room.floor_details.push_back(
+        detailOf(rectangle(2.2 + 0.3 * tread, 0, 5, 5), 0.17 * tread));
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.17, 0.34, 0.51});
+}
+
+TEST(Platforms, OneInTheMiddleIsAFloorIfLargerThanFurniture)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(1.2, 0.8, 3.7, 3.2), 0.2)};
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.2});
+}
+
+TEST(Platforms, AStepOfATenthOfAMetreIsNoLeaningFloor)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(2.6, 0, 5, 4), 0.1)};
+  RoomPoints points(0.05, 0.005);
+  points.room(room);
+  expectFloors(points, {0, 0.1});
+}
+
 TEST(Platforms, WhatStandsOnOneHidesHowItGoesOn)
 {
   PlanRoom room = hall();

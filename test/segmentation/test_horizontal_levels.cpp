@@ -99,13 +99,15 @@ TEST(Levels, WallPointsNearASlabAreNotItsInliers)
 
 TEST(Levels, ACupboardAlmostAsHighAsTheCeilingCutsNothingOffIt)
 {
-  RoomPoints points;
   const PlanLoop room = rectangle(0, 0, 4, 3);
-  points.slab(room, 0);
-  const std::vector<int> ceiling = points.slab(room, 2.6);
-  points.wall(segment({0, 2.4}, {4, 2.4}), 0, 2.36);
-  const std::vector<Level> cupboard = levelsOf(points);
-  EXPECT_EQ(cupboard.back().inliers, ceiling);
+  std::vector<int> ceiling;
+  for (const double top : {2.36, 2.46, 2.5}) {
+    RoomPoints points;
+    points.slab(room, 0);
+    ceiling = points.slab(room, 2.6);
+    points.wall(segment({0, 2.4}, {4, 2.4}), 0, top);
+    EXPECT_EQ(levelsOf(points).back().inliers, ceiling) << top;
+  }
 
   // A wall does.
   RoomPoints parted;
@@ -224,6 +226,43 @@ TEST(Levels, ASoffitIsACeilingWhereTheSameHeightIsNoneElsewhere)
   classifyLevels(classified, {});
   for (std::size_t i = 0; i < classified[1].cells.size(); ++i)
     EXPECT_LT(classified[1].cells[i].x, 81);
+}
+
+TEST(Levels, AStepOfFiveCentimetresInTheCeilingIsTwoCeilings)
+{
+  RoomPoints points(0.05, 0.005);
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(3.51, 0.01, 5.01, 4.01), 2.45)};
+  points.room(room);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 2.45, 2.5}, 0.002);
+  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
+}
+
+TEST(Levels, TheHeadOfAWindowJustBelowTheCeilingIsNoneOfIt)
+{
+  RoomPoints points(0.05, 0.005);
+  points.room(rectangle(0.01, 0.01, 5.01, 4.01), 0, 2.5);
+  const std::vector<int> reveal = points.slab(rectangle(1, 4.01, 3, 4.31), 2.45);
+  const auto levels = levelsOf(points);
+  expectHeights(levels, {0, 2.5}, 0.002);
+  for (const int i : levels.back().inliers)
+    EXPECT_TRUE(i < reveal.front() || i > reveal.back());
+}
+
+TEST(Levels, ACeilingThatSagsIsOne)
+{
+  // 5 cm in the middle of 5 m.
+  RoomPoints points(0.05, 0.005);
+  const PlanLoop outline = rectangle(0.01, 0.01, 5.01, 4.01);
+  points.slab(outline, 0);
+  std::size_t ceiling = 0;
+  for (double y = 0.035; y < 4; y += 0.05)
+    for (double x = 0.035; x < 5; x += 0.05, ++ceiling)
+      points.point(x, y, 2.5 - 0.05 * std::sin(M_PI * x / 5));
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels.back().inliers.size(), ceiling);
 }
 
 TEST(Levels, TheGroundOutsideIsNoFloorAndTheSkyNoCeiling)

@@ -41,6 +41,19 @@ TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
     EXPECT_NEAR(e.residual, 0.02, 0.005);
 }
 
+TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreDoesNotLean)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 5.01), 2.5);
+  truth.floor_details = {detailOf(rectangle(4.5, 0.01, 8.01, 5.01), 0.1)};
+  RoomPoints points(0.05, 0.005);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_NEAR(room.floor.heightAt({1, 1}), 0, 0.002);
+  EXPECT_NEAR(room.floor.heightAt({7, 1}), 0, 0.002);
+  ASSERT_EQ(room.floor_details.size(), 1u);
+  EXPECT_NEAR(room.floor_details[0].slab.heightAt({6, 2}), 0.1, 0.002);
+}
+
 TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
 {
   const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
@@ -57,8 +70,8 @@ TEST(FitRoom, APartitionOfEightCentimetresHasTwoFacesAndAnEnd)
   PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
   truth.elements = {
       segment({0.01, 0.01}, {5.01, 0.01}), segment({5.01, 0.01}, {5.01, 4.01}),
-      segment({5.01, 4.01}, {2.6, 4.01}), segment({2.6, 4.01}, {2.6, 1.51}),
-      segment({2.6, 1.51}, {2.52, 1.51}), segment({2.52, 1.51}, {2.52, 4.01}),
+      segment({5.01, 4.01}, {2.6, 4.01}),  segment({2.6, 4.01}, {2.6, 1.51}),
+      segment({2.6, 1.51}, {2.52, 1.51}),  segment({2.52, 1.51}, {2.52, 4.01}),
       segment({2.52, 4.01}, {0.01, 4.01}), segment({0.01, 4.01}, {0.01, 0.01})};
   RoomPoints points(0.05, 0.005);
   const RoomParts parts = points.room(truth, 0, 2.5);
@@ -123,6 +136,27 @@ TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
     }
   }
   EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.003);
+}
+
+TEST(FitRoom, ASoffitOfFiveCentimetresIsADetail)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.45)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  const PlanRoom room = fitted(points, parts);
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_NEAR(room.details[0].slab.heightAt({4, 2}), 2.45, 0.002);
+  EXPECT_NEAR(room.details[0].boundary.area(), 4.4, 0.1);
+}
+
+TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.31), 2.45)};
+  RoomPoints points(0.05, 0.002);
+  const RoomParts parts = points.room(truth);
+  EXPECT_TRUE(fitted(points, parts).details.empty());
 }
 
 TEST(FitRoom, ASoffitAllAroundHasAHole)

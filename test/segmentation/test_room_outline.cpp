@@ -150,6 +150,16 @@ TEST(OutlineRoom, AnObjectShortOfTheCeilingIsNoColumn)
   EXPECT_TRUE(outline.columns.empty());
 }
 
+TEST(OutlineRoom, ADividerTenCentimetresShortOfTheCeilingIsNoColumn)
+{
+  // From nearby, the ceiling is seen a few centimetres beyond its faces.
+  Scene scene([](double x, double y) { return !within(x, y, 1.55, 1.05, 2.25, 1.55); });
+  scene.box(1.5, 1, 2.3, 1.6, 0, height - 0.1);
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
 TEST(OutlineRoom, AHoleSmallerThanAColumnIsFilled)
 {
   Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.66, 1.16); });

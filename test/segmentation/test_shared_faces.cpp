@@ -42,6 +42,18 @@ TEST(SharedFaces, AShortWallOnALongOneOfTheNextRoomIsThatRooms)
   EXPECT_TRUE(facesOfOthers(plan, 1).empty());
 }
 
+TEST(SharedFaces, HalfOfAWallOnTheNextRoomsWholeOneIsThatRooms)
+{
+  // A wardrobe hides the left room's own wall beyond 1.2 m.
+  PlanLoop left;
+  left.elements = {segment({0, 0}, {4, 0}),       segment({4, 0}, {4, 1.2}),
+                   segment({4, 1.2}, {4.1, 1.2}), segment({4.1, 1.2}, {4.1, 3}),
+                   segment({4.1, 3}, {0, 3}),     segment({0, 3}, {0, 0})};
+  const Floorplan plan = planOf({left, rectangle(4.1, 0, 8, 3)});
+  EXPECT_EQ(facesOfOthers(plan, 0).size(), 1u);
+  EXPECT_TRUE(facesOfOthers(plan, 1).empty());
+}
+
 TEST(SharedFaces, OneThatRunsAlongTwoRoomsAndTheWallBetweenThemIsTheirs)
 {
   // Two rooms at the right, parted by 20 cm; the left one's wall lies on both.

@@ -40,6 +40,14 @@ PlanSlab findSlab(const PointView& points,
                   double maximum_tilt,
                   std::uint64_t seed);
 
+/** @brief The same, but of two parallel surfaces side by side, a small step apart, the
+ * larger one, where findSlab() lays a plane that leans across both. */
+PlanSlab findLargerSlab(const PointView& points,
+                        const std::vector<int>& indices,
+                        double tolerance,
+                        double maximum_tilt,
+                        std::uint64_t seed);
+
 /** @brief Distance of a point from a slab, metres, positive above it. */
 inline double
 distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_segmentation/ceiling_gap.h>
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <vector>
@@ -30,12 +31,15 @@ struct RoomOutline {
  *
  * @param seen in a box with a margin of at least 12 cells
  * @param columns all points around the room
- * @param ceiling,floor planes of the room */
+ * @param ceiling,floor planes of the room
+ * @param gap what is below the ceiling's noise: what has no point there ends short of
+ * it */
 RoomOutline outlineRoom(const CellMask& seen,
                         const CellGrid& grid,
                         const ColumnTable& columns,
                         const PlanSlab& ceiling,
-                        const PlanSlab& floor);
+                        const PlanSlab& floor,
+                        const CeilingGap& gap = {});
 
 } // namespace sedr
 } // namespace pcl

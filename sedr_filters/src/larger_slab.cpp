@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <pcl/sedr_filters/cell_grid.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Those of some points that lie within a band of a slab, or those that do not.
+ */
+std::vector<int>
+inBand(const PointView& points,
+       const std::vector<int>& indices,
+       const PlanSlab& slab,
+       double band,
+       bool is_inside)
+{
+  std::vector<int> chosen;
+  for (const int i : indices)
+    if ((std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <= band) ==
+        is_inside)
+      chosen.push_back(i);
+  return chosen;
+}
+
+/** @brief Whether the places of the second points are hardly any of the first: the
+ * tails of noise lie above and below the surface that they are of. */
+bool
+areSideBySide(const PointView& points,
+              const std::vector<int>& first,
+              const std::vector<int>& second)
+{
+  const CellGrid grid(0.1);
+  const CellSet places(grid, points, second);
+  return 5 * intersect(CellSet(grid, points, first), places).size() <= places.size();
+}
+
+} // namespace
+
+PlanSlab
+findLargerSlab(const PointView& points,
+               const std::vector<int>& indices,
+               double tolerance,
+               double maximum_tilt,
+               std::uint64_t seed)
+{
+  constexpr double least_spread = 0.15;  // of a plane across a step, of the tolerance
+  constexpr double least_contrast = 2.5; // of its spread and that of one surface
+  constexpr double most_turned = 0.01;   // radians, of one surface to the other
+  const PlanSlab wide = findSlab(points, indices, tolerance, maximum_tilt, seed);
+  if (wide.residual < least_spread * tolerance)
+    return wide;
+  const double thickness = tolerance / 3;
+  const auto findThin = [&](const std::vector<int>& among) {
+    // A leaning plane comes close to two surfaces within half of it.
+    const PlanSlab found = findSlab(points, among, thickness / 2, maximum_tilt, seed);
+    const PlanSlab refined = fitSlabRobustly(points, among, found, thickness);
+    return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
+  };
+  const auto isThin = [&](const PlanSlab& slab) {
+    return least_contrast * slab.residual <= wide.residual;
+  };
+  const PlanSlab larger = findThin(indices);
+  const std::vector<int> rest = inBand(points, indices, larger, thickness, false);
+  if (!isThin(larger) || rest.size() < 3)
+    return wide;
+  const PlanSlab smaller = findThin(rest);
+  const bool are_parallel =
+      larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= most_turned;
+  const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
+  return isThin(smaller) && are_parallel && are_all &&
+                 areSideBySide(points, inBand(points, indices, larger, thickness, true),
+                               inBand(points, rest, smaller, thickness, true))
+             ? larger
+             : wide;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_segmentation/ceiling_gap.h>
+#include <pcl/sedr_segmentation/column_table.h>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The cells of what stands, or hangs, in the upper half of a room and stops
+ * short of its ceiling: wardrobes, cupboards and dividers, however small the gap above
+ * them, screens, lamps.
+ *
+ * A wall ends what is seen of a ceiling. So of something upright that has no point in
+ * `gap`, and above and around half of which the ceiling was seen, is known that it is
+ * no wall; of a wall whose top is hidden it is not.
+ *
+ * @param seen cells in which ceilings and soffits of the room were seen
+ * O(cells of the box). */
+CellMask tallFurniture(const CellMask& seen,
+                       const CellGrid& grid,
+                       const ColumnTable& columns,
+                       const PlanSlab& ceiling,
+                       const PlanSlab& floor,
+                       const CeilingGap& gap);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "level_parting.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Sets apart what lies a small step above or below a level, though within its
+ * tolerance: the reveal of a window that ends just below the ceiling, a shallow soffit
+ * or tray.
+ *
+ * What is off the plane by more than its noise, a decimetre and more wide, and begins
+ * at once where the plane ends, is a surface of its own; a plane that is uneven leaves
+ * itself gradually. O(n).
+ * @param candidates those that no level has taken yet
+ * @param own        positions of those near the plane
+ * @param cells      the set that cells are positions in
+ * @param[in,out] draft with its plane and cells; gets the cells apart
+ * @return whether there were any; then its cells are out of date */
+bool setStepsApart(const std::vector<Candidate>& candidates,
+                   const std::vector<std::size_t>& own,
+                   const CellSet& cells,
+                   double tolerance,
+                   LevelDraft& draft);
+
+/** @brief The cells of a set that lie in a block of five by five with more cells of the
+ * set than a strip two cells wide has: an uneven part of a ceiling does, the last
+ * centimetres of a wall below it do not. */
+CellSet withoutFringes(const CellSet& cells);
+
+} // namespace sedr
+} // namespace pcl

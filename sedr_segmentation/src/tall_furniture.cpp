@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/tall_furniture.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The highest point within some cells, no higher than the ceiling: there may be
+ * a soffit. */
+double
+topAround(Cell cell,
+          int reach,
+          const CellGrid& grid,
+          const ColumnTable& columns,
+          const PlanSlab& ceiling)
+{
+  const double highest = ceiling.heightAt(grid.centre(cell));
+  double top = -1e9;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      if (columns.begin(near) != columns.end(near))
+        top = std::max<double>(top, (columns.end(near) - 1)->z);
+    }
+  return std::min(top, highest);
+}
+
+} // namespace
+
+CellMask
+tallFurniture(const CellMask& seen,
+              const CellGrid& grid,
+              const ColumnTable& columns,
+              const PlanSlab& ceiling,
+              const PlanSlab& floor,
+              const CeilingGap& gap)
+{
+  CellMask low(seen.box());
+  for (std::size_t i = 0; i < low.values().size(); ++i) {
+    const Cell cell = low.cellAt(i);
+    if (columns.begin(cell) == columns.end(cell))
+      continue;
+    const double top = topAround(cell, 2, grid, columns, ceiling);
+    const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
+    low.values()[i] =
+        columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5 &&
+                columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1
+            ? 1
+            : 0;
+  }
+  const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
+  const MaskRegions regions = labelRegions(low, true);
+  std::vector<std::size_t> under(regions.sizes.size());
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (regions.label[i] >= 0)
+      under[static_cast<std::size_t>(regions.label[i])] += below.values()[i];
+  const CellMask near = dilated(below, 1);
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (regions.label[i] >= 0) {
+      const auto r = static_cast<std::size_t>(regions.label[i]);
+      low.values()[i] = 2 * under[r] >= regions.sizes[r] && near.values()[i] ? 1 : 0;
+    }
+  return low;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_evidence.h"
+
+#include <pcl/sedr_segmentation/tall_furniture.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double height = 2.5;
+
+/** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`, above
+ * which the ceiling is seen for `depth` metres. */
+struct WardrobeRoom {
+  WardrobeRoom(double top, double depth)
+  {
+    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+    const auto isHidden = [](double x, double y) { return x < 0.61 && y < 2.01; };
+    parts.floor =
+        points.slab(loop, 0, [&](double x, double y) { return !isHidden(x, y); });
+    for (const auto& e : loop.elements)
+      parts.walls =
+          joined(parts.walls, points.wall(e, 0, height, [&](double s, double) {
+            const Eigen::Vector2d p = e.pointAt(s);
+            return !isHidden(p.x(), p.y());
+          }));
+    parts.ceiling = points.slab(loop, height, [&](double x, double y) {
+      return !(x < 0.61 - depth && y < 2.01 - depth);
+    });
+    box = joined(points.wall(segment({0.61, 2.01}, {0.61, 0.01}), 0, top),
+                 points.wall(segment({0.01, 2.01}, {0.61, 2.01}), 0, top));
+  }
+
+  CellMask furniture() const
+  {
+    const CellGrid grid(0.05);
+    const CellSet seen(grid, points.view(), parts.ceiling);
+    const CellBox all = grown(boxOf(seen), 14);
+    return tallFurniture(CellMask(seen, all), grid,
+                         ColumnTable(grid, all, points.view(), points.all()),
+                         slabAt(height), slabAt(0), {});
+  }
+
+  RoomPoints points;
+  RoomParts parts;
+  std::vector<int> box;
+};
+
+TEST(TallFurniture, IsWhatEndsBelowACeilingThatIsSeenAboveIt)
+{
+  for (const double gap : {0.1, 0.2, 0.6}) {
+    const WardrobeRoom room(height - gap, 0.12);
+    const CellMask found = room.furniture();
+    const CellGrid grid(0.05);
+    std::size_t covered = 0;
+    for (const int i : room.box)
+      covered += found.at(grid.at(room.points[i].x(), room.points[i].y()));
+    EXPECT_GT(covered, 0.9 * static_cast<double>(room.box.size())) << gap;
+    for (const int i : room.parts.walls) {
+      const Eigen::Vector3f p = room.points[i];
+      EXPECT_FALSE(p.x() > 1 && found.at(grid.at(p.x(), p.y())));
+    }
+  }
+}
+
+TEST(TallFurniture, IsNoWallUpToTheCeilingNorOneThatEndsWhatIsSeenOfIt)
+{
+  EXPECT_EQ(WardrobeRoom(height, 0).furniture().count(), 0u);
+  EXPECT_EQ(WardrobeRoom(height, 0.12).furniture().count(), 0u)
+      << "a ceiling behind a wall is that of the next room";
+  EXPECT_EQ(WardrobeRoom(height - 0.3, 0).furniture().count(), 0u)
+      << "a duct may hide the top of a wall";
+}
+
+TEST(TallFurniture, BelowANoisyCeilingNeedsALargerGap)
+{
+  PlanSlab ceiling = slabAt(height);
+  ceiling.residual = 0.001;
+  EXPECT_NEAR(gapBelow(ceiling).high, 0.03, 1e-9);
+  EXPECT_NEAR(gapBelow(ceiling).low, 0.085, 1e-9);
+  ceiling.residual = 0.015;
+  EXPECT_NEAR(gapBelow(ceiling).high, 0.06, 1e-9);
+  EXPECT_NEAR(gapBelow(ceiling).low, 0.115, 1e-9);
+}
+
+TEST(FitRoom, AWardrobeTenCentimetresShortOfTheCeilingIsNoWall)
+{
+  const WardrobeRoom room(height - 0.1, 0.12);
+  RoomEvidence evidence = evidenceOf(room.points, room.parts);
+  evidence.walls = joined(evidence.walls, room.box); // as the growing takes it
+  std::string problem;
+  const PlanRoom plan = fitRoom(room.points.view(), evidence, {}, problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_TRUE(plan.columns.empty());
+  EXPECT_EQ(plan.boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(plan.boundary, rectangle(0.01, 0.01, 4.01, 3.01)), 0.01);
+}
+
+} // namespace
