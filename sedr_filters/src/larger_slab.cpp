@@ -3,6 +3,8 @@
 
 #include <pcl/sedr_filters/cell_grid.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace pcl {
