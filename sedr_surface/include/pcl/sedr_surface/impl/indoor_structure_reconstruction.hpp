@@ -17,6 +17,7 @@ template <typename PointT>
 IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
 {
   voxel_grid_.setDownsampleAllData(false);
+  setNumberOfThreads(threads_);
   this->check_tree_ = false;
 }
 
