@@ -34,8 +34,17 @@ struct Tops {
   std::vector<float> height; ///< lower end of the uppermost run of each cell
 };
 
-/** @brief Strips of undersides narrower than three cells are left out: the wall above a
- * window or a door ends in such a strip. */
+/** @brief The cells between two stretches of ceiling four cells apart or less: on both
+ * sides of a narrow beam, on one of a wall above a window. */
+CellMask
+betweenCeilings(const SliceScene& scene)
+{
+  constexpr double half_of_beam = 2; // cells
+  return eroded(dilated(scene.ceiling, half_of_beam), half_of_beam);
+}
+
+/** @brief Strips of undersides narrower than three cells are left out, but beams: the
+ * wall above a window or a door ends in such a strip. */
 Tops
 findTops(const SliceScene& scene)
 {
@@ -49,7 +58,9 @@ findTops(const SliceScene& scene)
     (is_short ? tops.undersides : tops.risers).values()[i] = 1;
     tops.height[i] = top.low;
   }
-  tops.undersides = intersect(tops.undersides, dilated(eroded(tops.undersides, 1), 2));
+  tops.undersides =
+      intersect(tops.undersides,
+                unite(dilated(eroded(tops.undersides, 1), 2), betweenCeilings(scene)));
   return tops;
 }
 

@@ -111,6 +111,9 @@ seenHeights(const PointView& points,
                 {}};
   const CellMask main =
       intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
+  // Between two stretches of the ceiling a beam may be narrow.
+  const CellMask beams =
+      evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);
   for (std::size_t i = 0; i < map.label.size(); ++i)
     if (main.values()[i])
       map.label[i] = 0;
@@ -122,7 +125,8 @@ seenHeights(const PointView& points,
     const auto enough = static_cast<std::size_t>(
         height < shallow_step ? least_shallow_area / (grid.size() * grid.size()) : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);
-    cells = intersect(cells, dilated(eroded(cells, opening), opening + 1));
+    cells =
+        intersect(cells, unite(dilated(eroded(cells, opening), opening + 1), beams));
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < std::max(least, enough))

@@ -105,11 +105,13 @@ private:
 
   /** @brief Whether a wall stands in the column, or within `radius` cells: in the upper
    * half of the room, as furniture hides the lower, as far up as it can be seen below
-   * what hides the ceiling. */
+   * what hides the ceiling; or above a window, where it passes the ceiling, which then
+   * ends before it: a slot for a curtain. */
   bool isWall(Cell cell, int radius) const
   {
     const auto [middle, top] = upperHalf(cell);
-    return columns_.share(cell, middle, top - 0.4, 5, radius) >= 0.6;
+    return columns_.share(cell, middle, top - 0.4, 5, radius) >= 0.6 ||
+           columns_.share(cell, top - 0.05, top + 0.1, 3, radius) >= 1;
   }
 
   /** @brief Whether the upper half of the column holds anything. */

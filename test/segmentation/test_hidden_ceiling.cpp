@@ -79,6 +79,32 @@ TEST(HiddenCeiling, ReachesTheWallBehindADuct)
   EXPECT_FALSE(hidden.at(grid.at(2.5, 3.06)));
 }
 
+/** A window wall, before which the ceiling ends; the lintel ends at `top`. */
+Scene
+roomWithWindow(double top)
+{
+  Scene scene(2.8);
+  scene.wall(5.01, 3.01, 4.61, 3.01, 0, top);
+  scene.wall(4.61, 3.01, 0.41, 3.01, 0, 0.4);
+  scene.wall(4.61, 3.01, 0.41, 3.01, height - 0.1, top);
+  scene.wall(0.41, 3.01, 0.01, 3.01, 0, top);
+  return scene;
+}
+
+TEST(HiddenCeiling, ReachesTheWallOfAWindowBehindASlotForACurtain)
+{
+  const CellMask hidden = roomWithWindow(height + 0.15).hidden();
+  EXPECT_NEAR(areaOf(hidden), 5 * 0.2, 0.15);
+  const CellGrid grid(cell);
+  EXPECT_TRUE(hidden.at(grid.at(2.5, 2.9)));
+  EXPECT_FALSE(hidden.at(grid.at(2.5, 3.06)));
+}
+
+TEST(HiddenCeiling, IsNotBehindAWindowWhoseWallEndsAtTheCeiling)
+{
+  EXPECT_EQ(0U, roomWithWindow(height).hidden().count());
+}
+
 TEST(HiddenCeiling, OfAWholeCeilingIsNothing)
 {
   Scene scene(9);

@@ -125,6 +125,24 @@ TEST(SliceDetails, ABeamAcrossTheRoomIsFound)
   EXPECT_EQ(details.sizes.size(), 1u);
 }
 
+TEST(SliceDetails, BeamsOfTwelveCentimetresAreFound)
+{
+  PlanRoom room = plainRoom();
+  for (const double y : {0.71, 1.52, 2.33, 3.14})
+    room.details.push_back(detailOf(rectangle(0.01, y, 5.01, y + 0.12), height - 0.15));
+  const Scene scene(room);
+  const SliceDetails details = scene.find();
+  EXPECT_EQ(details.sizes.size(), room.details.size());
+  const std::set<int> found(details.indices.begin(), details.indices.end());
+  const std::vector<int> clear = scene.clearDetails();
+  ASSERT_GT(clear.size(), 4 * 100u);
+  for (const int i : clear) {
+    const double x = scene.points[i].x();
+    const bool is_beside_wall = x < 0.15 || x > 4.85;
+    EXPECT_TRUE(is_beside_wall || found.count(i)) << scene.points[i].transpose();
+  }
+}
+
 TEST(SliceDetails, ARecessIsFoundThoughNoSliceEnclosesIt)
 {
   PlanRoom room = plainRoom();
