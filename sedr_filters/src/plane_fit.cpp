@@ -53,6 +53,15 @@ robustDeviation(const Positions& points, const PlanSlab& slab)
   return 1.4826 * middleValue(std::move(distances));
 }
 
+/** @brief Half width of the band that holds what deviates so, no wider than `widest`.
+ */
+double
+shrunk(double deviation, double widest)
+{
+  constexpr double least = 1e-4;
+  return std::min(widest, std::max(2.5 * deviation, least));
+}
+
 /** @brief The plane through three points, c > 0; false where it leans more than
  * allowed. */
 bool
@@ -156,7 +165,7 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
     if (inside.size() < 3 || inside == fitted) // the same again gives the same
       break;
     slab = fitSlab(inside);
-    band = std::clamp(2.5 * robustDeviation(inside, slab), 1e-4, widest);
+    band = shrunk(robustDeviation(inside, slab), widest);
     fitted.swap(inside);
   }
   return slab;
@@ -190,7 +199,7 @@ fitParallel(const Positions& points,
       squares += std::pow(distanceAbove(slab, p), 2);
     slab.inliers = inside.size();
     slab.residual = std::sqrt(squares / static_cast<double>(inside.size()));
-    band = std::clamp(2.5 * robustDeviation(inside, slab), 1e-4, widest);
+    band = shrunk(robustDeviation(inside, slab), widest);
   }
   return slab;
 }

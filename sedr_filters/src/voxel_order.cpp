@@ -125,10 +125,16 @@ VoxelOrder::sortBlocks()
 void
 VoxelOrder::findRows()
 {
+  const auto begins = [&](std::size_t i) {
+    return i == 0 || blocks_[i].corner[1] != blocks_[i - 1].corner[1] ||
+           blocks_[i].corner[2] != blocks_[i - 1].corner[2];
+  };
+  std::size_t count = 0; // of large entries, which are not to be moved
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    count += begins(i) ? 1 : 0;
+  rows_.reserve(count);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const VoxelCode& corner = blocks_[i].corner;
-    if (i == 0 || corner[1] != blocks_[i - 1].corner[1] ||
-        corner[2] != blocks_[i - 1].corner[2])
+    if (begins(i))
       rows_.push_back({i, i, {}});
     ++rows_.back().end;
   }

@@ -16,7 +16,7 @@ namespace sedr {
 /** @brief The voxels of blocks by z, then y, then x, without comparing any of them: the
  * blocks are sorted by digits; in a row of blocks along x, each of the 16 lines of
  * voxels has its first place, and what comes before a voxel on its line is counted by
- * bits. O(n), 64 bytes a block. */
+ * bits. O(n); 64 bytes a block while they are sorted, then 32, and 144 a row. */
 class VoxelOrder {
 public:
   /** @brief Counts the voxels that hold `least_points` points or more. No point may be

@@ -3,6 +3,8 @@
 
 #include "column_rectangle.h"
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -62,14 +64,6 @@ distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
   for (const auto& p : points)
     distances.push_back(loop.distance(p));
   return distances;
-}
-
-double
-medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** @brief Whether a shape keeps within the hole and fills it. */
@@ -194,7 +188,7 @@ fitColumn(const Contour& hole,
   // The noise is what the best shape leaves.
   double noise = parameters.tolerance / 3;
   for (const auto& shape : shapes)
-    noise = std::min(noise, 1.4826 * medianOf(distancesFrom(shape.loop, points)));
+    noise = std::min(noise, 1.4826 * middleValue(distancesFrom(shape.loop, points)));
   const double reach = std::clamp(3 * noise, 0.01, parameters.tolerance);
   PlanLoop best;
   double least = 2;

@@ -94,6 +94,8 @@ public:
 private:
   bool holdNear(const Eigen::Vector3d& place) const
   {
+    if (!columns_.grid().holds(place.x(), place.y()))
+      return false;
     const Cell cell = columns_.grid().at(place.x(), place.y());
     for (int k = 0; k < 9; ++k)
       if (holdNear({cell.x + k % 3 - 1, cell.y + k / 3 - 1}, place.z()))

@@ -75,7 +75,7 @@ takeInliers(const LevelColumns& columns,
                               level.kind == LevelKind::Ceiling ? -1 : 1, tolerance);
   }
   // Cells with points on the plane itself, and cells with points near it only.
-  const double on_plane = std::clamp(4 * level.slab.residual, 0.015, tolerance);
+  const double on_plane = noiseOf(level.slab, tolerance);
   std::vector<CellKey> on;
   std::vector<CellKey> near;
   for (const std::size_t k : own) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_steps.h"
 
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
@@ -28,14 +29,6 @@ offsetsOf(const std::vector<Candidate>& candidates,
   for (std::size_t i = 0; i < cell_count; ++i)
     sum[i] /= count[i];
   return sum;
-}
-
-double
-medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** @brief Whether a cell on the plane lies within some cells. */
@@ -72,11 +65,18 @@ isStep(const CellSet& cells,
       border.push_back(all.back());
   }
   // What leaves the plane gradually is at its border just beyond the noise.
-  const double height = medianOf(all);
-  return height >= 2 * noise && (border.empty() || medianOf(border) >= 0.75 * height);
+  const double height = middleValue(all);
+  return height >= 2 * noise &&
+         (border.empty() || middleValue(border) >= 0.75 * height);
 }
 
 } // namespace
+
+double
+noiseOf(const PlanSlab& slab, double tolerance)
+{
+  return std::min(tolerance, std::max(4 * slab.residual, 0.015));
+}
 
 CellSet
 withoutFringes(const CellSet& cells)
@@ -104,7 +104,7 @@ setStepsApart(const std::vector<Candidate>& candidates,
               LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
-  const double noise = std::clamp(4 * draft.slab.residual, 0.015, tolerance);
+  const double noise = noiseOf(draft.slab, tolerance);
   const std::vector<double> offsets =
       offsetsOf(candidates, own, cells.size(), draft.slab);
   std::vector<CellKey> off;

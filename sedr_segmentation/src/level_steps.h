@@ -13,9 +13,9 @@ namespace sedr {
  * tolerance: the reveal of a window that ends just below the ceiling, a shallow soffit
  * or tray.
  *
- * What is off the plane by more than its noise, a decimetre and more wide, and begins
- * at once where the plane ends, is a surface of its own; a plane that is uneven leaves
- * itself gradually. O(n).
+ * What is off the plane by twice its noise, see noiseOf(), a decimetre and more wide,
+ * and begins at once where the plane ends, is a surface of its own; a plane that is
+ * uneven leaves itself gradually. O(n).
  * @param candidates those that no level has taken yet
  * @param own        positions of those near the plane
  * @param cells      the set that cells are positions in
@@ -26,6 +26,10 @@ bool setStepsApart(const std::vector<Candidate>& candidates,
                    const CellSet& cells,
                    double tolerance,
                    LevelDraft& draft);
+
+/** @brief How far from a plane its own points are: four standard deviations, at least
+ * 1.5 cm, at most the tolerance; metres. */
+double noiseOf(const PlanSlab& slab, double tolerance);
 
 /** @brief The cells of a set that lie in a block of five by five with more cells of the
  * set than a strip two cells wide has: an uneven part of a ceiling does, the last

@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/niche_fit.h>
 
 #include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
@@ -99,14 +100,6 @@ depthOfBack(const std::vector<WallPoint>& region, double tolerance)
   return best;
 }
 
-double
-medianOf(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** @brief A recess in a wall: along [left, right], up [low, high]. */
 struct Recess {
   double left = 0;
@@ -138,7 +131,7 @@ fitEdges(const UnrolledWall& wall, Recess& recess)
           p.behind < recess.depth - wall.tolerance)
         places.push_back(p.*across);
     if (places.size() >= 5)
-      edge = medianOf(places);
+      edge = middleValue(std::move(places));
   };
   fit(recess.left, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
   fit(recess.right, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
@@ -152,7 +145,7 @@ fitEdges(const UnrolledWall& wall, Recess& recess)
         std::abs(p.behind - recess.depth) <= wall.tolerance)
       depths.push_back(p.behind);
   if (!depths.empty())
-    recess.depth = medianOf(depths);
+    recess.depth = middleValue(std::move(depths));
 }
 
 /** @brief Whether the back of a region is closed and nothing is seen beyond it, neither

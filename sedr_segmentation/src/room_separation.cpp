@@ -274,6 +274,17 @@ separateOnce(Floorplan& plan,
   return has_changed;
 }
 
+/** @brief Cuts off slits and spikes of a room, and what of its details is in them. */
+void
+cutNecksOf(PlanRoom& room)
+{
+  if (cutNecks(room.boundary) == 0)
+    return;
+  for (auto* details : {&room.details, &room.floor_details})
+    for (PlanDetail& detail : *details)
+      cutNecks(detail.boundary);
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -288,7 +299,7 @@ separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& 
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)
     plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
   for (PlanRoom& room : plan.rooms)
-    cutNecks(room.boundary);
+    cutNecksOf(room);
   dropNiches(plan);
   return sentences;
 }

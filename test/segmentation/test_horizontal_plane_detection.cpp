@@ -134,4 +134,20 @@ TEST(HorizontalPlaneDetection, TheTiltLimitTellsALeaningSlabFromARamp)
     EXPECT_LE(std::acos(plane.slab.plane[2]), 0.5 * M_PI / 180 + 1e-9);
 }
 
+TEST(HorizontalPlaneDetection, AThresholdBelowTheLeastNoiseIsKeptTo)
+{
+  RoomPoints points;
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  for (const double threshold : {0.01, 0.0002}) {
+    Detection detection;
+    detection.setInputCloud(points.cloud());
+    detection.setDistanceThreshold(threshold);
+    std::vector<pcl::HorizontalPlane> planes;
+    ASSERT_TRUE(detection.segment(planes)) << detection.getErrorMessage();
+    ASSERT_EQ(planes.size(), 2u) << threshold;
+    EXPECT_NEAR(planes[0].height, 0, 1e-5);
+    EXPECT_NEAR(planes[1].height, 2.5, 1e-5);
+  }
+}
+
 } // namespace

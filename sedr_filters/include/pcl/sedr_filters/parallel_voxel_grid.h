@@ -29,7 +29,7 @@ namespace pcl {
  * says why. The removed indices are those that took part in no output point:
  * non-finite, outside the limits, or in a voxel with too few points.
  *
- * O(n) for n points, some 50 bytes a voxel beside input and output (up to 240 where
+ * O(n) for n points, some 50 bytes a voxel beside input and output (up to 350 where
  * each lies far from all others), nothing a point. Where other fields are averaged, a
  * second pass and what pcl::CentroidPoint takes a voxel. The same bytes for any number
  * of threads.

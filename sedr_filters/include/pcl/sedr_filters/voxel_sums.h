@@ -31,7 +31,7 @@ struct VoxelBox {
  *
  * Sums stand in cubes of 4 x 4 x 4 voxels, found by their corner, that all threads
  * share, so that no voxel stands in memory twice however many threads there are. O(n)
- * for n points; some 50 bytes a voxel of a surface, up to 240 where each lies far from
+ * for n points; some 50 bytes a voxel of a surface, up to 350 where each lies far from
  * all others.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));

@@ -15,10 +15,11 @@ namespace sedr {
  *
  * A wall ends what is seen of a ceiling. So of something upright that has no point in
  * `gap`, and above and around half of which the ceiling was seen, is known that it is
- * no wall; of a wall whose top is hidden it is not.
- *
+ * no wall; of a wall whose top is hidden it is not. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
- * O(cells of the box). */
+ * @param columns all points around the room
+ * @param ceiling,floor planes of the room
+ * @param gap what is below the ceiling's noise */
 CellMask tallFurniture(const CellMask& seen,
                        const CellGrid& grid,
                        const ColumnTable& columns,
