@@ -237,6 +237,23 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
   return niche;
 }
 
+/** @brief Whether a niche reaches into its own room, another wing of which lies behind
+ * the wall. */
+bool
+reachesInto(const PlanRoom& room, const PlanNiche& niche)
+{
+  constexpr double step = 0.05;
+  const auto& sides = niche.boundary.elements;
+  const Eigen::Vector2d back = sides[1].end - sides[1].start;
+  const Eigen::Vector2d out = sides[0].end - sides[0].start;
+  for (double s = step; s < back.norm(); s += step)
+    for (double d = step; d < out.norm() + step; d += step)
+      if (room.boundary.contains(sides[0].start + s * back.normalized() +
+                                 d * out.normalized()))
+        return true;
+  return false;
+}
+
 /** @brief Of recesses one above the other those with the largest mouths: a plan has one
  * floor and one ceiling at a place. */
 std::vector<Recess>
@@ -271,8 +288,8 @@ fitNiches(const PointView& points,
   for (const PlanElement& element : room.boundary.elements) {
     if (element.isArc() || element.length() < parameters.least_size)
       continue;
-    const UnrolledWall wall =
-        unroll(points, around, room, element, parameters.greatest_depth + 0.3);
+    const UnrolledWall wall = unroll(points, around, room, element,
+                                     parameters.greatest_depth + parameters.view);
     const CellMask open = openCells(wall, grid);
     const MaskRegions regions = labelRegions(open, false);
     std::vector<Recess> recesses;
@@ -290,8 +307,11 @@ fitNiches(const PointView& points,
         recess.low = 0;
       recesses.push_back(recess);
     }
-    for (const Recess& recess : largestOf(std::move(recesses)))
-      niches.push_back(nicheOf(room, wall, recess));
+    for (const Recess& recess : largestOf(std::move(recesses))) {
+      PlanNiche niche = nicheOf(room, wall, recess);
+      if (!reachesInto(room, niche))
+        niches.push_back(std::move(niche));
+    }
   }
   return niches;
 }

@@ -4,6 +4,7 @@
 #include <pcl/sedr_segmentation/plan_fit.h>
 
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
@@ -141,7 +142,8 @@ fitPlan(const PointView& points,
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
   const RoomTerritory territory(grid, scopes);
-  problem = territory.problem();
+  const RoomTerritory wide(grid, scopes, nicheReach());
+  problem = territory.problem().empty() ? wide.problem() : territory.problem();
   if (!problem.empty())
     return plan;
   const auto nearest = [&](int i) {
@@ -149,6 +151,9 @@ fitPlan(const PointView& points,
   };
   auto floors = shareOut(evidence.floor, numbers.size(), nearest);
   auto around = shareOut(evidence.all, numbers.size(), nearest);
+  auto behind = shareOut(evidence.all, numbers.size(), [&](int i) {
+    return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;
+  });
   auto walls = evidence.walls.empty()
                    ? around
                    : shareOut(evidence.walls, numbers.size(), nearest);
@@ -156,7 +161,7 @@ fitPlan(const PointView& points,
   std::vector<RoomWork> all_work;
   for (std::size_t r = 0; r < numbers.size(); ++r)
     all_work.push_back(
-        {{around[r], ceilings[r], details[r], floors[r], walls[r], {}}, {}});
+        {{around[r], ceilings[r], details[r], floors[r], walls[r], {}, behind[r]}, {}});
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);

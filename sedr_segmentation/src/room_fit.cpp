@@ -273,7 +273,9 @@ fitRoom(const PointView& points,
   const SlabEvidence floor = floorEvidence(points, evidence, room.floor, parameters);
   if (!floor.details.empty())
     room.floor_details = fitDetails(points, floor, room, outline.room, parameters);
-  room.niches = fitNiches(points, evidence.around, room);
+  std::vector<int> beside = evidence.around;
+  beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
+  room.niches = fitNiches(points, beside, room);
   return room;
 }
 

@@ -9,17 +9,12 @@
 namespace pcl {
 namespace sedr {
 
-namespace {
-
-/** @brief How far from a room's ceiling its walls may be, metres. */
-constexpr double farthest_wall = 0.7;
-
-} // namespace
-
-RoomTerritory::RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes)
+RoomTerritory::RoomTerritory(const CellGrid& grid,
+                             const std::vector<CellSet>& scopes,
+                             double reach)
     : grid_(grid)
 {
-  const int steps = cellsFor(farthest_wall, grid.size(), 3);
+  const int steps = cellsFor(reach, grid.size(), 3);
   std::vector<CellBox> boxes;
   for (const auto& scope : scopes)
     boxes.push_back(boxOf(scope));

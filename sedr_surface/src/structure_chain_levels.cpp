@@ -247,13 +247,19 @@ StructureChain::addHiddenCeiling(std::size_t region)
   return hidden.size();
 }
 
-std::vector<pcl::IndicesPtr>
-StructureChain::territories() const
+std::vector<CellSet>
+StructureChain::scopes() const
 {
   std::vector<CellSet> scopes;
   for (const auto& region : regions_)
     scopes.push_back(region.scope);
-  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes);
+  return scopes;
+}
+
+std::vector<pcl::IndicesPtr>
+StructureChain::territories() const
+{
+  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes());
   std::vector<pcl::IndicesPtr> result;
   for (std::size_t r = 0; r < regions_.size(); ++r)
     result.emplace_back(new pcl::Indices);

@@ -3,6 +3,9 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_segmentation/niche_fit.h>
+#include <pcl/sedr_segmentation/room_territory.h>
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -221,26 +224,40 @@ StructureChain::fitPlan(StageReport& report)
   tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
-  for (const auto& room : plan->rooms) {
+  for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
-    labelNiches(room);
-  }
+  labelNiches();
   return true;
 }
 
 void
-StructureChain::labelNiches(const PlanRoom& room)
+StructureChain::labelNiches()
 {
+  std::vector<const PlanRoom*> recessed(regions_.size(), nullptr);
+  std::vector<std::vector<UprightSurface>> uprights(regions_.size());
+  for (const PlanRoom& room : plan->rooms)
+    if (!room.niches.empty()) {
+      recessed[room.id - 1] = &room;
+      uprights[room.id - 1] = uprightSurfaces(room);
+    }
+  if (std::count(recessed.begin(), recessed.end(), nullptr) ==
+      static_cast<std::ptrdiff_t>(recessed.size()))
+    return;
+  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes(),
+                                nicheReach());
   const double reach = refinement.getMaximumDistance();
-  const std::vector<UprightSurface> uprights = uprightSurfaces(room);
-  for (const int i : *territory_[room.id - 1]) {
-    const auto at = static_cast<std::size_t>(i);
-    const Eigen::Vector3d p = (*cloud)[at].getVector3fMap().cast<double>();
-    const bool is_outside = !room.boundary.contains(p.head<2>());
+  for (std::size_t at = 0; at < cloud->size(); ++at) {
+    const Eigen::Vector3f place = (*cloud)[at].getVector3fMap();
+    const std::int32_t region = territory.roomAt(place);
+    if (region < 0 || !recessed[static_cast<std::size_t>(region)])
+      continue;
+    const PlanRoom& room = *recessed[static_cast<std::size_t>(region)];
+    const Eigen::Vector3d p = place.cast<double>();
     SurfacePoint snapped;
-    if (is_outside && room.nicheAt(p.head<2>()) >= 0 &&
-        snapToRoom(room, uprights, p, StructureLabel::Detail, reach, snapped)) {
+    if (room.nicheAt(p.head<2>()) >= 0 && !room.boundary.contains(p.head<2>()) &&
+        snapToRoom(room, uprights[static_cast<std::size_t>(region)], p,
+                   StructureLabel::Detail, reach, snapped)) {
       labels[at] = valueOf(StructureLabel::Detail);
       rooms[at] = room.id;
     }

@@ -35,6 +35,26 @@ private:
   }
 };
 
+TEST(FitPlan, SeesTheBacksOfDeepNiches)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.6);
+  room.niches = {{rectangle(5.01, 1, 5.91, 2.5), slabAt(0.5), slabAt(2)}};
+  RoomPoints points(0.04, 0.002);
+  const RoomEvidence own = evidenceOf(points, points.room(room));
+  PlanEvidence evidence;
+  evidence.all = points.all();
+  evidence.ceiling = own.ceiling;
+  evidence.floor = own.floor;
+  evidence.walls = own.walls;
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_LT(cornerError(plan.rooms[0].niches[0].boundary, room.niches[0].boundary),
+            0.01);
+}
+
 TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
 {
   TwoRooms scene;

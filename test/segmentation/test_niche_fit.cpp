@@ -59,6 +59,33 @@ TEST(Niches, AreFoundUnderNoise)
   expectNiche(niches[0], room.niches[0], 0.01);
 }
 
+TEST(Niches, AreFoundUpToAMetreDeep)
+{
+  for (const double depth : {0.1, 0.5, 0.7, 0.95}) {
+    SCOPED_TRACE(depth);
+    const PlanRoom room = recessed(1, 2.6, 0.5, 2.0, depth + 0.01);
+    RoomPoints points(0.03);
+    points.room(room);
+    const auto niches = nichesOf(points, room);
+    ASSERT_EQ(niches.size(), 1u);
+    expectNiche(niches[0], room.niches[0], 0.002);
+  }
+}
+
+TEST(Niches, AnotherWingBehindAHiddenWallIsNone)
+{
+  // Two wings of a U with 0.6 m between them; of the wall of one, nothing was seen.
+  PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.6);
+  room.boundary = polygon(
+      {{0, 0}, {5, 0}, {5, 4}, {3.1, 4}, {3.1, 1.5}, {2.5, 1.5}, {2.5, 4}, {0, 4}});
+  RoomPoints points(0.03);
+  points.room(room, [](const Eigen::Vector3d& p) {
+    return std::abs(p.x() - 2.5) > 0.01 || p.y() < 2 || p.y() > 3.5 || p.z() < 0.5 ||
+           p.z() > 2;
+  });
+  EXPECT_TRUE(nichesOf(points, room).empty());
+}
+
 TEST(Niches, AnAlcoveStartsAtTheFloor)
 {
   const PlanRoom room = recessed(1, 2.2, 0, 2.1, 0.4);

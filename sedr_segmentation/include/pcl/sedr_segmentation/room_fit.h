@@ -31,6 +31,7 @@ struct RoomEvidence {
   std::vector<int> walls;
   /** @brief Walls of other rooms: what is on them shows none of this one. */
   std::vector<PlanElement> faces_of_others;
+  std::vector<int> behind; ///< points farther out than `around`: backs of deep niches
 };
 
 /** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).

@@ -11,12 +11,18 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Which room a place belongs to: rooms grow from the cells of their ceilings
- * outwards until they meet or have gone as far as walls can be, 0.7 m. So each face of
- * a thin partition lies in its own room. O(cells of the box around all rooms). */
+ * outwards until they meet or have gone as far as walls can be. So each face of a thin
+ * partition lies in its own room. O(cells of the box around all rooms). */
 class RoomTerritory {
 public:
-  /** @param scopes the cells of each room */
-  RoomTerritory(const CellGrid& grid, const std::vector<CellSet>& scopes);
+  /** @brief How far from a room's ceiling its walls may be, metres. */
+  static constexpr double farthest_wall = 0.7;
+
+  /** @param scopes the cells of each room
+   * @param reach how far rooms grow, metres */
+  RoomTerritory(const CellGrid& grid,
+                const std::vector<CellSet>& scopes,
+                double reach = farthest_wall);
 
   /** @brief What is wrong, a sentence; empty if nothing is. */
   const std::string& problem() const { return problem_; }

@@ -194,6 +194,9 @@ private:
    * @return how many */
   std::size_t addHiddenCeiling(std::size_t region);
 
+  /** @brief The cells of each room. */
+  std::vector<CellSet> scopes() const;
+
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
@@ -207,8 +210,9 @@ private:
    * @return how many points */
   std::size_t labelLowerCeilings(std::size_t region, const pcl::Indices& unlabelled);
 
-  /** @brief Labels the points in a room's niches, which no earlier stage looks at. */
-  void labelNiches(const PlanRoom& room);
+  /** @brief Labels the points in the niches of rooms, which no earlier stage looks at.
+   */
+  void labelNiches();
 
   /** @brief The points of a room's floor and of its platforms, increasing. */
   pcl::IndicesPtr floorPoints(std::size_t region) const;
