@@ -31,7 +31,8 @@ struct Candidate {
  * any number of threads. */
 class LevelColumns {
 public:
-  /** @param cell_size of the grid, metres
+  /** @param points    must outlive this
+   * @param cell_size of the grid, metres
    * @param tolerance distance of an inlier from its plane, metres
    * @param threads   0: as many as there are processors */
   LevelColumns(const PointView& points,
