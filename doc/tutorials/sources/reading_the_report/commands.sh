@@ -8,7 +8,7 @@ pcl_sedr noisy/scan.pcd noisy/model --report
 pcl_sedr noisy/scan.pcd noisy/better --report --plane-tolerance 0.1
 # [second]
 # [third]
-pcl_sedr noisy/scan.pcd noisy/too_far --report --plane-tolerance 0.15
+pcl_sedr noisy/scan.pcd noisy/too_far --report --plane-tolerance 0.4
 # [third]
 for model in model better too_far; do
   python3 "$SOURCES/reading_the_report/rooms.py" noisy/$model
