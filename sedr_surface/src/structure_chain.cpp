@@ -3,6 +3,10 @@
 
 #include <chrono>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace pcl {
 namespace sedr {
 
@@ -142,6 +146,20 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
                   [&](auto& r) { return extrude(r); });
 }
 
+namespace {
+
+/** @brief Gives the system back what threads have freed: each of them keeps its own,
+ * and what comes next is done by others. */
+void
+giveFreedMemoryBack()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+} // namespace
+
 bool
 StructureChain::makeMesh()
 {
@@ -150,6 +168,7 @@ StructureChain::makeMesh()
     poisson.setFloorplan(mesh_from_plan ? plan : nullptr);
     poisson.setRoomWorkers(room_workers);
     const bool is_made = poisson.makeMesh();
+    giveFreedMemoryBack();
     report.points_out = poisson.getMesh().vertices.size();
     if (!is_made)
       return fail(poisson.getErrorMessage());
