@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
 
+#include <pcl/sedr_segmentation/ceiling_gap.h>
 #include <pcl/sedr_segmentation/tall_furniture.h>
 
 namespace {
@@ -46,6 +47,18 @@ struct WardrobeRoom {
   RoomParts parts;
   std::vector<int> box;
 };
+
+TEST(CeilingGap, BeginsWhereTheNoiseOfTheCeilingEnds)
+{
+  PlanSlab ceiling;
+  EXPECT_DOUBLE_EQ(gapBelow(ceiling).high, 0.03);
+  EXPECT_DOUBLE_EQ(gapBelow(ceiling).low, 0.085);
+  ceiling.residual = 0.02;
+  EXPECT_DOUBLE_EQ(gapBelow(ceiling).high, 0.08);
+  EXPECT_DOUBLE_EQ(gapBelow(ceiling).low, 0.135);
+  ceiling.residual = 1;
+  EXPECT_DOUBLE_EQ(gapBelow(ceiling).high, 0.1);
+}
 
 TEST(TallFurniture, IsWhatEndsBelowACeilingThatIsSeenAboveIt)
 {
