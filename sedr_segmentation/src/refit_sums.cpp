@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_sums.h"
 
+#include "refit_candidates.h"
 #include "weighted_values.h"
 
 #include <pcl/sedr_filters/parallel.h>
@@ -53,43 +54,53 @@ Sightings::find()
     slabs_were_.push_back(targets_.slab(k));
   const std::size_t n = raw_.size();
   const std::size_t block = std::max(least_block, n / most_blocks + 1);
-  blocks_.assign((n + block - 1) / block, {});
+  blocks_ = std::vector<Block>((n + block - 1) / block);
   parallelBlocks(n, block, raw_.threads, [&](std::size_t begin, std::size_t end) {
     blocks_[begin / block] = lookAt(begin, end);
   });
   shares_.clear();
   for (std::size_t t = 0; t < targets_.size(); ++t)
     for (std::size_t b = 0; b < blocks_.size(); ++b)
-      if (blocks_[b].first[t] < blocks_[b].first[t + 1])
+      if (std::any_of(blocks_[b].begin(), blocks_[b].end(),
+                      [&](const Part& part) { return part.shows(t); }))
         shares_.push_back({t, b});
 }
 
 Sightings::Block
 Sightings::lookAt(std::size_t begin, std::size_t end) const
 {
+  constexpr std::size_t points_at_once = std::size_t{1} << 15;
   // A slab that leans otherwise than before is a little farther from a point.
-  const double far = targets_.reach() + 2 * farthest_slab;
-  std::vector<std::pair<std::uint32_t, Sighting>> seen; // and the surface
-  seen.reserve(end - begin);
+  RefitCandidates candidates(targets_, targets_.reach() + 2 * farthest_slab);
+  std::vector<Seen> seen;
   Block block;
-  block.first.assign(targets_.size() + 1, 0);
-  for (std::size_t k = begin; k < end; ++k) {
-    const std::size_t i = raw_.at(k);
-    if (!raw_.points.isFinite(i))
-      continue;
-    const Eigen::Vector3f p = raw_.points[i];
-    targets_.candidates(p.cast<double>(), far, [&](std::size_t t, std::size_t place) {
-      ++block.first[t + 1];
-      seen.push_back(
-          {static_cast<std::uint32_t>(t), {p, static_cast<std::uint32_t>(place)}});
-    });
+  for (std::size_t k = begin; k < end; k += points_at_once) {
+    seen.clear();
+    for (std::size_t i = k; i < std::min(end, k + points_at_once); ++i) {
+      const std::size_t at = raw_.at(i);
+      if (!raw_.points.isFinite(at))
+        continue;
+      const Eigen::Vector3f p = raw_.points[at];
+      candidates.find(p.cast<double>(), [&](std::size_t t, std::size_t place) {
+        seen.push_back(
+            {{p, static_cast<std::uint32_t>(place)}, static_cast<std::uint32_t>(t)});
+      });
+    }
+    block.emplace_back(seen, targets_.size());
   }
-  std::partial_sum(block.first.begin(), block.first.end(), block.first.begin());
-  std::vector<std::size_t> next = block.first;
-  block.sightings.resize(seen.size());
-  for (const auto& [t, sighting] : seen)
-    block.sightings[next[t]++] = sighting;
   return block;
+}
+
+Sightings::Part::Part(const std::vector<Seen>& seen, std::size_t surfaces)
+    : sightings(new Sighting[seen.size()])
+    , first(surfaces + 1, 0)
+{
+  for (const Seen& s : seen)
+    ++first[s.surface + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> next = first;
+  for (const Seen& s : seen)
+    sightings[next[s.surface]++] = s.sighting;
 }
 
 bool
@@ -115,17 +126,17 @@ Sightings::bySurface(SizeOf sizeOf, Add add) const
   std::vector<std::vector<Sum>> parts(shares_.size());
   parallelBlocks(shares_.size(), 1, raw_.threads, [&](std::size_t s, std::size_t) {
     const std::size_t t = shares_[s].surface;
-    const Block& block = blocks_[shares_[s].block];
     std::vector<Sum> own(sizeOf(t));
     const double reach = targets_.reach();
     targets_.view(t, [&](const auto& view) {
-      for (std::size_t k = block.first[t]; k < block.first[t + 1]; ++k) {
-        const Sighting& sighting = block.sightings[k];
-        const Eigen::Vector3d p = sighting.point.cast<double>();
-        const double d = view.distance(p);
-        if (std::abs(d) <= reach)
-          add(own, t, view, p, d, sighting.place);
-      }
+      for (const Part& part : blocks_[shares_[s].block])
+        for (std::size_t k = part.first[t]; k < part.first[t + 1]; ++k) {
+          const Sighting& sighting = part.sightings[k];
+          const Eigen::Vector3d p = sighting.point.cast<double>();
+          const double d = view.distance(p);
+          if (std::abs(d) <= reach)
+            add(own, t, view, p, d, sighting.place);
+        }
     });
     parts[s] = std::move(own);
   });

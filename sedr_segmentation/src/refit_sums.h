@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -85,18 +86,31 @@ public:
 
 private:
   /** @brief A point of the scan and where it is seen on a surface, see
-   * RefitTargets::candidates(). With its coordinates: those of the points of a surface
+   * RefitCandidates. With its coordinates: those of the points of a surface
    * are far apart in the scan. */
   struct Sighting {
     Eigen::Vector3f point;
     std::uint32_t place;
   };
 
-  /** @brief What a block of the scan shows: by surface, in the order of the points. */
-  struct Block {
-    std::vector<Sighting> sightings;
-    std::vector<std::size_t> first; ///< of each surface, and the end
+  struct Seen {
+    Sighting sighting;
+    std::uint32_t surface;
   };
+
+  /** @brief What some points that follow one another show: by surface, in their order.
+   */
+  struct Part {
+    Part(const std::vector<Seen>& seen, std::size_t surfaces);
+
+    bool shows(std::size_t t) const { return first[t] < first[t + 1]; }
+
+    std::unique_ptr<Sighting[]> sightings;
+    std::vector<std::uint32_t> first; ///< of each surface, and the end
+  };
+
+  /** @brief What a block of the scan shows, in the order of the points. */
+  using Block = std::vector<Part>;
 
   /** @brief What a block shows of a surface. */
   struct Share {

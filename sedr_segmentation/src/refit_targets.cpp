@@ -2,7 +2,6 @@
 #include "refit_targets.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace pcl {
@@ -17,10 +16,8 @@ constexpr double corner_margin = 0.06;
  * only, metres. */
 constexpr double height_margin = 0.08;
 
-/** @brief Edge of a patch of an upright and of a slab, metres. */
-constexpr double upright_patch = 0.1;
+/** @brief Edge of the patches of the shortest uprights, metres. */
 constexpr double least_patch = 0.02;
-constexpr double slab_patch = 0.25;
 
 /** @brief The heights at which a surface shows its own points: of walls the upper half,
  * as furniture hides the lower. Of a narrow one, such as the side of a pilaster, so
@@ -45,42 +42,6 @@ areAlike(const UprightSpan& a, const UprightSpan& b)
   return std::abs(a.low - b.low) < slack && std::abs(a.high - b.high) < slack;
 }
 
-/** @brief Smallest box around a loop. */
-std::pair<Eigen::Vector2d, Eigen::Vector2d>
-boundsOf(const PlanLoop& loop)
-{
-  Eigen::Vector2d low = loop.elements[0].start;
-  Eigen::Vector2d high = low;
-  for (const auto& p : loop.polygon(0.01)) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return {low, high};
-}
-
-/** @brief Sets to -1 what has a neighbour of another value. */
-std::vector<std::int32_t>
-withoutEdges(const std::vector<std::int32_t>& values,
-             std::int32_t width,
-             std::int32_t height)
-{
-  std::vector<std::int32_t> result(values.size(), -1);
-  for (std::int32_t y = 1; y + 1 < height; ++y)
-    for (std::int32_t x = 1; x + 1 < width; ++x) {
-      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x);
-      bool is_inner = true;
-      for (std::int32_t dy = -1; dy <= 1; ++dy)
-        for (std::int32_t dx = -1; dx <= 1; ++dx)
-          is_inner = is_inner && values[static_cast<std::size_t>(y + dy) *
-                                            static_cast<std::size_t>(width) +
-                                        static_cast<std::size_t>(x + dx)] == values[at];
-      if (is_inner)
-        result[at] = values[at];
-    }
-  return result;
-}
-
 bool
 isParallel(const PlanSlab& a, const PlanSlab& b)
 {
@@ -101,30 +62,23 @@ RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double rea
   for (auto& room : plan.rooms)
     addSlabs(room);
   numberPatches();
-  tabulate();
+  problem_ = places_.tabulate(reach);
 }
 
 double
 RefitTargets::farthestMove(const std::vector<PlanSlab>& before) const
 {
   double farthest = 0;
-  for (std::size_t k = 0; k < slabs_.size(); ++k)
+  for (std::size_t k = 0; k < places_.slabs.size(); ++k)
     for (const double x : {-1.0, 1.0})
       for (const double y : {-1.0, 1.0}) {
         const Eigen::Vector2d corner =
-            slabs_[k].middle + slabs_[k].half.cwiseProduct(Eigen::Vector2d(x, y));
-        farthest = std::max(farthest, std::abs(slabs_[k].slab->heightAt(corner) -
+            places_.slabs[k].middle +
+            places_.slabs[k].half.cwiseProduct(Eigen::Vector2d(x, y));
+        farthest = std::max(farthest, std::abs(places_.slabs[k].slab->heightAt(corner) -
                                                before[k].heightAt(corner)));
       }
   return farthest;
-}
-
-bool
-RefitTargets::isIn(const NicheSlabs& niche, const Eigen::Vector2d& p)
-{
-  constexpr double margin = 0.03;
-  const PlanLoop& boundary = niche.niche->boundary;
-  return boundary.contains(p) && boundary.distance(p) > margin;
 }
 
 void
@@ -185,7 +139,7 @@ RefitTargets::addStretch(const UprightSurface& surface,
     return;
   const PlanElement& e = *surface.element;
   const bool is_whole = from <= 0 && to >= e.length();
-  stretches_.push_back(
+  places_.stretches.push_back(
       {curve, is_whole ? e : e.part(from, to), heights.low, heights.high});
   length_[curve] += to - from;
   depth_[curve] = std::max(depth_[curve], heights.high - heights.low);
@@ -202,8 +156,8 @@ RefitTargets::findGaps()
     return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() <
            (a.length() + b.length()) / 2 + farthest;
   };
-  for (const Stretch& own : stretches_)
-    for (const Stretch& other : stretches_) {
+  for (const RefitStretch& own : places_.stretches)
+    for (const RefitStretch& other : places_.stretches) {
       if (own.curve == other.curve || own.low > other.high || other.low > own.high ||
           !mayBeNear(own.part, other.part))
         continue;
@@ -231,16 +185,14 @@ RefitTargets::addSlab(PlanSlab& slab,
                       std::size_t parent)
 {
   const bool follows = parallel_to && isParallel(slab, *parallel_to);
-  slabs_.push_back({&slab, middle, follows ? parent : slabs_.size(), half});
-  return slabs_.size() - 1;
+  places_.slabs.push_back(
+      {&slab, middle, follows ? parent : places_.slabs.size(), half});
+  return places_.slabs.size() - 1;
 }
 
 void
 RefitTargets::addSlabs(PlanRoom& room)
 {
-  constexpr double most_cells = 100000;
-  const auto [low, high] = boundsOf(room.boundary);
-  const Eigen::Vector2d extent = high - low;
   const auto add = [&](PlanSlab& slab, const PlanLoop& loop,
                        const PlanSlab* parallel_to, std::size_t parent) {
     const auto [from, to] = boundsOf(loop);
@@ -255,27 +207,11 @@ RefitTargets::addSlabs(PlanRoom& room)
   for (auto& niche : room.niches) {
     const std::size_t bottom = add(niche.bottom, niche.boundary, &room.floor, floor);
     const std::size_t top = add(niche.top, niche.boundary, &room.ceiling, ceiling);
-    niches_.push_back({&niche, bottom, top});
+    places_.niches.push_back({&niche, bottom, top});
   }
 
-  RoomMap map;
-  map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / most_cells));
-  map.low = low;
-  map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
-  map.height = static_cast<std::int32_t>(extent.y() / map.cell) + 1;
-  for (std::int32_t y = 0; y < map.height; ++y)
-    for (std::int32_t x = 0; x < map.width; ++x) {
-      const Eigen::Vector2d p = low + map.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
-      const bool is_inside = room.contains(p);
-      map.ceiling.push_back(
-          is_inside ? static_cast<std::int32_t>(ceiling) + 1 + room.detailAt(p) : -1);
-      map.floor.push_back(is_inside ? static_cast<std::int32_t>(floor) + 1 +
-                                          room.floorDetailAt(p)
-                                    : -1);
-    }
-  map.ceiling = withoutEdges(map.ceiling, map.width, map.height);
-  map.floor = withoutEdges(map.floor, map.width, map.height);
-  rooms_.push_back(std::move(map));
+  places_.addRoom(room, {ceiling, floor},
+                  {floor, floor + 1 + room.floor_details.size()});
 }
 
 void
@@ -292,72 +228,13 @@ RefitTargets::numberPatches()
     shown_patches_ += rows * (static_cast<std::size_t>(length_[c] / patch_[c]) + 1);
     first_patch_.push_back(first_patch_.back() + along_.back() * rows);
   }
-  for (const auto& slab : slabs_) {
-    along_.push_back(static_cast<std::size_t>(2 * slab.half.x() / slab_patch) + 2);
-    const auto rows = static_cast<std::size_t>(2 * slab.half.y() / slab_patch) + 2;
-    shown_patches_ += rows * along_.back();
-    first_patch_.push_back(first_patch_.back() + along_.back() * rows);
+  for (RefitSlab& slab : places_.slabs) {
+    slab.along = static_cast<std::size_t>(2 * slab.half.x() / slab_patch) + 2;
+    slab.rows = static_cast<std::size_t>(2 * slab.half.y() / slab_patch) + 2;
+    along_.push_back(slab.along);
+    shown_patches_ += slab.rows * slab.along;
+    first_patch_.push_back(first_patch_.back() + slab.along * slab.rows);
   }
-}
-
-/** @brief The row of patches at a height of a stretch, from the top down. */
-std::size_t
-RefitTargets::rowOf(const Stretch& stretch, double z)
-{
-  return static_cast<std::size_t>((stretch.high - z) / upright_patch);
-}
-
-/** @brief The patch of a slab at a place, from its first. */
-std::size_t
-RefitTargets::patchOf(std::size_t slab, const Eigen::Vector2d& p) const
-{
-  const std::size_t number = curves_.curves.size() + slab;
-  const Eigen::Vector2d at =
-      ((p - slabs_[slab].middle + slabs_[slab].half) / slab_patch).cwiseMax(0.0);
-  const auto x = std::min(along_[number] - 1, static_cast<std::size_t>(at.x()));
-  const std::size_t rows =
-      (first_patch_[number + 1] - first_patch_[number]) / along_[number];
-  const auto y = std::min(rows - 1, static_cast<std::size_t>(at.y()));
-  return y * along_[number] + x;
-}
-
-/** @brief Sorts stretches, rooms and niches by the cells that they may be seen in. */
-void
-RefitTargets::tabulate()
-{
-  constexpr double step = 0.05;
-  const auto around = [&](const CellTable& table, const Eigen::Vector2d& low,
-                          const Eigen::Vector2d& high, double margin, std::size_t k) {
-    const Eigen::Vector2d far = Eigen::Vector2d::Constant(margin);
-    return CellTable::Entry{table.boxAround(low - far, high + far),
-                            static_cast<std::uint32_t>(k)};
-  };
-  std::vector<CellTable::Entry> stretches;
-  for (std::size_t k = 0; k < stretches_.size(); ++k) {
-    const PlanElement& e = stretches_[k].part;
-    const auto parts = static_cast<std::size_t>(std::ceil(e.length() / step)) + 1;
-    for (std::size_t i = 0; i <= parts; ++i) {
-      const Eigen::Vector2d p =
-          e.pointAt(e.length() * static_cast<double>(i) / static_cast<double>(parts));
-      stretches.push_back(around(stretches_near_, p, p, reach_ + step, k));
-    }
-  }
-  std::vector<CellTable::Entry> rooms;
-  for (std::size_t r = 0; r < rooms_.size(); ++r) {
-    const RoomMap& map = rooms_[r];
-    const Eigen::Vector2d extent(map.width * map.cell, map.height * map.cell);
-    rooms.push_back(around(rooms_near_, map.low, map.low + extent, 0, r));
-  }
-  std::vector<CellTable::Entry> niches;
-  for (std::size_t n = 0; n < niches_.size(); ++n) {
-    const auto [low, high] = boundsOf(niches_[n].niche->boundary);
-    niches.push_back(around(niches_near_, low, high, step, n));
-  }
-  for (const std::string& problem :
-       {stretches_near_.fill(stretches), rooms_near_.fill(rooms),
-        niches_near_.fill(niches)})
-    if (problem_.empty())
-      problem_ = problem;
 }
 
 } // namespace sedr

@@ -17,7 +17,7 @@ namespace sedr {
 
 // How points are seen from a surface, while it stays where it is: distance(p), signed,
 // metres; row(p), how that falls with each parameter; patch(row, place), number of the
-// patch within the surface, `place` as RefitTargets::candidates() gives it.
+// patch within the surface, `place` as RefitCandidates gives it.
 
 /** @brief The patches of an upright: columns along it, rows from the top down. */
 struct PatchColumns {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refit_targets.h"
+
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Tells which surfaces of a plan a point of the scan may show by its place, as
+ * they are when this is made. For one thread: it notes the cell that it was last asked
+ * for, as points that follow one another in a scan lie mostly in one. */
+class RefitCandidates {
+public:
+  /** @param far slabs are told of points at most so many metres from them
+   * @param targets must outlive this */
+  RefitCandidates(const RefitTargets& targets, double far);
+
+  /** @brief Calls `note(number, place)` for every surface that a point may show by its
+   * place: one before which it is, and any slab not too far from it. `place` is what
+   * does not change with the surface: the row of patches of an upright, the patch of a
+   * slab. */
+  template <typename Note>
+  void find(const Eigen::Vector3d& p, Note note)
+  {
+    const CellGrid& grid = places_.stretches_near.grid(); // that of all tables
+    if (!grid.holds(p.x(), p.y()))
+      return;
+    const Cell cell = grid.at(p.x(), p.y());
+    if (!(cell == cell_))
+      enter(cell);
+    if (uprights_here_.holds(p.z()))
+      findUprights(p, note);
+    for (const std::uint32_t r : rooms_here_)
+      findSlabs(r, p, note);
+    for (const std::uint32_t n : niches_here_)
+      findNiche(places_.niches[n], p, note);
+  }
+
+private:
+  struct Heights {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    bool holds(double z) const { return z >= low && z <= high; }
+
+    void unite(double other_low, double other_high)
+    {
+      low = std::min(low, other_low);
+      high = std::max(high, other_high);
+    }
+  };
+
+  /** @brief What there is to know of a stretch, side by side. */
+  struct Upright {
+    explicit Upright(const RefitStretch& stretch);
+
+    bool isBeside(const Eigen::Vector2d& p) const
+    {
+      if (arc)
+        return arc->isBeside(p);
+      const double s = (p - start).dot(way);
+      return s >= 0 && s <= squared_length;
+    }
+
+    Heights heights;
+    Eigen::Vector2d start;
+    Eigen::Vector2d way;
+    double squared_length;
+    const PlanElement* arc; ///< null of a line
+    std::size_t curve;
+  };
+
+  /** @brief The heights that the slabs of a room may be shown at. */
+  struct Room {
+    Heights ceiling;
+    Heights floor;
+  };
+
+  void enter(Cell cell);
+  Heights heightsOf(const RefitSlabRange& slabs, const RefitRoomMap& map) const;
+
+  template <typename Note>
+  void findUprights(const Eigen::Vector3d& p, Note note) const
+  {
+    for (const std::uint32_t k : stretches_here_) {
+      const Upright& upright = uprights_[k];
+      if (upright.heights.holds(p.z()) && upright.isBeside(p.head<2>()))
+        note(upright.curve, RefitTargets::rowOf(upright.heights.high, p.z()));
+    }
+  }
+
+  template <typename Note>
+  void findSlabs(std::size_t room, const Eigen::Vector3d& p, Note note) const
+  {
+    const bool may_be_ceiling = rooms_[room].ceiling.holds(p.z());
+    const bool may_be_floor = rooms_[room].floor.holds(p.z());
+    if (!may_be_ceiling && !may_be_floor)
+      return;
+    const RefitRoomMap& map = places_.rooms[room];
+    const Eigen::Vector2d at = (p.head<2>() - map.low) / map.cell;
+    if (at.x() < 0 || at.y() < 0 || at.x() >= map.width || at.y() >= map.height)
+      return;
+    const auto i =
+        static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(map.width) +
+        static_cast<std::size_t>(at.x());
+    if (may_be_ceiling && map.ceiling[i] >= 0)
+      noteNear(static_cast<std::size_t>(map.ceiling[i]), p, note);
+    if (may_be_floor && map.floor[i] >= 0)
+      noteNear(static_cast<std::size_t>(map.floor[i]), p, note);
+  }
+
+  template <typename Note>
+  void findNiche(const RefitNiche& niche, const Eigen::Vector3d& p, Note note) const
+  {
+    constexpr double margin = 0.03;
+    const PlanLoop& boundary = niche.niche->boundary;
+    if (!boundary.contains(p.head<2>()) || boundary.distance(p.head<2>()) <= margin)
+      return;
+    noteNear(niche.bottom, p, note);
+    noteNear(niche.top, p, note);
+  }
+
+  template <typename Note>
+  void noteNear(std::size_t k, const Eigen::Vector3d& p, Note note) const
+  {
+    if (std::abs(planes_[k].head<3>().dot(p) + planes_[k][3]) <= far_)
+      note(first_slab_ + k, RefitTargets::patchOf(places_.slabs[k], p.head<2>()));
+  }
+
+  const RefitPlaces& places_;
+  double far_;
+  std::size_t first_slab_; ///< number of the first slab
+  std::vector<Upright> uprights_;
+  std::vector<Room> rooms_;
+  std::vector<Eigen::Vector4d> planes_; ///< of the slabs
+
+  Cell cell_{std::numeric_limits<std::int32_t>::min(), 0}; ///< none that a grid holds
+  CellTable::Numbers stretches_here_;
+  Heights uprights_here_;
+  CellTable::Numbers rooms_here_;
+  CellTable::Numbers niches_here_;
+};
+
+} // namespace sedr
+} // namespace pcl

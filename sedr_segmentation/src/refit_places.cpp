@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refit_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Sets to -1 what has a neighbour of another value. */
+std::vector<std::int32_t>
+withoutEdges(const std::vector<std::int32_t>& values,
+             std::int32_t width,
+             std::int32_t height)
+{
+  std::vector<std::int32_t> result(values.size(), -1);
+  for (std::int32_t y = 1; y + 1 < height; ++y)
+    for (std::int32_t x = 1; x + 1 < width; ++x) {
+      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x);
+      bool is_inner = true;
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dx = -1; dx <= 1; ++dx)
+          is_inner = is_inner && values[static_cast<std::size_t>(y + dy) *
+                                            static_cast<std::size_t>(width) +
+                                        static_cast<std::size_t>(x + dx)] == values[at];
+      if (is_inner)
+        result[at] = values[at];
+    }
+  return result;
+}
+
+} // namespace
+
+std::pair<Eigen::Vector2d, Eigen::Vector2d>
+boundsOf(const PlanLoop& loop)
+{
+  Eigen::Vector2d low = loop.elements[0].start;
+  Eigen::Vector2d high = low;
+  for (const auto& p : loop.polygon(0.01)) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {low, high};
+}
+
+void
+RefitPlaces::addRoom(const PlanRoom& room,
+                     RefitSlabRange ceilings,
+                     RefitSlabRange floors)
+{
+  constexpr double most_cells = 100000;
+  const auto [low, high] = boundsOf(room.boundary);
+  const Eigen::Vector2d extent = high - low;
+  RefitRoomMap map;
+  map.ceilings = ceilings;
+  map.floors = floors;
+  map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / most_cells));
+  map.low = low;
+  map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
+  map.height = static_cast<std::int32_t>(extent.y() / map.cell) + 1;
+  for (std::int32_t y = 0; y < map.height; ++y)
+    for (std::int32_t x = 0; x < map.width; ++x) {
+      const Eigen::Vector2d p = low + map.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
+      const bool is_inside = room.contains(p);
+      map.ceiling.push_back(is_inside ? static_cast<std::int32_t>(ceilings.first) + 1 +
+                                            room.detailAt(p)
+                                      : -1);
+      map.floor.push_back(is_inside ? static_cast<std::int32_t>(floors.first) + 1 +
+                                          room.floorDetailAt(p)
+                                    : -1);
+    }
+  map.ceiling = withoutEdges(map.ceiling, map.width, map.height);
+  map.floor = withoutEdges(map.floor, map.width, map.height);
+  rooms.push_back(std::move(map));
+}
+
+std::string
+RefitPlaces::tabulate(double reach)
+{
+  constexpr double step = 0.05;
+  const auto around = [&](const CellTable& table, const Eigen::Vector2d& low,
+                          const Eigen::Vector2d& high, double margin, std::size_t k) {
+    const Eigen::Vector2d far = Eigen::Vector2d::Constant(margin);
+    return CellTable::Entry{table.boxAround(low - far, high + far),
+                            static_cast<std::uint32_t>(k)};
+  };
+  std::vector<CellTable::Entry> of_stretches;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const PlanElement& e = stretches[k].part;
+    const auto parts = static_cast<std::size_t>(std::ceil(e.length() / step)) + 1;
+    for (std::size_t i = 0; i <= parts; ++i) {
+      const Eigen::Vector2d p =
+          e.pointAt(e.length() * static_cast<double>(i) / static_cast<double>(parts));
+      of_stretches.push_back(around(stretches_near, p, p, reach + step, k));
+    }
+  }
+  std::vector<CellTable::Entry> of_rooms;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const RefitRoomMap& map = rooms[r];
+    const Eigen::Vector2d extent(map.width * map.cell, map.height * map.cell);
+    of_rooms.push_back(around(rooms_near, map.low, map.low + extent, 0, r));
+  }
+  std::vector<CellTable::Entry> of_niches;
+  for (std::size_t n = 0; n < niches.size(); ++n) {
+    const auto [low, high] = boundsOf(niches[n].niche->boundary);
+    of_niches.push_back(around(niches_near, low, high, step, n));
+  }
+  for (const std::string& problem :
+       {stretches_near.fill(of_stretches), rooms_near.fill(of_rooms),
+        niches_near.fill(of_niches)})
+    if (!problem.empty())
+      return problem;
+  return {};
+}
+
+} // namespace sedr
+} // namespace pcl
