@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "large_memory.h"
+#include <pcl/sedr_filters/large_memory.h>
 #include "voxel_block.h"
 
 #include <algorithm>

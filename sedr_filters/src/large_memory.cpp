@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "large_memory.h"
+#include <pcl/sedr_filters/large_memory.h>
 
 #include <cstdint>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/large_memory.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/scan_excerpt.h>
 
@@ -6,15 +7,20 @@ namespace pcl {
 namespace sedr {
 
 void
-addExcerpt(const PointView& points,
-           std::size_t first,
-           std::size_t step,
-           pcl::PointCloud<pcl::PointXYZ>& excerpt)
+addToExcerpt(const PointView& points,
+             std::size_t first,
+             std::size_t step,
+             unsigned threads,
+             ScanSample& sample,
+             pcl::PointCloud<pcl::PointXYZ>& excerpt)
 {
-  for (std::size_t i = (step - first % step) % step; i < points.size(); i += step) {
-    const Eigen::Vector3f p = points[i];
-    excerpt.emplace_back(p.x(), p.y(), p.z());
-  }
+  const auto upTo = [&](std::size_t end) { return (first + end + step - 1) / step; };
+  const std::size_t before = excerpt.size();
+  excerpt.resize(before + upTo(points.size()) - upTo(0));
+  sample.add(points, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = upTo(begin); k < upTo(end); ++k)
+      excerpt[before + k - upTo(0)].getVector3fMap() = points[k * step - first];
+  });
 }
 
 ScanExcerpt::ScanExcerpt(const RowSource& scan,
@@ -32,13 +38,13 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
   problem_.clear();
   points_->clear();
   points_->reserve(scan_.size() / step_ + 1);
+  expectLarge(points_->points.data(), points_->points.capacity() * sizeof(pcl::PointXYZ));
   ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
   std::size_t looked_at = 0;
   scan_.forEachPiece([&](const Piece& piece) {
     const PointView points = coordinates.of(piece.rows, piece.size, threads_);
-    sample.add(points, threads_);
-    addExcerpt(points, piece.first, step_, *points_);
+    addToExcerpt(points, piece.first, step_, threads_, sample, *points_);
     // Whenever twice as much has been seen, which costs next to nothing.
     const std::size_t seen = piece.first + piece.size;
     if (seen >= 2 * looked_at && seen < scan_.size()) {

@@ -42,7 +42,7 @@ public:
    * @param piece_bytes about how much of the file makes a piece */
   explicit ScanFile(const std::string& path,
                     double unit = 1,
-                    std::size_t piece_bytes = std::size_t{1} << 26);
+                    std::size_t piece_bytes = std::size_t{1} << 23);
 
   const std::string& path() const { return path_; }
 

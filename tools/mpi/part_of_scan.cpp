@@ -39,8 +39,7 @@ PartOfScan::thin(bool stops_early)
   has_stopped_ = false;
   std::size_t looked_at = 0;
   forEachPiece([&](const PointView& points, std::size_t first) {
-    sample.add(points, threads_);
-    addExcerpt(points, first, order_.excerpt_step, excerpt_);
+    addToExcerpt(points, first, order_.excerpt_step, threads_, sample, excerpt_);
     sums_->add(points, threads_);
     // Whenever twice as much has been seen, which costs next to nothing.
     const std::size_t seen = first + points.size() - begin;

@@ -24,7 +24,7 @@ struct RefitParameters {
   double reach = 0.06;    ///< points farther from a surface are not its own, metres
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
   std::size_t least_points = 20;     ///< of a surface that is fitted
-  std::size_t most_points = 8000000; ///< of a larger scan, every k-th point is taken
+  std::size_t most_points = 5000000; ///< of a larger scan, every k-th point is taken
   /** @brief Of a scan of more points for every tenth of a metre of wall and quarter of
    * a metre of slab, squared, every k-th point is taken. */
   std::size_t points_per_patch = 500;

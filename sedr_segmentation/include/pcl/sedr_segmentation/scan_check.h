@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/point_view.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,12 @@ public:
       , finite_(finite_before)
   {}
 
-  /** @brief Takes the next points of the scan, in their order; `threads` 0: all. */
-  void add(const PointView& points, unsigned threads = 0);
+  /** @brief Takes the next points of the scan, in their order; `threads` 0: all.
+   * @param beside also called for runs [begin, end) of these points, on the same
+   * threads, when they have just been read */
+  void add(const PointView& points,
+           unsigned threads = 0,
+           const std::function<void(std::size_t, std::size_t)>& beside = {});
 
   void add(const Eigen::Vector3f& point)
   {

@@ -13,14 +13,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Adds every `step`-th point of a scan to an excerpt, those that are not finite
- * too.
- * @param points a piece of the scan
- * @param first number of the first of them in the whole scan */
-void addExcerpt(const PointView& points,
-                std::size_t first,
-                std::size_t step,
-                pcl::PointCloud<pcl::PointXYZ>& excerpt);
+/** @brief Takes the next points of a scan: adds them to a sample of it, and every
+ * `step`-th, those that are not finite too, to an excerpt.
+ * @param first number of the first of them in the whole scan
+ * @param threads 0: as many as there are processors */
+void addToExcerpt(const PointView& points,
+                  std::size_t first,
+                  std::size_t step,
+                  unsigned threads,
+                  ScanSample& sample,
+                  pcl::PointCloud<pcl::PointXYZ>& excerpt);
 
 /** @brief A scan that is gone through once, and what is noted of it on the way: whether
  * it may be one of rooms in metres, and every k-th of its points. */
