@@ -53,22 +53,20 @@ densestWindow(const std::vector<Candidate>& sorted,
 
 /** @brief Counts the cells of candidates sorted by height, bin by bin. */
 HeightHistogram
-histogramOf(const std::vector<Candidate>& sorted, double bin_height)
+histogramOf(const std::vector<Candidate>& sorted,
+            double bin_height,
+            std::size_t cell_count)
 {
   HeightHistogram histogram{bin_height, {}};
-  std::vector<std::size_t> cells;
-  for (std::size_t first = 0; first < sorted.size();) {
-    const double bin = std::floor(sorted[first].z / bin_height);
-    cells.clear();
-    std::size_t last = first;
-    do
-      cells.push_back(sorted[last++].cell);
-    while (last < sorted.size() && sorted[last].z / bin_height < bin + 1);
-    std::sort(cells.begin(), cells.end());
-    const auto end = std::unique(cells.begin(), cells.end());
-    histogram.bins.push_back(
-        {bin * bin_height, static_cast<std::size_t>(end - cells.begin())});
-    first = last;
+  std::vector<std::size_t> last_bin_of(cell_count, 0); // that counted a cell, from 1
+  for (std::size_t k = 0; k < sorted.size();) {
+    const double bin = std::floor(sorted[k].z / bin_height);
+    histogram.bins.push_back({bin * bin_height, 0});
+    do {
+      std::size_t& last = last_bin_of[sorted[k++].cell];
+      histogram.bins.back().cells += last < histogram.bins.size() ? 1 : 0;
+      last = histogram.bins.size();
+    } while (k < sorted.size() && sorted[k].z / bin_height < bin + 1);
   }
   return histogram;
 }
@@ -276,7 +274,7 @@ findLevels(const LevelColumns& columns,
   const CellSet& cells = columns.cells();
   std::vector<Candidate> candidates = columns.withoutWalls();
   if (histogram)
-    *histogram = histogramOf(candidates, parameters.tolerance / 2);
+    *histogram = histogramOf(candidates, parameters.tolerance / 2, cells.size());
   const auto minimum_cells = std::max<std::size_t>(
       1, static_cast<std::size_t>(
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));

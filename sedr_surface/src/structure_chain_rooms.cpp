@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
@@ -47,27 +48,37 @@ StructureChain::shareOut()
 bool
 StructureChain::findDetails(StageReport& report)
 {
+  using Detection = decltype(slice_detail);
   slice_detail.setInputCloud(cloud);
   shareOut();
+  std::vector<Detection> detections(regions_.size(), slice_detail);
+  std::vector<pcl::PointIndices> details(regions_.size());
+  const CellGrid grid(outlier_removal.getGridSize());
+  const auto detect = [&](std::size_t r, std::size_t) {
+    const RoomRegion& region = regions_[r];
+    const Eigen::Vector2d middle = grid.centre(region.scope[region.scope.size() / 2]);
+    Detection& own = detections[r];
+    own.setIndices(territory_[r]);
+    own.setCeilingIndices(
+        labelled(StructureLabel::Ceiling, static_cast<std::uint32_t>(r + 1)));
+    own.setFloorHeight(levels_[region.floor_level].slab.heightAt(middle));
+    own.segment(details[r]);
+  };
+  parallelBlocks(regions_.size(), 1, room_segmentation.threads, detect);
+
   const pcl::Indices lower = unlabelledCeilings();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    const Eigen::Vector2d middle =
-        CellGrid(outlier_removal.getGridSize())
-            .centre(regions_[r].scope[regions_[r].scope.size() / 2]);
-    slice_detail.setIndices(territory_[r]);
-    slice_detail.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
-    slice_detail.setFloorHeight(levels_[regions_[r].floor_level].slab.heightAt(middle));
-    pcl::PointIndices details;
-    if (!slice_detail.segment(details))
+    slice_detail = std::move(detections[r]);
+    if (!slice_detail.getErrorMessage().empty())
       warn(room, slice_detail.getErrorMessage());
     tellResult("GridSliceDetail", room);
     slice_height_.push_back(slice_detail.getSliceHeight());
-    for (const int i : details.indices) {
+    for (const int i : details[r].indices) {
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
       rooms[static_cast<std::size_t>(i)] = room;
     }
-    report.points_out += details.indices.size() + labelLowerCeilings(r, lower);
+    report.points_out += details[r].indices.size() + labelLowerCeilings(r, lower);
   }
   return true;
 }
