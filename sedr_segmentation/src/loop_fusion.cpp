@@ -78,6 +78,29 @@ fusionsOf(const LoopChain& chain,
   return links;
 }
 
+/** @brief All of a window that its fusions depend on: the curves of its links, those
+ * before and after among them, and the corners between them. */
+std::vector<double>
+dependenciesOf(const LoopChain& chain, const Window& window)
+{
+  std::vector<double> all;
+  const auto add = [&](std::size_t i) {
+    const LoopLink& link = chain.links[i];
+    const PlanCurve& curve = link.curve;
+    const Eigen::Vector2d& corner = chain.corners[i];
+    all.insert(all.end(), {curve.point.x(), curve.point.y(), curve.direction.x(),
+                           curve.direction.y(), curve.radius,
+                           link.counter_clockwise ? 1.0 : 0.0});
+    if (i != window.before)
+      all.insert(all.end(), {corner.x(), corner.y()});
+  };
+  add(window.before);
+  for (const std::size_t i : window.inner)
+    add(i);
+  add(window.after);
+  return all;
+}
+
 } // namespace
 
 bool
@@ -86,7 +109,8 @@ tryFusion(LoopChain& chain,
           const PathCost& cost,
           const PlanPoints& evidence,
           const Guides& guides,
-          const LoopParameters& parameters)
+          const LoopParameters& parameters,
+          FusionMemo& memo)
 {
   if (std::any_of(window.inner.begin(), window.inner.end(),
                   [&](std::size_t i) { return chain.links[i].is_known; }))
@@ -100,7 +124,10 @@ tryFusion(LoopChain& chain,
   LoopLink fused;
   Eigen::Vector2d start;
   Eigen::Vector2d end;
-  for (const LoopLink& link : fusionsOf(chain, window, evidence, guides, parameters)) {
+  const auto [fusions, is_new] = memo.try_emplace(dependenciesOf(chain, window));
+  if (is_new)
+    fusions->second = fusionsOf(chain, window, evidence, guides, parameters);
+  for (const LoopLink& link : fusions->second) {
     Eigen::Vector2d from;
     Eigen::Vector2d to;
     if (!findCorner(before.curve, link.curve, window.path[1].start, parameters, from) ||

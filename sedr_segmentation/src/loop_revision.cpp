@@ -103,6 +103,7 @@ reviseChain(LoopChain& chain,
   // Points all over the place, where there are no walls, would be followed for ever.
   std::size_t changes = 0;
   const std::size_t most_changes = 16 + chain.size() / 2;
+  FusionMemo memo;
   // Once all windows of a chain have been tried in vain, it stays as it is.
   std::size_t in_vain = 0;
   const auto isDone = [&] {
@@ -120,7 +121,7 @@ reviseChain(LoopChain& chain,
         for (const std::size_t k : window.inner)
           length += chain.element(k).length();
         if ((inner >= 2 &&
-             tryFusion(chain, window, cost, evidence, guides, parameters)) ||
+             tryFusion(chain, window, cost, evidence, guides, parameters, memo)) ||
             (inner <= most_detour && length < longest_detour &&
              tryDetour(chain, window, cost, guides, parameters))) {
           in_vain = 0;

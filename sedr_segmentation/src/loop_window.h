@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace pcl {
@@ -59,14 +60,19 @@ bool tryDetour(LoopChain& chain,
                const Guides& guides,
                const LoopParameters& parameters);
 
+/** @brief The lines and arcs that were fitted to links, by all that they depend on: most
+ * windows are tried again and again while the chain changes elsewhere. */
+using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
+
 /** @brief Tries one line or arc in place of a window's inner links; whether it found
- * one. */
+ * one. `memo` is of this evidence, these guides and parameters only. */
 bool tryFusion(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
                const PlanPoints& evidence,
                const Guides& guides,
-               const LoopParameters& parameters);
+               const LoopParameters& parameters,
+               FusionMemo& memo);
 
 } // namespace sedr
 } // namespace pcl

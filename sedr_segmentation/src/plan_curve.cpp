@@ -222,6 +222,15 @@ fitCircle(const std::vector<WeightedPoint>& points, const PlanCurve& start)
 
 namespace {
 
+bool
+areSame(const std::vector<WeightedPoint>& a, const std::vector<WeightedPoint>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const WeightedPoint& p, const WeightedPoint& q) {
+                      return p.position == q.position && p.weight == q.weight;
+                    });
+}
+
 /** @brief Fits by `fit(points, start)` to the points within `band`, which shrinks. */
 template <typename Fit>
 PlanCurve
@@ -235,6 +244,7 @@ fitShrinking(const std::vector<WeightedPoint>& points,
   PlanCurve curve = start;
   const double widest = band;
   std::vector<WeightedPoint> inside;
+  std::vector<WeightedPoint> fitted;
   inside.reserve(points.size());
   for (int round = 0; round < rounds; ++round) {
     inside.clear();
@@ -243,9 +253,12 @@ fitShrinking(const std::vector<WeightedPoint>& points,
         inside.push_back(p);
     if (inside.size() < least_points)
       return round == 0 ? start : curve;
+    if (areSame(inside, fitted)) // the same again gives the same
+      return curve;
     curve = fit(inside, curve);
     if (round + 1 < rounds)
       band = std::clamp(2.5 * robustDeviation(inside, curve), 2e-4, widest);
+    fitted.swap(inside);
   }
   return curve;
 }
