@@ -87,31 +87,5 @@ squaredDistances(const CellMask& mask)
   return distances;
 }
 
-CellMask
-dilated(const CellMask& mask, double radius)
-{
-  const std::vector<float> distances = squaredDistances(mask);
-  CellMask result(mask.box());
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    result.values()[i] = distances[i] <= radius * radius ? 1 : 0;
-  return result;
-}
-
-CellMask
-eroded(const CellMask& mask, double radius)
-{
-  // A rim of cells that are not set stands for what lies outside.
-  const CellMask inside = cropped(mask, grown(mask.box(), 1));
-  const std::vector<float> distances = squaredDistances(inverted(inside));
-  CellMask result(mask.box());
-  std::size_t i = 0;
-  for (std::int32_t y = mask.box().low.y; y <= mask.box().high.y; ++y) {
-    std::size_t from = inside.indexOf({mask.box().low.x, y});
-    for (int x = 0; x < mask.width(); ++x, ++i, ++from)
-      result.values()[i] = distances[from] > radius * radius ? 1 : 0;
-  }
-  return result;
-}
-
 } // namespace sedr
 } // namespace pcl
