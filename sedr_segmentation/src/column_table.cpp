@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace pcl {
@@ -13,33 +14,35 @@ ColumnTable::ColumnTable(const CellGrid& grid,
                          const std::vector<int>& indices)
     : frame_(box)
 {
-  const auto cellIndex = [&](const Eigen::Vector3f& p, std::size_t& cell) {
-    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()) ||
-        !frame_.isInside(grid.at(p.x(), p.y())))
-      return false;
-    cell = frame_.indexOf(grid.at(p.x(), p.y()));
-    return true;
-  };
+  constexpr std::size_t outside = CellSet::npos;
+  std::vector<std::size_t> cell_of;
+  cell_of.reserve(indices.size());
   first_.assign(frame_.values().size() + 1, 0);
-  std::size_t cell = 0;
-  for (const int i : indices)
-    if (cellIndex(points[static_cast<std::size_t>(i)], cell))
-      ++first_[cell + 1];
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const bool is_held = std::isfinite(p.z()) && grid.holds(p.x(), p.y()) &&
+                         frame_.isInside(grid.at(p.x(), p.y()));
+    cell_of.push_back(is_held ? frame_.indexOf(grid.at(p.x(), p.y())) : outside);
+    if (is_held)
+      ++first_[cell_of.back() + 1];
+  }
   for (std::size_t c = 1; c < first_.size(); ++c)
     first_[c] += first_[c - 1];
   entries_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (cellIndex(p, cell))
-      entries_[next[cell]++] = {p.z(), i};
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (cell_of[k] != outside)
+      entries_[next[cell_of[k]]++] = {points[static_cast<std::size_t>(indices[k])].z(),
+                                      indices[k]};
+  const auto isLower = [](const Entry& a, const Entry& b) {
+    return a.z != b.z ? a.z < b.z : a.index < b.index;
+  };
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
+    Entry* const begin = entries_.data() + first_[c];
+    Entry* const end = entries_.data() + first_[c + 1];
+    if (!std::is_sorted(begin, end, isLower)) // as thinned points mostly are
+      std::sort(begin, end, isLower);
   }
-  for (std::size_t c = 0; c + 1 < first_.size(); ++c)
-    std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(first_[c]),
-              entries_.begin() + static_cast<std::ptrdiff_t>(first_[c + 1]),
-              [](const Entry& a, const Entry& b) {
-                return a.z != b.z ? a.z < b.z : a.index < b.index;
-              });
 }
 
 const ColumnTable::Entry*
@@ -69,11 +72,16 @@ ColumnTable::share(Cell cell, double low, double high, int bins, int radius) con
 {
   if (high <= low || bins <= 0)
     return 0;
+  const auto edge = [&](std::size_t b) {
+    return low + (high - low) * static_cast<double>(b) / bins;
+  };
+  constexpr std::size_t usual = 32;
+  std::array<std::uint8_t, usual> few{};
+  std::vector<std::uint8_t> many;
   const auto parts = static_cast<std::size_t>(bins);
-  std::vector<double> edges;
-  for (int b = 0; b <= bins; ++b)
-    edges.push_back(low + (high - low) * b / bins);
-  std::vector<std::uint8_t> is_occupied(parts, 0);
+  if (parts > usual)
+    many.resize(parts, 0);
+  std::uint8_t* const is_occupied = parts > usual ? many.data() : few.data();
   std::size_t empty = parts;
   const auto look = [&](Cell at) {
     const Entry* it = begin(at);
@@ -81,9 +89,9 @@ ColumnTable::share(Cell cell, double low, double high, int bins, int radius) con
     for (std::size_t b = 0; b < parts && it != last; ++b) {
       if (is_occupied[b])
         continue;
-      it = std::lower_bound(it, last, edges[b],
+      it = std::lower_bound(it, last, edge(b),
                             [](const Entry& e, double z) { return e.z < z; });
-      is_occupied[b] = it != last && it->z <= edges[b + 1] ? 1 : 0;
+      is_occupied[b] = it != last && it->z <= edge(b + 1) ? 1 : 0;
       empty -= is_occupied[b];
     }
   };

@@ -13,17 +13,19 @@ namespace sedr {
 
 namespace {
 
-/** @brief Lowest and highest slab within two cells of a cell; false where there is one
- * only. */
-bool
-stepBeside(const HeightMap& map,
-           const CellGrid& grid,
-           Cell cell,
-           double& low,
-           double& high)
+/** @brief Lowest and highest slab around a cell; no step where there is one only. */
+struct StepBeside {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool isStep() const { return high - low >= least_step; }
+};
+
+/** @brief The step within two cells of a cell of a map. */
+StepBeside
+stepBeside(const HeightMap& map, const CellGrid& grid, Cell cell)
 {
-  low = std::numeric_limits<double>::infinity();
-  high = -low;
+  StepBeside step;
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx) {
       const Cell near{cell.x + dx, cell.y + dy};
@@ -32,10 +34,21 @@ stepBeside(const HeightMap& map,
       if (label < 0)
         continue;
       const double height = map.slabOf(label).heightAt(grid.centre(cell));
-      low = std::min(low, height);
-      high = std::max(high, height);
+      step.low = std::min(step.low, height);
+      step.high = std::max(step.high, height);
     }
-  return high - low >= least_step;
+  return step;
+}
+
+/** @brief The steps within two cells of all cells of a map, row by row. */
+std::vector<StepBeside>
+stepsBeside(const HeightMap& map, const CellGrid& grid)
+{
+  std::vector<StepBeside> steps;
+  steps.reserve(map.label.size());
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    steps.push_back(stepBeside(map, grid, map.room.cellAt(i)));
+  return steps;
 }
 
 /** @brief Whether what shows at a point goes on beyond the riser between two heights: a
@@ -113,14 +126,14 @@ riserPoints(const PointView& points,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
+  const std::vector<StepBeside> steps = stepsBeside(map, grid);
   std::vector<Eigen::Vector2d> risers;
   for (const int i : evidence.around) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Cell cell = grid.at(p.x(), p.y());
-    double low = 0;
-    double high = 0;
-    if (!map.room.isInside(cell) || !stepBeside(map, grid, cell, low, high))
+    if (!map.room.isInside(cell) || !steps[map.room.indexOf(cell)].isStep())
       continue;
+    const auto& [low, high] = steps[map.room.indexOf(cell)];
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
     if (p.z() > low + margin && p.z() < high - margin && !isOnSlab(map, p, margin) &&
         !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/room_fit.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/column_fit.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace pcl {
 namespace sedr {
@@ -229,8 +231,15 @@ fitRoom(const PointView& points,
   const CeilingGap gap = gapBelow(room.ceiling);
   const CellMask furniture =
       tallFurniture(ceilings, grid, all, room.ceiling, room.floor, gap);
-  const std::vector<int> standing = besides(furniture, points, evidence.around, grid);
-  const ColumnTable columns(grid, box, points, standing);
+  const bool has_furniture = furniture.count() > 0;
+  std::vector<int> rest;
+  std::unique_ptr<const ColumnTable> of_rest;
+  if (has_furniture) {
+    rest = besides(furniture, points, evidence.around, grid);
+    of_rest = std::make_unique<ColumnTable>(grid, box, points, rest);
+  }
+  const std::vector<int>& standing = has_furniture ? rest : evidence.around;
+  const ColumnTable& columns = has_furniture ? *of_rest : all;
   const RoomOutline outline =
       outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
   const PlanPoints walls =
@@ -253,18 +262,23 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
-  for (const CellMask& column : outline.columns) {
+  std::vector<PlanLoop> loops(outline.columns.size());
+  std::vector<FittedBoundary> of_columns(loops.size());
+  parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
     // What the growing took for no wall may still be the column's.
+    const CellMask& column = outline.columns[c];
     const PlanPoints own = uprightPlaces(
         points, pointsIn(column, points, standing, grid), room, columns, grid);
-    const PlanLoop loop =
-        columnLoop(column, own, room.boundary, parameters, fitted.samples);
-    if (loop.elements.empty() || loop.area() >= 0)
+    of_columns[c].label = StructureLabel::Column;
+    loops[c] =
+        columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);
+  });
+  for (std::size_t c = 0; c < loops.size(); ++c) {
+    if (loops[c].elements.empty() || loops[c].area() >= 0)
       continue;
-    room.columns.push_back(loop);
-    fitted.label = StructureLabel::Column;
+    room.columns.push_back(std::move(loops[c]));
     if (record)
-      record->boundaries.push_back(fitted);
+      record->boundaries.push_back(std::move(of_columns[c]));
   }
   if (!evidence.details.empty())
     room.details =
