@@ -2,6 +2,7 @@
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -221,12 +222,45 @@ fitSlabRobustly(const PointView& points,
   return fitSlabRobustly(positionsOf(points, indices), start, band);
 }
 
+namespace {
+
+/** @brief Of some slabs the one that most of the points agree with, the first of
+ * equals; `start` where none does better. */
+PlanSlab
+bestOf(const std::vector<PlanSlab>& slabs,
+       const PlanSlab& start,
+       const Positions& points,
+       double tolerance,
+       unsigned threads)
+{
+  constexpr std::size_t block = 25;
+  using Choice = std::pair<double, const PlanSlab*>; // with its score
+  const Choice least{agreement(points, start, tolerance, 0), &start};
+  std::vector<Choice> choices((slabs.size() + block - 1) / block, least);
+  parallelBlocks(slabs.size(), block, threads, [&](std::size_t begin, std::size_t end) {
+    Choice& best = choices[begin / block];
+    for (std::size_t k = begin; k < end; ++k) {
+      const double score = agreement(points, slabs[k], tolerance, best.first);
+      if (score > best.first)
+        best = {score, &slabs[k]};
+    }
+  });
+  Choice best = least;
+  for (const Choice& choice : choices)
+    if (choice.first > best.first)
+      best = choice;
+  return *best.second;
+}
+
+} // namespace
+
 PlanSlab
 findSlab(const PointView& points,
          const std::vector<int>& indices,
          double tolerance,
          double maximum_tilt,
-         std::uint64_t seed)
+         std::uint64_t seed,
+         unsigned threads)
 {
   constexpr int trials = 300;
   constexpr std::size_t most_scored = 2000;
@@ -240,23 +274,18 @@ findSlab(const PointView& points,
     scored.push_back(all[k]);
 
   const PlanSlab level = densestLevel(scored, tolerance);
-  PlanSlab best = level;
-  double best_score = agreement(scored, best, tolerance, 0);
   const auto draw = [&]() {
     return Eigen::Vector3d(all[random() % all.size()].cast<double>());
   };
+  std::vector<PlanSlab> slabs;
   for (int trial = 0; trial < trials && indices.size() >= 3; ++trial) {
     PlanSlab slab;
     const Eigen::Vector3d a = draw();
     const Eigen::Vector3d b = draw();
-    if (!planeThrough(a, b, draw(), minimum_cosine, slab))
-      continue;
-    const double score = agreement(scored, slab, tolerance, best_score);
-    if (score > best_score) {
-      best_score = score;
-      best = slab;
-    }
+    if (planeThrough(a, b, draw(), minimum_cosine, slab))
+      slabs.push_back(slab);
   }
+  const PlanSlab best = bestOf(slabs, level, scored, tolerance, threads);
   const PlanSlab refined = fitSlabRobustly(all, best, tolerance);
   return refined.plane[2] >= minimum_cosine ? refined
                                             : fitParallel(all, level, level, tolerance);

@@ -119,6 +119,30 @@ private:
   double reach_;
 };
 
+/** @brief Whether hardly any of the points below a level, of which a few hundred are
+ * looked at, have their like above it. */
+bool
+hardlyMirrors(const Level& level,
+              const CellSet& footprint,
+              const LevelColumns& columns,
+              const NearPoints& near_points)
+{
+  constexpr std::size_t looked_at = 5000;
+  constexpr std::size_t enough = 200; // of them below
+  constexpr double most_share = 0.5;
+  std::vector<Candidate> some;
+  const std::vector<Candidate>& all = columns.withoutWalls();
+  for (std::size_t k = 0; k < all.size(); k += all.size() / looked_at + 1)
+    some.push_back(all[k]);
+  const std::vector<Candidate> below = belowFootprint(level, footprint, some);
+  const auto images =
+      std::count_if(below.begin(), below.end(), [&](const Candidate& c) {
+        return near_points.holdImage(c, level);
+      });
+  return below.size() >= enough &&
+         static_cast<double>(images) < most_share * static_cast<double>(below.size());
+}
+
 /** @brief Whether so many of some points below a level have their like above it that it
  * mirrors. Mostly the first few hundred say no. */
 bool
@@ -152,7 +176,8 @@ findReflections(const LevelColumns& columns,
         !hasPointsBelow(floor, columns.all()))
       continue;
     const CellSet footprint = footprintOf(floor, columns.grid());
-    if (!mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
+    if (hardlyMirrors(floor, footprint, columns, near_points) ||
+        !mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
                  near_points))
       continue;
     for (const Candidate& c : belowFootprint(floor, footprint, columns.all()))

@@ -232,7 +232,7 @@ slabOfWindow(const PointView& points,
     if (c.z >= low && c.z <= high)
       around.push_back(c.index);
   return findLargerSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
-                        seed);
+                        seed, parameters.threads);
 }
 
 /** @brief A level that was parted from earlier ones has no points in the cells of

@@ -2,6 +2,7 @@
 #include "level_parting.h"
 #include "level_regions.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <Eigen/Eigenvalues>
@@ -103,6 +104,7 @@ fitRegions(const PointView& points,
            std::size_t cell_count,
            double tolerance,
            const PlanSlab& start,
+           unsigned threads,
            std::vector<Region>& regions)
 {
   std::vector<std::size_t> region_of(cell_count, regions.size());
@@ -114,7 +116,8 @@ fitRegions(const PointView& points,
     if (region_of[c.cell] < regions.size() &&
         std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
       regions[region_of[c.cell]].points.push_back(c.index);
-  for (Region& region : regions) {
+  parallelBlocks(regions.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    Region& region = regions[r];
     const PlanSlab own = fitSlabRobustly(points, region.points, start, tolerance);
     const double reach = std::min(tolerance, 3 * own.residual + 1e-4);
     region.points.erase(std::remove_if(region.points.begin(), region.points.end(),
@@ -128,7 +131,7 @@ fitRegions(const PointView& points,
     region.variance =
         region.moments.variance(region.moments.normal(), region.moments.mean);
     region.unevenness = unevennessOf(points, region.points, own);
-  }
+  });
 }
 
 /** @brief Whether a plane fits each of some regions. Through the slabs of two rooms a
@@ -201,7 +204,7 @@ partLevel(const LevelColumns& columns,
   if (regions.empty())
     return false;
   fitRegions(points, candidates, cells.size(), parameters.tolerance, draft.slab,
-             regions);
+             parameters.threads, regions);
 
   std::vector<const Region*> stay;
   std::vector<const Region*> others;

@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
-#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -56,22 +54,6 @@ struct RoomWork {
 /** @brief A part of a room that is worth a word when it is left out, square metres. */
 constexpr double least_loss = 0.25;
 
-/** @brief Calls `fit(room)` for all rooms on the threads, those with most points first:
- * a large one that came last would keep one thread busy and the others waiting. */
-void
-forEachRoom(const std::vector<RoomWork>& work,
-            unsigned threads,
-            const std::function<void(std::size_t)>& fit)
-{
-  std::vector<std::size_t> order(work.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return work[a].evidence.around.size() > work[b].evidence.around.size();
-  });
-  parallelBlocks(order.size(), 1, threads,
-                 [&](std::size_t k, std::size_t) { fit(order[k]); });
-}
-
 /** @brief Fits every room for itself; what is wrong with those of which there is a
  * problem. */
 std::vector<std::string>
@@ -82,7 +64,7 @@ fitRooms(const PointView& points,
 {
   std::vector<std::string> problems(work.size());
   rooms.assign(work.size(), {});
-  forEachRoom(work, parameters.threads, [&](std::size_t r) {
+  parallelBlocks(work.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
     const RoomEvidence& evidence = work[r].evidence;
     if (evidence.ceiling.size() < 3 || evidence.floor.size() < 3)
       problems[r] = std::to_string(evidence.ceiling.size()) + " ceiling points and " +
@@ -105,7 +87,7 @@ leaveToOthers(const PointView& points,
 {
   std::vector<PlanRoom> rooms = plan.rooms;
   std::vector<std::uint8_t> has_changed(rooms.size(), 0);
-  forEachRoom(work, parameters.threads, [&](std::size_t r) {
+  parallelBlocks(rooms.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
     const std::vector<PlanElement> faces = facesOfOthers(plan, r);
     if (faces.empty())
       return;

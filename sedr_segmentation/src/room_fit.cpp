@@ -46,7 +46,7 @@ slabOf(const PointView& points,
 {
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
   return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
-                        parameters.loop.seed);
+                        parameters.loop.seed, parameters.threads);
 }
 
 /** @brief Whether a point is part of something upright: its column is occupied without

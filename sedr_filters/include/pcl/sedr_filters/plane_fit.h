@@ -33,12 +33,14 @@ PlanSlab fitParallel(const PointView& points,
 
 /** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the
  * horizontal, with inliers within `tolerance` metres, refined by fitSlabRobustly().
- * Deterministic for a `seed`. */
+ * Deterministic for a `seed`, for any number of threads, 0: as many as there are
+ * processors. */
 PlanSlab findSlab(const PointView& points,
                   const std::vector<int>& indices,
                   double tolerance,
                   double maximum_tilt,
-                  std::uint64_t seed);
+                  std::uint64_t seed,
+                  unsigned threads = 1);
 
 /** @brief The same, but of two parallel surfaces side by side, a small step apart, the
  * larger one, where findSlab() lays a plane that leans across both. */
@@ -46,7 +48,8 @@ PlanSlab findLargerSlab(const PointView& points,
                         const std::vector<int>& indices,
                         double tolerance,
                         double maximum_tilt,
-                        std::uint64_t seed);
+                        std::uint64_t seed,
+                        unsigned threads = 1);
 
 /** @brief Distance of a point from a slab, metres, positive above it. */
 inline double
