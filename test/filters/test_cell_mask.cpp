@@ -170,7 +170,7 @@ TEST(SquaredDistances, StayExactInAHallOfAFewHundredMetres)
 TEST(Dilation, SetsWhatLiesWithinTheRadius)
 {
   const CellMask mask = randomMask(box, 0.02, 11);
-  for (const double radius : {0.0, 1.0, 1.5, 2.0, 3.7}) {
+  for (const double radius : {0.0, 1.0, 1.5, 2.0, 3.7, 11.3, 1e9}) {
     const CellMask result = dilated(mask, radius);
     for (std::size_t i = 0; i < result.values().size(); ++i) {
       const bool is_near =
@@ -183,7 +183,7 @@ TEST(Dilation, SetsWhatLiesWithinTheRadius)
 TEST(Erosion, KeepsWhatIsFartherThanTheRadiusFromTheOutside)
 {
   const CellMask mask = randomMask(box, 0.97, 12);
-  for (const double radius : {0.0, 1.0, 1.5, 2.0, 3.7}) {
+  for (const double radius : {0.0, 1.0, 1.5, 2.0, 3.7, 11.3, 1e9}) {
     const CellMask result = eroded(mask, radius);
     for (std::size_t i = 0; i < result.values().size(); ++i) {
       const bool is_deep = mask.values()[i] &&

@@ -244,7 +244,9 @@ TEST(FindSlab, IsTheSameForASeedAndNearlyTheSameForAll)
   for (auto& p : cloud.points)
     p.z() += noise(random);
   const PlanSlab first = findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 7);
-  EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 7).plane, first.plane);
+  for (const unsigned threads : {1u, 2u, 5u})
+    EXPECT_EQ(findSlab(cloud.view(), cloud.all(), 0.05, 0.05, 7, threads).plane,
+              first.plane);
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.05, 0.05, seed);
     EXPECT_LT(degreesBetween(slab, truth), 0.05) << seed;

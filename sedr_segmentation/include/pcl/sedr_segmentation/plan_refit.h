@@ -55,7 +55,7 @@ struct RefitReport {
  *
  * O(n) for n points, in a pass over all and four over those near a surface; the same
  * for any number of threads. It notes which points show what: 16 bytes for each of
- * them, of the 8 million that are looked at 120 MiB at the most. A plan with an empty
+ * them, of the 5 million that are looked at 80 MiB at the most. A plan with an empty
  * loop, or one larger than a table of its cells may be, stays as it is, and the report
  * says why.
  * @param raw the scan; points that are not finite are left out
