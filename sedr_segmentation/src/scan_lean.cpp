@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plane_pair.h"
+
 #include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <Eigen/Eigenvalues>
@@ -179,6 +181,15 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
   const ScanLean lean = leanOf(points, indices);
   if (!(lean.angle > 0))
     return {};
+  // A scan whose y is up, turned about it: what stands at an angle to z are walls.
+  constexpr double times = 1.5;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
+  const std::string side = sideProblem(points, indices, lean.up, pair, times);
+  if (!side.empty())
+    return side;
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   std::array<char, 400> text{};
   std::snprintf(

@@ -159,4 +159,20 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   EXPECT_TRUE(chain.warnings.empty());
 }
 
+TEST(StructureChain, WarnsOfRoomsInFeet)
+{
+  for (const double unit : {1.0, 0.5}) {
+    RoomPoints points(0.1 * unit);
+    for (int room = 0; room < 3; ++room)
+      points.room(rectangle(14 * room * unit, 0, (14 * room + 12) * unit, 10 * unit), 0,
+                  8 * unit);
+    StructureChain chain;
+    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+    bool warns = false;
+    for (const auto& warning : chain.warnings)
+      warns = warns || warning.find("--unit 0.3048") != std::string::npos;
+    EXPECT_EQ(warns, unit == 1.0);
+  }
+}
+
 } // namespace
