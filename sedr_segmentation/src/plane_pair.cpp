@@ -16,6 +16,12 @@
 namespace pcl {
 namespace sedr {
 
+namespace {
+
+constexpr double most_off = 0.026; ///< of an axis from square to another one, radians
+
+} // namespace
+
 PlanePair
 bestPair(const PointView& points,
          const std::vector<int>& indices,
@@ -38,6 +44,8 @@ bestPair(const PointView& points,
   for (auto& [level, keys] : slabs)
     sizes.emplace_back(level, CellSet(std::move(keys)).size());
   PlanePair best;
+  for (const auto& [level, cells] : sizes)
+    best.largest_cells = std::max(best.largest_cells, cells);
   for (std::size_t a = 0; a < sizes.size(); ++a)
     for (std::size_t b = a + 1; b < sizes.size(); ++b) {
       const double distance =
@@ -45,23 +53,21 @@ bestPair(const PointView& points,
       if (distance > farthest)
         break;
       const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
-      if (distance >= nearest && cells > best.cells)
-        best = {cells, distance};
+      if (distance < nearest || cells <= best.cells)
+        continue;
+      best.cells = cells;
+      best.distance = distance;
     }
   return best;
 }
 
-std::string
-sideProblem(const PointView& points,
-            const std::vector<int>& indices,
-            const Eigen::Vector3d& up,
-            const PlanePair& pair,
-            double times)
+SidePair
+bestSidePair(const PointView& points,
+             const std::vector<int>& indices,
+             const Eigen::Vector3d& up)
 {
-  constexpr std::size_t least_wall = 200; // cells, 2 square metres
-  constexpr double most_off = 0.026;      // from square, radians
-  PlanePair side;
-  int side_axis = 0;
+  constexpr double least_area = 2; // square metres
+  SidePair best;
   for (const int axis : {0, 1}) {
     if (std::abs(up[axis]) > most_off)
       continue;
@@ -70,14 +76,17 @@ sideProblem(const PointView& points,
       axes.row(k) = Eigen::Vector3d::Unit((axis + 1 + k) % 3);
     const PlanePair found =
         bestPair(points, indices, axes, lowest_room, highest_usual_room);
-    if (found.cells >= side.cells) {
-      side = found;
-      side_axis = axis;
-    }
+    if (found.area() < least_area || found.cells < best.cells)
+      continue;
+    static_cast<PlanePair&>(best) = found;
+    best.axis = axis == 0 ? 'x' : 'y';
   }
-  if (side.cells < least_wall ||
-      static_cast<double>(side.cells) <= times * static_cast<double>(pair.cells))
-    return {};
+  return best;
+}
+
+std::string
+sideProblem(const SidePair& side, const Eigen::Vector3d& up, const PlanePair& pair)
+{
   std::array<char, 48> across{"z"};
   if (up.z() < std::cos(most_off))
     std::snprintf(across.data(), across.size(), "a direction at %.1f degrees to z",
@@ -88,9 +97,8 @@ sideProblem(const PointView& points,
                 "are %.1f m apart, across %s of %.0f square metres %.1f m; turn the "
                 "scan, for instance by pcl_transform_point_cloud IN OUT -axisangle "
                 "%s (-1.5708 if it is upside down then)",
-                side_axis == 1 ? 'y' : 'x', side.area(), side.distance, across.data(),
-                pair.area(), pair.distance,
-                side_axis == 1 ? "1,0,0,1.5708" : "0,-1,0,1.5708");
+                side.axis, side.area(), side.distance, across.data(), pair.area(),
+                pair.distance, side.turn());
   return text.data();
 }
 

@@ -17,8 +17,10 @@ namespace sedr {
 struct PlanePair {
   std::size_t cells = 0;
   double distance = 0;
+  std::size_t largest_cells = 0; ///< of the largest level there is, in a pair or not
 
   double area() const { return 0.01 * static_cast<double>(cells); } ///< square metres
+  double largestArea() const { return 0.01 * static_cast<double>(largest_cells); }
 };
 
 /** @brief The best pair of levels that are between `nearest` and `farthest` metres
@@ -35,15 +37,24 @@ constexpr double lowest_room = 1.8;
 constexpr double highest_usual_room = 4.5;
 constexpr double highest_room = 100;
 
-/** @brief What says that y or x is up, square to `up`: two planes at the distance of a
- * floor and a ceiling across it, `times` as large as `pair` is across `up`.
- * @param up unit
- * @return a sentence with the turn that mends it; empty if nothing says so */
-std::string sideProblem(const PointView& points,
-                        const std::vector<int>& indices,
-                        const Eigen::Vector3d& up,
-                        const PlanePair& pair,
-                        double times);
+/** @brief Planes at the distance of a floor and a ceiling across y or x. */
+struct SidePair : PlanePair {
+  char axis = 0; ///< 'x' or 'y', 0 where there are none
+
+  /** @brief What pcl_transform_point_cloud takes to turn the axis up. */
+  const char* turn() const { return axis == 'y' ? "1,0,0,1.5708" : "0,-1,0,1.5708"; }
+};
+
+/** @brief The larger one of the pairs across those of y and x that are square to `up`,
+ * unit, of at least two square metres. */
+SidePair bestSidePair(const PointView& points,
+                      const std::vector<int>& indices,
+                      const Eigen::Vector3d& up);
+
+/** @brief The sentence that the axis of `side` is up rather than `up`, across which
+ * `pair` is, and what turns it. */
+std::string
+sideProblem(const SidePair& side, const Eigen::Vector3d& up, const PlanePair& pair);
 
 } // namespace sedr
 } // namespace pcl

@@ -119,16 +119,22 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
 }
 
 std::string
-upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_rooms)
+upProblem(const PointView& points, const std::vector<int>& indices, RoomsAlongZ rooms)
 {
   constexpr double times = 1.5;
-  constexpr double times_of_usual = 4; // a corridor's walls are larger than its floor
+  constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
   const PlanePair up =
       bestPair(points, indices, Eigen::Matrix3d::Identity(), lowest_room, highest_room);
-  const bool is_usual =
-      z_has_rooms && (up.cells == 0 || up.distance <= highest_usual_room);
-  return sideProblem(points, indices, Eigen::Vector3d::UnitZ(), up,
-                     is_usual ? times_of_usual : times);
+  const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
+  if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
+    return {};
+  const double least =
+      rooms == RoomsAlongZ::Found
+          ? std::max(times_of_rooms * up.area(), times * up.largestArea())
+          : times * up.area();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const SidePair side = bestSidePair(points, indices, z);
+  return side.area() > least ? sideProblem(side, z, up) : std::string();
 }
 
 std::string

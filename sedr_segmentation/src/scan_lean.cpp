@@ -187,9 +187,9 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
       Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
-  const std::string side = sideProblem(points, indices, lean.up, pair, times);
-  if (!side.empty())
-    return side;
+  const SidePair side = bestSidePair(points, indices, lean.up);
+  if (side.area() > times * pair.area())
+    return sideProblem(side, lean.up, pair);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   std::array<char, 400> text{};
   std::snprintf(
@@ -199,7 +199,10 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
       "instance by pcl_transform_point_cloud IN OUT -axisangle "
       "%.4f,%.4f,0,%.4f",
       lean.area, lean.angle * 180 / M_PI, axis.x(), axis.y(), lean.angle);
-  return text.data();
+  std::string problem = text.data();
+  if (side.area() * times > pair.area())
+    problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
+  return problem;
 }
 
 } // namespace sedr

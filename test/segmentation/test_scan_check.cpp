@@ -34,9 +34,9 @@ scanProblemOf(const RoomPoints& points)
 }
 
 std::string
-upProblemOf(const RoomPoints& points)
+upProblemOf(const RoomPoints& points, RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor)
 {
-  return upProblem(points.view(), points.all());
+  return upProblem(points.view(), points.all(), rooms);
 }
 
 bool
@@ -170,10 +170,10 @@ TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
     return {p.x(), p.z(), p.y()};
   });
   EXPECT_EQ(upProblemOf(points), "");
-  const std::string problem = upProblem(points.view(), points.all(), false);
+  const std::string problem = upProblem(points.view(), points.all(), RoomsAlongZ::None);
   EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
   const RoomPoints standing = changed([](auto p) { return p; });
-  EXPECT_EQ(upProblem(standing.view(), standing.all(), false), "");
+  EXPECT_EQ(upProblem(standing.view(), standing.all(), RoomsAlongZ::None), "");
 }
 
 TEST(UpProblem, FourTimesTheAreaIsMoreThanTheHeightOfAnyRoomExplains)
@@ -185,16 +185,24 @@ TEST(UpProblem, FourTimesTheAreaIsMoreThanTheHeightOfAnyRoomExplains)
   RoomPoints points;
   for (const int i : flat.all())
     points.point(flat[i].y(), flat[i].z(), flat[i].x());
-  const std::string problem = upProblemOf(points);
+  EXPECT_EQ(upProblemOf(points), "") << "it may have rooms along z, 4 m high";
+  const std::string problem = upProblemOf(points, RoomsAlongZ::Found);
   EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
   EXPECT_TRUE(mentions(problem, "-axisangle 1,0,0,1.5708")) << problem;
 }
 
-TEST(UpProblem, WallsOfACorridorAreNoReason)
+TEST(UpProblem, WallsOfACorridorOrOfARoomWithHardlyACeilingAreNoReason)
 {
   RoomPoints corridor;
   corridor.room(rectangle(0, 0, 20, 1.9), 0, 3.2);
-  EXPECT_EQ(upProblemOf(corridor), "");
+  EXPECT_EQ(upProblemOf(corridor, RoomsAlongZ::Found), "");
+  RoomPoints open;
+  const PlanLoop loop = rectangle(0, 0, 5, 4);
+  open.slab(loop, 0);
+  open.slab(rectangle(0, 0, 1, 1), 2.5);
+  for (const auto& wall : loop.elements)
+    open.wall(wall, 0, 2.5);
+  EXPECT_EQ(upProblemOf(open, RoomsAlongZ::Found), "") << "a large floor";
 }
 
 TEST(UpProblem, AHighHallIsNoReason)

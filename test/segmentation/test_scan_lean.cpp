@@ -115,6 +115,25 @@ TEST(ScanLean, AboutAnAxisOfCoordinatesIsStillALean)
     }
 }
 
+TEST(ScanLean, OfACorridorThatMayLieOnItsSideBothTurnsAreNamed)
+{
+  // Its walls are 2.4 m apart and larger than its floor: y is up, or it leans by 20
+  // degrees.
+  RoomPoints corridor;
+  corridor.room(rectangle(0, 0, 15, 2.4), 0, 2.7);
+  RoomPoints points;
+  const Eigen::AngleAxisd turn(20 * M_PI / 180, Eigen::Vector3d::UnitY());
+  for (const int i : corridor.all()) {
+    const Eigen::Vector3f p = corridor[i];
+    const Eigen::Vector3d q = turn * Eigen::Vector3d(p.x(), p.z(), p.y());
+    points.point(q.x(), q.y(), q.z());
+  }
+  const std::string problem = leanProblem(points.view(), points.all());
+  EXPECT_EQ(problem.rfind("the scan leans", 0), 0U) << problem;
+  EXPECT_NE(problem.find("; or, if y is up, 1,0,0,1.5708"), std::string::npos)
+      << problem;
+}
+
 TEST(ScanLean, AnUprightRoomDoesNotLean)
 {
   for (const double degrees : {0.0, 1.0, 2.5}) {
