@@ -108,6 +108,8 @@ TEST(TallFurniture, IsSeenBelowTheCeilingAlongHalfOfItOrIsNone)
   };
   EXPECT_GT(furnitureFor(3.01), 50u);
   EXPECT_GT(furnitureFor(2.0), 30u);
+  EXPECT_LT(furnitureFor(2.0), 0.75 * static_cast<double>(furnitureFor(3.01)))
+      << "only where the ceiling is seen";
   EXPECT_EQ(furnitureFor(1.0), 0u) << "a wall with what a gap in it shows";
 }
 
