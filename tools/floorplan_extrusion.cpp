@@ -44,7 +44,7 @@ run(const Settings& settings, Extrusion& extrusion)
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements());
   for (const auto& warning : extrusion.getWarnings())
-    std::cerr << "pcl_floorplan_extrusion: warning: " << warning << '\n';
+    warn(warning);
   if (!extrusion.getErrorMessage().empty())
     std::cerr << "pcl_floorplan_extrusion: " << extrusion.getErrorMessage() << '\n';
   return Done;

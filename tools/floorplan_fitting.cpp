@@ -13,7 +13,6 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <cstdio>
-#include <iostream>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;
@@ -82,7 +81,7 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.picture.empty())
     savePicture(settings.picture, drawPlan(plan, fitting.getBoundaries()));
   for (const auto& warning : fitting.getWarnings())
-    std::cerr << "pcl_floorplan_fitting: warning: " << warning << std::endl;
+    warn(warning);
   for (const auto& room : plan.rooms)
     tell(room);
   return Done;

@@ -21,6 +21,7 @@
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
+using pcl::sedr::RoomsAlongZ;
 using pcl::sedr::StructureLabel;
 
 namespace {
@@ -66,13 +67,13 @@ allOf(const ToolCloud& cloud)
 /** @brief Whether another axis than z seems to be up, or the scan leans, a sentence;
  * empty if not, or if z is to be trusted. */
 std::string
-turned(const Settings& settings, const ToolCloud& cloud, bool z_has_rooms)
+turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
 {
   if (settings.trust_up)
     return "";
   const pcl::sedr::PointView points(*cloud.points);
   const pcl::Indices all = allOf(cloud);
-  std::string problem = pcl::sedr::upProblem(points, all, z_has_rooms);
+  std::string problem = pcl::sedr::upProblem(points, all, rooms);
   if (problem.empty())
     problem = pcl::sedr::leanProblem(points, all);
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
@@ -85,7 +86,7 @@ checkScan(const Settings& settings, const ToolCloud& cloud)
   std::string problem =
       pcl::sedr::scanProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud));
   if (problem.empty())
-    problem = turned(settings, cloud, true);
+    problem = turned(settings, cloud, RoomsAlongZ::NotLookedFor);
   if (!problem.empty())
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
 }
@@ -204,9 +205,12 @@ run(const Settings& settings, Detection& detection)
   dropSmall(planes, detection.getMinimumArea());
   const std::string missing = missingKind(planes, detection.getMinimumRoomHeight());
   if (!missing.empty()) {
-    const std::string hint = turned(settings, cloud, false);
+    const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
     throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
   }
+  const std::string doubt = turned(settings, cloud, RoomsAlongZ::Found);
+  if (!doubt.empty())
+    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
   apply(settings, planes, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);

@@ -109,7 +109,7 @@ makeModelTogether(const std::string& tool,
   chain.getChain().room_workers = orders.rooms();
   const std::vector<std::string>& losses = orders.rooms()->losses();
   try {
-    makeModel(tool, settings, chain, [&] {
+    makeModel(settings, chain, [&] {
       const std::vector<ScanInput> inputs = findInputs(call.scans);
       auto thin_orders =
           thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));

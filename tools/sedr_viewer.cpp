@@ -35,8 +35,8 @@ void
 addOptions(Options& options, Settings& s)
 {
   options.file("INPUT", s.path,
-               "folder that pcl_sedr has left, or a PCD or PLY cloud: with label or "
-               "room as a stage leaves it, or raw");
+               "folder that pcl_sedr has left; or a PCD or PLY cloud, with label or "
+               "room as a stage leaves it, or raw; or one of its meshes or plans");
   options.text("layers", s.layers,
                "what is shown, of raw, thinned, structure, plan, mesh, solid: one or "
                "more, with commas between; none given: mesh, or the next best");

@@ -40,8 +40,12 @@ struct Arguments {
   double max_range = 0.0;
   sim::ScanOptions scan;
   bool help = false;
+  bool version = false;
   bool list = false;
   std::string print;
+
+  /** @brief Whether something is to be told and nothing to be scanned. */
+  bool isQuestion() const { return help || version || list || !print.empty(); }
 };
 
 po::options_description
@@ -50,6 +54,7 @@ visibleOptions(Arguments& arguments)
   po::options_description options("Options");
   auto add = options.add_options();
   add("help,h", po::bool_switch(&arguments.help), "print this help");
+  add("version", po::bool_switch(&arguments.version), "print the version");
   add("list", po::bool_switch(&arguments.list),
       "list the built-in scenes and how they are scanned");
   add("print", po::value(&arguments.print)->value_name("SCENE"),
@@ -152,14 +157,21 @@ parse(int argc, char** argv)
 
   po::options_description all;
   all.add(options).add(positional_options);
+  // -rays for --rays, as the other programs and PCL's own have it.
+  const int style = (po::command_line_style::default_style |
+                     po::command_line_style::allow_long_disguise) &
+                    ~po::command_line_style::allow_guessing;
   po::variables_map given;
-  po::store(
-      po::command_line_parser(argc, argv).options(all).positional(positional).run(),
-      given);
+  po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style)
+                .run(),
+            given);
   po::notify(given);
   if (arguments.help)
     printHelp(options);
-  if (arguments.help || arguments.list || !arguments.print.empty())
+  if (arguments.isQuestion())
     return arguments;
   if (given.count("folder") == 0)
     throw std::invalid_argument("SCENE and OUTPUT_DIR are needed; see -h");
@@ -219,12 +231,14 @@ main(int argc, char** argv)
 {
   try {
     Arguments arguments = parse(argc, argv);
-    if (arguments.list)
+    if (!arguments.isQuestion())
+      simulate(arguments);
+    else if (arguments.version)
+      std::cout << "pcl_simulate_indoor_scan (SEDR) " SEDR_VERSION "\n";
+    else if (arguments.list)
       printScenes();
     else if (!arguments.print.empty())
       std::cout << sim::sceneText(arguments.print);
-    else if (!arguments.help)
-      simulate(arguments);
     return 0;
   }
   catch (const std::exception& error) {

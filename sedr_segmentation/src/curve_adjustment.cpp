@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/curve_adjustment.h>
+#include "tie_equations.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -24,12 +24,6 @@ stateOf(const MeasuredCurve& m)
           leftOf(c.direction).dot(c.point - m.pivot), 0};
 }
 
-Eigen::Vector2d
-directionOf(const Eigen::Vector3d& line)
-{
-  return {std::cos(line[0]), std::sin(line[0])};
-}
-
 void
 setState(const Eigen::Vector3d& state, MeasuredCurve& m)
 {
@@ -41,119 +35,6 @@ setState(const Eigen::Vector3d& state, MeasuredCurve& m)
   }
   c.direction = directionOf(state);
   c.point = m.pivot + state[1] * leftOf(c.direction);
-}
-
-/** @brief One equation that shall be zero, and how it changes with both curves. */
-struct Equation {
-  double value = 0;
-  Eigen::Vector3d by_a = Eigen::Vector3d::Zero();
-  Eigen::Vector3d by_b = Eigen::Vector3d::Zero();
-};
-
-/** @brief An angle brought into [-90, 90) degrees: lines have no sense. */
-double
-lineAngle(double angle)
-{
-  return angle - M_PI * std::floor(angle / M_PI + 0.5);
-}
-
-/** @brief What is fixed about a tie before curves move: from which side they touch. */
-struct Side {
-  double sign = 1;
-  bool is_inside = false; ///< one circle within the other
-};
-
-Side
-sideOf(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind)
-{
-  Side side;
-  if (kind != TieKind::Tangent)
-    return side;
-  if (!a.curve.isCircle()) {
-    side.sign = a.curve.signedDistance(b.curve.point) < 0 ? -1 : 1;
-    return side;
-  }
-  const double apart = (a.curve.point - b.curve.point).norm();
-  side.is_inside = apart < std::max(a.curve.radius, b.curve.radius);
-  side.sign = a.curve.radius < b.curve.radius ? -1 : 1;
-  return side;
-}
-
-Equation
-angleEquation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double between)
-{
-  return {lineAngle(a[0] - b[0] - between), {1, 0, 0}, {-1, 0, 0}};
-}
-
-Equation
-lineTouchesCircle(const MeasuredCurve& line,
-                  const Eigen::Vector3d& a,
-                  const Eigen::Vector3d& b,
-                  const Side& side)
-{
-  const Eigen::Vector2d along = directionOf(a);
-  const Eigen::Vector2d left = leftOf(along);
-  const Eigen::Vector2d way = b.head<2>() - line.pivot;
-  return {left.dot(way) - a[1] - side.sign * b[2],
-          {-along.dot(way), -1, 0},
-          {left.x(), left.y(), -side.sign}};
-}
-
-Equation
-circleTouchesCircle(const Eigen::Vector3d& a,
-                    const Eigen::Vector3d& b,
-                    const Side& side)
-{
-  const Eigen::Vector2d way = b.head<2>() - a.head<2>();
-  const double apart = std::max(way.norm(), 1e-12);
-  const Eigen::Vector2d u = way / apart;
-  if (side.is_inside)
-    return {apart - side.sign * (a[2] - b[2]),
-            {-u.x(), -u.y(), -side.sign},
-            {u.x(), u.y(), side.sign}};
-  return {apart - a[2] - b[2], {-u.x(), -u.y(), -1}, {u.x(), u.y(), -1}};
-}
-
-/** @brief That the middle of the second line lies on the first. */
-Equation
-onLineEquation(const MeasuredCurve& first,
-               const MeasuredCurve& second,
-               const Eigen::Vector3d& a,
-               const Eigen::Vector3d& b)
-{
-  const Eigen::Vector2d left = leftOf(directionOf(a));
-  const Eigen::Vector2d other_left = leftOf(directionOf(b));
-  const Eigen::Vector2d way = second.pivot + b[1] * other_left - first.pivot;
-  return {left.dot(way) - a[1],
-          {-directionOf(a).dot(way), -1, 0},
-          {-b[1] * left.dot(directionOf(b)), left.dot(other_left), 0}};
-}
-
-/** @brief The equations of a tie at the states `a` and `b` of its curves. */
-std::vector<Equation>
-equationsOf(TieKind kind,
-            const Side& side,
-            const MeasuredCurve& first,
-            const MeasuredCurve& second,
-            const Eigen::Vector3d& a,
-            const Eigen::Vector3d& b)
-{
-  switch (kind) {
-  case TieKind::Parallel:
-    return {angleEquation(a, b, 0)};
-  case TieKind::Perpendicular:
-    return {angleEquation(a, b, M_PI / 2)};
-  case TieKind::Collinear:
-    return {angleEquation(a, b, 0), onLineEquation(first, second, a, b)};
-  case TieKind::Tangent:
-    return {first.curve.isCircle() ? circleTouchesCircle(a, b, side)
-                                   : lineTouchesCircle(first, a, b, side)};
-  case TieKind::EqualRadius:
-    return {{a[2] - b[2], {0, 0, 1}, {0, 0, -1}}};
-  case TieKind::Concentric:
-    return {{a[0] - b[0], {1, 0, 0}, {-1, 0, 0}}, {a[1] - b[1], {0, 1, 0}, {0, -1, 0}}};
-  }
-  return {};
 }
 
 /** @brief Covariance of a curve's parameters; 0 for those that a line has not. */
@@ -178,11 +59,11 @@ struct EquationSystem {
 EquationSystem
 systemOf(const std::vector<MeasuredCurve>& curves,
          const std::vector<CurveTie>& ties,
-         const std::vector<Side>& sides,
+         const std::vector<TieSide>& sides,
          const Eigen::VectorXd& state)
 {
   struct Row {
-    Equation equation;
+    TieEquation equation;
     CurveTie tie;
   };
   std::vector<Row> rows;
@@ -234,8 +115,8 @@ circleInformation(double count, double deviation, double from, double sweep)
 double
 contradiction(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind)
 {
-  const std::vector<Equation> equations =
-      equationsOf(kind, sideOf(a, b, kind), a, b, stateOf(a), stateOf(b));
+  const std::vector<TieEquation> equations =
+      equationsOf(kind, tieSideOf(a, b, kind), a, b, stateOf(a), stateOf(b));
   const Eigen::Matrix3d covariance_a = covarianceOf(a);
   const Eigen::Matrix3d covariance_b = covarianceOf(b);
   const auto count = static_cast<Eigen::Index>(equations.size());
@@ -243,7 +124,7 @@ contradiction(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind)
   Eigen::MatrixXd slope_a(count, 3);
   Eigen::MatrixXd slope_b(count, 3);
   for (Eigen::Index r = 0; r < count; ++r) {
-    const Equation& e = equations[static_cast<std::size_t>(r)];
+    const TieEquation& e = equations[static_cast<std::size_t>(r)];
     value[r] = e.value;
     slope_a.row(r) = e.by_a.transpose();
     slope_b.row(r) = e.by_b.transpose();
@@ -262,14 +143,14 @@ adjustCurves(std::vector<MeasuredCurve>& curves, const std::vector<CurveTie>& ti
   const auto size = 3 * static_cast<Eigen::Index>(curves.size());
   Eigen::VectorXd start(size);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, 3);
-  std::vector<Side> sides;
+  std::vector<TieSide> sides;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto at = 3 * static_cast<Eigen::Index>(c);
     start.segment<3>(at) = stateOf(curves[c]);
     covariance.block<3, 3>(at, 0) = covarianceOf(curves[c]);
   }
   for (const auto& tie : ties)
-    sides.push_back(sideOf(curves[tie.a], curves[tie.b], tie.kind));
+    sides.push_back(tieSideOf(curves[tie.a], curves[tie.b], tie.kind));
 
   Eigen::VectorXd state = start;
   for (int round = 0; round < rounds; ++round) {

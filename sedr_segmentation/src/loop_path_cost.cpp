@@ -3,6 +3,8 @@
 
 #include "wall_stretch.h"
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,15 +66,14 @@ densityAlong(const std::vector<ContourSample>& samples,
              const PlanPoints& evidence,
              const LoopParameters& parameters)
 {
-  std::vector<std::size_t> counts;
+  std::vector<double> counts;
   for (const auto& s : samples)
     if (s.isSupported())
-      counts.push_back(wallAcross(evidence, s.place, s.tangent, parameters).count);
+      counts.push_back(static_cast<double>(
+          wallAcross(evidence, s.place, s.tangent, parameters).count));
   if (counts.empty())
     return 0;
-  const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-  std::nth_element(counts.begin(), middle, counts.end());
-  return static_cast<double>(*middle) / (2 * parameters.evidence_span);
+  return middleValue(std::move(counts)) / (2 * parameters.evidence_span);
 }
 
 } // namespace

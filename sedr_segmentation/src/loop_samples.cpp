@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_stretch.h"
 
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <algorithm>
@@ -26,15 +27,13 @@ void
 judgeSupport(const std::vector<std::size_t>& counts,
              std::vector<ContourSample>& samples)
 {
-  std::vector<std::size_t> found;
+  std::vector<double> found;
   for (const std::size_t c : counts)
     if (c >= least_evidence)
-      found.push_back(c);
+      found.push_back(static_cast<double>(c));
   if (found.empty())
     return;
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  const auto median = static_cast<double>(*middle);
+  const double median = middleValue(found);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double share = static_cast<double>(counts[i]) / median;
     if (counts[i] >= least_evidence && share >= least_evidence_share)
@@ -119,12 +118,9 @@ sampleTolerance(const std::vector<ContourSample>& samples,
   }
   if (deviations.empty())
     return parameters.tolerance;
-  const auto middle =
-      deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
   // The deviation from the middle of two neighbours has 1.5 times the variance of a
   // sample.
-  const double noise = 1.4826 * *middle / std::sqrt(1.5);
+  const double noise = 1.4826 * middleValue(deviations) / std::sqrt(1.5);
   return std::clamp(4 * noise, parameters.tolerance / 2, parameters.tolerance);
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plane_pair.h"
+
 #include <pcl/sedr_segmentation/scan_check.h>
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace pcl {
 namespace sedr {
@@ -42,52 +43,6 @@ extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
   const double from = *low;
   std::nth_element(values.begin(), high, values.end());
   return *high - from;
-}
-
-/** @brief Two large planes across an axis: the smaller one's cells, and their distance.
- */
-struct PlanePair {
-  std::size_t cells = 0;
-  double distance = 0;
-};
-
-/** @brief The best pair of levels across `axis` that are between `nearest` and
- * `farthest` metres apart: slabs of a decimetre, measured in distinct cells of a
- * decimetre. */
-PlanePair
-bestPair(const PointView& points,
-         const std::vector<int>& indices,
-         int axis,
-         double nearest,
-         double farthest)
-{
-  constexpr double cell = 0.1;
-  const CellGrid grid(cell);
-  std::map<std::int64_t, std::vector<CellKey>> slabs;
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    const double u = p[(axis + 1) % 3];
-    const double v = p[(axis + 2) % 3];
-    if (points.isFinite(static_cast<std::size_t>(i)) && grid.holds(u, v) &&
-        grid.holds(p[axis], 0))
-      slabs[static_cast<std::int64_t>(std::floor(p[axis] / cell))].push_back(
-          keyOf(grid.at(u, v)));
-  }
-  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
-  for (auto& [level, keys] : slabs)
-    sizes.emplace_back(level, CellSet(std::move(keys)).size());
-  PlanePair best;
-  for (std::size_t a = 0; a < sizes.size(); ++a)
-    for (std::size_t b = a + 1; b < sizes.size(); ++b) {
-      const double distance =
-          static_cast<double>(sizes[b].first - sizes[a].first) * cell;
-      if (distance > farthest)
-        break;
-      const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
-      if (distance >= nearest && cells > best.cells)
-        best = {cells, distance};
-    }
-  return best;
 }
 
 /** @brief Number of the finite points from `begin` to `end`. */
@@ -184,27 +139,49 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
 }
 
 std::string
-upProblem(const PointView& points, const std::vector<int>& indices, bool z_has_rooms)
+upProblem(const PointView& points, const std::vector<int>& indices, RoomsAlongZ rooms)
 {
-  constexpr double lowest_room = 1.8;
-  constexpr double highest_usual_room = 4.5;
-  constexpr double highest_room = 100;
-  constexpr std::size_t least_wall = 200; // cells of 10 cm, 2 square metres
-  const PlanePair up = bestPair(points, indices, 2, lowest_room, highest_room);
-  if (z_has_rooms && (up.cells == 0 || up.distance <= highest_usual_room))
+  constexpr double times = 1.5;
+  constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
+  const PlanePair up =
+      bestPair(points, indices, Eigen::Matrix3d::Identity(), lowest_room, highest_room);
+  const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
+  if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
     return {};
-  for (const int axis : {1, 0}) {
-    const PlanePair other =
-        bestPair(points, indices, axis, lowest_room, highest_usual_room);
-    if (other.cells >= least_wall && 2 * other.cells > 3 * up.cells)
-      return std::string(axis == 1 ? "y" : "x") +
-             text(" seems to be up, not z: across it two planes of %.0f square metres "
-                  "are %.1f m "
-                  "apart, across z of %.0f square metres %.1f m; turn the scan",
-                  static_cast<double>(other.cells) * 0.01, other.distance,
-                  static_cast<double>(up.cells) * 0.01, up.distance);
+  const double least =
+      rooms == RoomsAlongZ::Found
+          ? std::max(times_of_rooms * up.area(), times * up.largestArea())
+          : times * up.area();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const SidePair side = bestSidePair(points, indices, z);
+  return side.area() > least ? sideProblem(side, z, up) : std::string();
+}
+
+std::string
+footProblem(const Floorplan& plan)
+{
+  constexpr std::size_t fewest = 3;
+  constexpr double lowest = 7;
+  constexpr double highest = 12;
+  constexpr double largest = 300;
+  std::vector<double> heights;
+  std::vector<double> areas;
+  for (const PlanRoom& room : plan.rooms) {
+    if (room.boundary.elements.empty())
+      continue;
+    const Eigen::Vector2d& corner = room.boundary.elements.front().start;
+    heights.push_back(room.ceiling.heightAt(corner) - room.floor.heightAt(corner));
+    areas.push_back(room.area());
   }
-  return {};
+  if (heights.size() < fewest || middleValue(areas) > largest)
+    return {};
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  if (*low < lowest || *high > highest)
+    return {};
+  return text("all %.0f rooms are %.1f to %.1f m high, as rooms of homes and offices "
+              "are in feet: if the foot is the unit of the scan, scale it by 0.3048 "
+              "(--unit 0.3048 in pcl_sedr)",
+              static_cast<double>(heights.size()), *low, *high);
 }
 
 } // namespace sedr

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plane_pair.h"
+
 #include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <Eigen/Eigenvalues>
@@ -179,6 +181,15 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
   const ScanLean lean = leanOf(points, indices);
   if (!(lean.angle > 0))
     return {};
+  // A scan whose y is up, turned about it: what stands at an angle to z are walls.
+  constexpr double times = 1.5;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
+  const SidePair side = bestSidePair(points, indices, lean.up);
+  if (side.area() > times * pair.area())
+    return sideProblem(side, lean.up, pair);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   std::array<char, 400> text{};
   std::snprintf(
@@ -188,7 +199,10 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
       "instance by pcl_transform_point_cloud IN OUT -axisangle "
       "%.4f,%.4f,0,%.4f",
       lean.area, lean.angle * 180 / M_PI, axis.x(), axis.y(), lean.angle);
-  return text.data();
+  std::string problem = text.data();
+  if (side.area() * times > pair.area())
+    problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
+  return problem;
 }
 
 } // namespace sedr

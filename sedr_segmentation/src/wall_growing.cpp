@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/detail/wall_growing.h>
 
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 #include <pcl/sedr_segmentation/detail/rim_support.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -40,9 +42,7 @@ floorHeight(const PointView& points,
   std::vector<double> heights;
   for (const auto i : floor)
     heights.push_back(at(points, i).z());
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  return *middle;
+  return middleValue(std::move(heights));
 }
 
 } // namespace

@@ -145,8 +145,13 @@ StructureChain::findPlanes(StageReport& report)
     if (plane.kind != LevelKind::Other)
       report.points_out += plane.inliers.indices.size();
   }
-  if (ceilings > 0 && floors > 0)
-    return true;
+  if (ceilings > 0 && floors > 0) {
+    const std::string doubt =
+        trust_up ? std::string()
+                 : upProblem(PointView(*cloud), *allIndices(cloud->size()),
+                             RoomsAlongZ::Found);
+    return doubt.empty() || fail(doubt);
+  }
   char text[160];
   std::snprintf(text, sizeof text,
                 "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling "
@@ -155,7 +160,7 @@ StructureChain::findPlanes(StageReport& report)
                 planes.size(), ceilings, floors,
                 plane_detection.getMinimumRoomHeight());
   const std::string turned =
-      upProblem(PointView(*cloud), *allIndices(cloud->size()), false);
+      upProblem(PointView(*cloud), *allIndices(cloud->size()), RoomsAlongZ::None);
   return fail(text + listOf(planes) + (turned.empty() ? "" : "; " + turned));
 }
 

@@ -6,6 +6,7 @@
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
+#include <pcl/sedr_segmentation/scan_check.h>
 
 #include <algorithm>
 #include <iterator>
@@ -235,6 +236,9 @@ StructureChain::fitPlan(StageReport& report)
   tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
+  const std::string doubt = footProblem(*plan);
+  if (!doubt.empty())
+    warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cell_contours.h"
 #include "room_points.h"
 
 #include <pcl/sedr_segmentation/loop_fit.h>
@@ -8,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <random>
 #include <vector>
 
@@ -16,39 +16,6 @@ namespace sedr_test {
 
 using namespace pcl::sedr;
 using Eigen::Vector2d;
-
-constexpr double cell = 0.05;
-
-using Where = std::function<bool(const Vector2d&)>;
-
-inline const Where everywhere = [](const Vector2d&) { return true; };
-
-/** The contour of the cells that lie wholly inside of a loop, as the ceiling cells of a
- * room do, where `keep` says so of their middle. */
-inline Contour
-contourIn(const PlanLoop& truth, const Where& keep = everywhere)
-{
-  Vector2d low = Vector2d::Constant(1e9);
-  Vector2d high = -low;
-  for (const auto& corner : truth.polygon(0.01)) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  const CellGrid grid(cell);
-  CellMask mask(grown({grid.at(low.x(), low.y()), grid.at(high.x(), high.y())}, 2));
-  for (std::size_t i = 0; i < mask.values().size(); ++i) {
-    const Vector2d middle = grid.centre(mask.cellAt(i));
-    bool is_inside = keep(middle);
-    for (const double dx : {-0.499, 0.499})
-      for (const double dy : {-0.499, 0.499})
-        is_inside = is_inside && truth.contains(middle + cell * Vector2d(dx, dy));
-    mask.values()[i] = is_inside ? 1 : 0;
-  }
-  const auto contours = traceContours(mask, cell);
-  return *std::max_element(contours.begin(), contours.end(), [](auto& a, auto& b) {
-    return signedArea(a) < signedArea(b);
-  });
-}
 
 /** Points of the walls in plan as a scan has them: 20 one above the other every 5 cm,
  * off by Gaussian noise, where `keep` says so. */

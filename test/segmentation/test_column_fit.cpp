@@ -1,53 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "cell_contours.h"
 
 #include <pcl/sedr_segmentation/column_fit.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <random>
 
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-using Eigen::Vector2d;
-
-constexpr double cell = 0.05;
-
-using Where = std::function<bool(const Vector2d&)>;
-
-const Where everywhere = [](const Vector2d&) { return true; };
-
-/** The clockwise contour of the cells that a column touches: those whose ceiling is not
- * seen. */
-Contour
-holeOf(const PlanLoop& column)
-{
-  Vector2d low = Vector2d::Constant(1e9);
-  Vector2d high = -low;
-  for (const auto& corner : column.polygon(0.01)) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  const CellGrid grid(cell);
-  CellMask mask(grown({grid.at(low.x(), low.y()), grid.at(high.x(), high.y())}, 2));
-  for (std::size_t i = 0; i < mask.values().size(); ++i) {
-    const Vector2d middle = grid.centre(mask.cellAt(i));
-    for (double dx = -0.5; dx <= 0.5; dx += 0.25)
-      for (double dy = -0.5; dy <= 0.5; dy += 0.25)
-        if (column.contains(middle + cell * Vector2d(dx, dy)))
-          mask.values()[i] = 1;
-  }
-  const auto contours = traceContours(mask, cell);
-  Contour hole =
-      *std::max_element(contours.begin(), contours.end(),
-                        [](auto& a, auto& b) { return signedArea(a) < signedArea(b); });
-  std::reverse(hole.begin(), hole.end());
-  return hole;
-}
 
 /** Points of the sides as thinning leaves them: the means of 5 cm along, 20 above each
  * other, off by noise, where they are seen. */

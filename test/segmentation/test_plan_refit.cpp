@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
-
-#include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "refit_plans.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace {
 
@@ -15,45 +11,6 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/** The elements of a loop as a fit to `residual` would leave them. */
-void
-setSeen(PlanLoop& loop, double residual)
-{
-  for (auto& e : loop.elements) {
-    e.inliers = 100;
-    e.residual = residual;
-  }
-}
-
-/** A rectangle of 4 x 3 m, 2.6 m high. */
-PlanRoom
-plainRoom()
-{
-  return roomOf(rectangle(0, 0, 4, 3), 2.6);
-}
-
-/** A plan of a room that is off: its rectangle by up to 8 mm, its slabs by 5 mm. */
-Floorplan
-offPlan(double floor = 0.005, double ceiling = 2.595)
-{
-  Floorplan plan;
-  plan.rooms.push_back(roomOf(
-      polygon({{0.006, -0.004}, {3.995, 0.003}, {4.006, 3.004}, {-0.003, 2.992}}),
-      ceiling));
-  plan.rooms[0].floor = slabAt(floor);
-  setSeen(plan.rooms[0].boundary, 0.01);
-  return plan;
-}
-
-double
-cornerError(const PlanLoop& loop, const PlanLoop& truth)
-{
-  double worst = 0;
-  for (std::size_t i = 0; i < truth.elements.size(); ++i)
-    worst = std::max(worst, (loop.elements[i].start - truth.elements[i].start).norm());
-  return worst;
-}
 
 TEST(RefitToRaw, ANoiseFreeRoomIsMetExactly)
 {
@@ -325,107 +282,6 @@ TEST(RefitToRaw, AShortFaceIsTurnedWherePointsTellItsDirection)
   setSeen(plan.rooms[0].boundary, 0.003);
   refitToRaw(plan, raw.view());
   EXPECT_LT(cornerError(plan.rooms[0].boundary, polygon(corners)), 0.0005);
-}
-
-TEST(RefitToRaw, TheSameBytesForAnyNumberOfThreads)
-{
-  RoomPoints raw(0.01, 0.01);
-  raw.room(plainRoom());
-  ASSERT_GT(raw.size(), 400000u);
-  std::string first;
-  for (const unsigned threads : {1u, 2u, 4u}) {
-    Floorplan plan = offPlan();
-    RefitParameters parameters;
-    parameters.threads = threads;
-    refitToRaw(plan, raw.view(), {}, parameters);
-    const std::string text = floorplanToJson(plan);
-    if (first.empty())
-      first = text;
-    EXPECT_TRUE(text == first) << threads;
-  }
-}
-
-TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
-{
-  RoomPoints raw(0.015, 0.005);
-  raw.room(plainRoom());
-  Floorplan plan = offPlan();
-  RefitParameters parameters;
-  parameters.most_points = raw.size() / 10;
-  refitToRaw(plan, raw.view(), {}, parameters);
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.002);
-  EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);
-}
-
-TEST(RefitToRaw, OfADenseScanAsManyPointsAsItsPatchesNeedAreTaken)
-{
-  RoomPoints raw(0.005, 0.005); // 400 points in a patch of a wall
-  raw.room(plainRoom());
-  const auto inliersFor = [&](std::size_t points_per_patch) {
-    Floorplan plan = offPlan();
-    RefitParameters parameters;
-    parameters.points_per_patch = points_per_patch;
-    refitToRaw(plan, raw.view(), {}, parameters);
-    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
-    return plan.rooms[0].boundary.elements[0].inliers;
-  };
-  const std::size_t all = inliersFor(100000);
-  EXPECT_LT(inliersFor(100), all / 2);
-  EXPECT_GT(inliersFor(100), all / 40);
-}
-
-TEST(RefitToRaw, NoPointsOrPointsElsewhereLeaveThePlanAsItIs)
-{
-  const std::string was = floorplanToJson(offPlan());
-  const auto expectUnchanged = [&](const RoomPoints& raw) {
-    Floorplan plan = offPlan();
-    const RefitReport report = refitToRaw(plan, raw.view());
-    EXPECT_EQ(report.curves, 0u);
-    EXPECT_EQ(report.slabs, 0u);
-    EXPECT_TRUE(floorplanToJson(plan) == was);
-  };
-  expectUnchanged(RoomPoints());
-  RoomPoints far;
-  for (const double shift : {100.0, 1e7, 1e30})
-    for (int i = 0; i < 1000; ++i)
-      far.point(shift + i, -shift, shift);
-  expectUnchanged(far);
-  RoomPoints not_a_number;
-  for (int i = 0; i < 1000; ++i)
-    not_a_number.point(std::numeric_limits<double>::quiet_NaN(), 1, 1);
-  expectUnchanged(not_a_number);
-  Floorplan empty;
-  EXPECT_EQ(refitToRaw(empty, far.view()).curves, 0u);
-}
-
-TEST(RefitToRaw, APlanWithAnEmptyLoopStaysAsItIs)
-{
-  RoomPoints raw(0.02);
-  raw.room(plainRoom());
-  Floorplan plan = offPlan();
-  plan.rooms[0].details.emplace_back();
-  const std::string was = floorplanToJson(plan);
-  EXPECT_EQ(refitToRaw(plan, raw.view()).problem, "room 1 has a loop of 0 elements");
-  EXPECT_TRUE(floorplanToJson(plan) == was);
-}
-
-TEST(RefitToRaw, PointsThatAreNotFiniteOrNotIndexedDoNotCount)
-{
-  RoomPoints raw(0.02);
-  const PlanRoom truth = plainRoom();
-  raw.room(truth);
-  const std::vector<int> indices = raw.all();
-  raw.room(roomOf(rectangle(-0.01, -0.01, 4.01, 3.01), 2.61)); // not indexed
-  raw.room(roomOf(rectangle(-0.01, -0.01, 4.01, 3.01), 2.61));
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::vector<int> with_bad = indices;
-  for (int i = 0; i < 100; ++i)
-    with_bad.push_back(raw.point(2, nan, 2));
-  for (const auto& chosen : {indices, with_bad}) {
-    Floorplan plan = offPlan();
-    refitToRaw(plan, raw.view(), chosen);
-    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
-  }
 }
 
 } // namespace

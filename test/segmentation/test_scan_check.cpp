@@ -34,9 +34,9 @@ scanProblemOf(const RoomPoints& points)
 }
 
 std::string
-upProblemOf(const RoomPoints& points)
+upProblemOf(const RoomPoints& points, RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor)
 {
-  return upProblem(points.view(), points.all());
+  return upProblem(points.view(), points.all(), rooms);
 }
 
 bool
@@ -113,6 +113,36 @@ TEST(ScanProblem, LooksAtTheIndexedPointsOnly)
   EXPECT_NE(scanProblemOf(points), "");
 }
 
+/** Rooms of these heights side by side, each of the same area. */
+Floorplan
+planOf(const std::vector<double>& heights, double area)
+{
+  Floorplan plan;
+  double x = 0;
+  for (const double height : heights) {
+    plan.rooms.push_back(roomOf(rectangle(x, 0, x + area / 10, 10), height));
+    x += area / 10 + 1;
+  }
+  return plan;
+}
+
+TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
+{
+  const std::string problem = footProblem(planOf({8, 8.5, 10}, 150));
+  EXPECT_TRUE(mentions(problem, "all 3 rooms are 8.0 to 10.0 m high")) << problem;
+  EXPECT_TRUE(mentions(problem, "--unit 0.3048")) << problem;
+}
+
+TEST(FootProblem, HallsAndRoomsInMetresAreNone)
+{
+  EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");
+  EXPECT_EQ(footProblem(planOf({8, 8}, 150)), "") << "two halls";
+  EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "") << "and a room beside them";
+  EXPECT_EQ(footProblem(planOf({8, 8, 15}, 150)), "");
+  EXPECT_EQ(footProblem(planOf({8, 8, 9}, 600)), "") << "three large halls";
+  EXPECT_EQ(footProblem(Floorplan()), "");
+}
+
 TEST(UpProblem, OfARoomThatStandsIsNone)
 {
   EXPECT_EQ(upProblemOf(changed([](auto p) { return p; })), "");
@@ -140,10 +170,39 @@ TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
     return {p.x(), p.z(), p.y()};
   });
   EXPECT_EQ(upProblemOf(points), "");
-  const std::string problem = upProblem(points.view(), points.all(), false);
+  const std::string problem = upProblem(points.view(), points.all(), RoomsAlongZ::None);
   EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
   const RoomPoints standing = changed([](auto p) { return p; });
-  EXPECT_EQ(upProblem(standing.view(), standing.all(), false), "");
+  EXPECT_EQ(upProblem(standing.view(), standing.all(), RoomsAlongZ::None), "");
+}
+
+TEST(UpProblem, FourTimesTheAreaIsMoreThanTheHeightOfAnyRoomExplains)
+{
+  // 12 m x 10 m, a partition across it, on its side: two walls are 4 m apart.
+  RoomPoints flat;
+  flat.room(rectangle(0, 0, 12, 10), 0, 2.5);
+  flat.wall(segment({4, 0}, {4, 10}), 0, 2.5);
+  RoomPoints points;
+  for (const int i : flat.all())
+    points.point(flat[i].y(), flat[i].z(), flat[i].x());
+  EXPECT_EQ(upProblemOf(points), "") << "it may have rooms along z, 4 m high";
+  const std::string problem = upProblemOf(points, RoomsAlongZ::Found);
+  EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
+  EXPECT_TRUE(mentions(problem, "-axisangle 1,0,0,1.5708")) << problem;
+}
+
+TEST(UpProblem, WallsOfACorridorOrOfARoomWithHardlyACeilingAreNoReason)
+{
+  RoomPoints corridor;
+  corridor.room(rectangle(0, 0, 20, 1.9), 0, 3.2);
+  EXPECT_EQ(upProblemOf(corridor, RoomsAlongZ::Found), "");
+  RoomPoints open;
+  const PlanLoop loop = rectangle(0, 0, 5, 4);
+  open.slab(loop, 0);
+  open.slab(rectangle(0, 0, 1, 1), 2.5);
+  for (const auto& wall : loop.elements)
+    open.wall(wall, 0, 2.5);
+  EXPECT_EQ(upProblemOf(open, RoomsAlongZ::Found), "") << "a large floor";
 }
 
 TEST(UpProblem, AHighHallIsNoReason)

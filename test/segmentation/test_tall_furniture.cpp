@@ -86,6 +86,33 @@ TEST(TallFurniture, IsNoWallUpToTheCeilingNorOneThatEndsWhatIsSeenOfIt)
       << "a duct may hide the top of a wall";
 }
 
+TEST(TallFurniture, IsSeenBelowTheCeilingAlongHalfOfItOrIsNone)
+{
+  // A screen across a room of 4 m x 3 m, 30 cm short of the ceiling, which is seen
+  // beyond it along `seen` metres, for half a metre.
+  const auto furnitureFor = [](double seen) {
+    RoomPoints points;
+    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+    const auto ceiling = points.slab(loop, height, [&](double x, double y) {
+      return x < 2.01 || (x < 2.51 && y < seen);
+    });
+    points.slab(loop, 0);
+    points.wall(segment({2.01, 3.01}, {2.01, 0.01}), 0, height - 0.3);
+    const CellGrid grid(0.05);
+    const CellSet cells(grid, points.view(), ceiling);
+    const CellBox all = grown(boxOf(cells), 14);
+    return tallFurniture(CellMask(cells, all), grid,
+                         ColumnTable(grid, all, points.view(), points.all()),
+                         slabAt(height), slabAt(0), {})
+        .count();
+  };
+  EXPECT_GT(furnitureFor(3.01), 50u);
+  EXPECT_GT(furnitureFor(2.0), 30u);
+  EXPECT_LT(furnitureFor(2.0), 0.75 * static_cast<double>(furnitureFor(3.01)))
+      << "only where the ceiling is seen";
+  EXPECT_EQ(furnitureFor(1.0), 0u) << "a wall with what a gap in it shows";
+}
+
 TEST(TallFurniture, BelowANoisyCeilingNeedsALargerGap)
 {
   PlanSlab ceiling = slabAt(height);

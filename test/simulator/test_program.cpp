@@ -87,6 +87,26 @@ TEST_F(Program, listsItsScenesAndOptions)
     EXPECT_NE(help.output.find(name), std::string::npos) << name;
 }
 
+TEST_F(Program, tellsItsVersionAsTheOthersDo)
+{
+  for (const char* option : {"--version", "-version"}) {
+    const Outcome version = run(option);
+    EXPECT_EQ(version.exit_code, 0) << version.errors;
+    EXPECT_EQ(version.output.rfind("pcl_simulate_indoor_scan (SEDR) ", 0), 0U);
+  }
+}
+
+TEST_F(Program, takesOptionsWithOneDash)
+{
+  run("closet " + at("two").string() + " --rays 300 --seed 5");
+  const Outcome one = run("closet " + at("one").string() + " -rays 300 -seed 5");
+  EXPECT_EQ(one.exit_code, 0) << one.errors;
+  const std::string scan = bytesOf(at("two/scan.pcd"));
+  EXPECT_GT(scan.size(), 1000U);
+  EXPECT_TRUE(scan == bytesOf(at("one/scan.pcd")));
+  expectRefused("closet " + at("none").string() + " --ray 300", "--ray");
+}
+
 TEST_F(Program, scansTheFileThatItPrints)
 {
   const Outcome print = run("--print closet");

@@ -159,4 +159,37 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   EXPECT_TRUE(chain.warnings.empty());
 }
 
+TEST(StructureChain, WarnsOfRoomsInFeet)
+{
+  for (const double unit : {1.0, 0.5}) {
+    RoomPoints points(0.1 * unit);
+    for (int room = 0; room < 3; ++room)
+      points.room(rectangle(14 * room * unit, 0, (14 * room + 12) * unit, 10 * unit), 0,
+                  8 * unit);
+    StructureChain chain;
+    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+    bool warns = false;
+    for (const auto& warning : chain.warnings)
+      warns = warns || warning.find("--unit 0.3048") != std::string::npos;
+    EXPECT_EQ(warns, unit == 1.0);
+  }
+}
+
+TEST(StructureChain, RoomsOnTheirSideAreToldThoughTheyHaveWallsLikeAFloorAndACeiling)
+{
+  // 12 m x 10 m, a partition across it, on its side: two walls are 4 m apart.
+  RoomPoints flat(0.1);
+  flat.room(rectangle(0, 0, 12, 10), 0, 2.5);
+  flat.wall(segment({4, 0}, {4, 10}), 0, 2.5);
+  RoomPoints points(0.1);
+  for (const int i : flat.all())
+    points.point(flat[i].y(), flat[i].z(), flat[i].x());
+  StructureChain chain;
+  EXPECT_FALSE(chain.findStructure(points.cloud()));
+  EXPECT_NE(chain.problem.find("y seems to be up"), std::string::npos) << chain.problem;
+  chain.trust_up = true;
+  chain.findStructure(points.cloud());
+  EXPECT_EQ(chain.problem.find("seems to be up"), std::string::npos) << chain.problem;
+}
+
 } // namespace

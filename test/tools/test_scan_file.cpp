@@ -225,6 +225,32 @@ TEST_F(ScanFiles, DoublesUnitsAndByteOrderAreBroughtIntoFormPieceByPiece)
             thinned(ScanFile(in("big.ply")), 1).data);
 }
 
+TEST_F(ScanFiles, OfAMeshItIsSaidOnceThatItsVerticesAreThePoints)
+{
+  const auto plyOf = [](int faces) {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+           "property float y\nproperty float z\nelement face " +
+           std::to_string(faces) +
+           "\nproperty list uchar int vertex_indices\nend_header\n"
+           "0 0 0\n1 0 0\n0 1 0\n" +
+           (faces > 0 ? "3 0 1 2\n" : "");
+  };
+  const auto saidOf = [&](const std::string& name) {
+    testing::internal::CaptureStderr();
+    const ScanFile scan(in(name));
+    for (int time = 0; time < 2; ++time)
+      scan.forEachPiece([](const RowSource::Piece&) { return true; });
+    return testing::internal::GetCapturedStderr();
+  };
+  writeFile(in("mesh.ply"), plyOf(1));
+  EXPECT_EQ(saidOf("mesh.ply"),
+            "warning: '" + in("mesh.ply") +
+                "' is a mesh of 1 face: only its 3 vertices are taken, as points; if "
+                "they stand too far apart, pcl_mesh_sampling makes more of it\n");
+  writeFile(in("cloud.ply"), plyOf(0));
+  EXPECT_EQ(saidOf("cloud.ply"), "");
+}
+
 TEST_F(ScanFiles, AStrayPointCostsOneVoxel)
 {
   auto points = roomPoints(5000);

@@ -90,6 +90,21 @@ TEST_F(ViewedSample, OfOneCloudIsStructureWhereItHasLabels)
   EXPECT_EQ(raw.raw.whole_size, sample_.scan.points.size());
 }
 
+TEST_F(ViewedSample, OfOneFileIsThePlanOrTheMeshThatItHolds)
+{
+  const auto model = folder_.path() / "model";
+  const ViewedResult plan = readResult((model / "floorplan.json").string(), {});
+  EXPECT_TRUE(plan.firstLayers() == LayerSet{Layer::Plan});
+  EXPECT_EQ(plan.plan.rooms.size(), 2u);
+  const ViewedResult mesh = readResult((model / "mesh.ply").string(), {});
+  EXPECT_TRUE(mesh.firstLayers() == LayerSet{Layer::Mesh});
+  EXPECT_EQ(mesh.mesh.triangles.size(), sample_.mesh.triangles.size());
+  const ViewedResult solid = readResult((model / "solid.ply").string(), {});
+  EXPECT_TRUE(solid.firstLayers() == LayerSet{Layer::Solid});
+  EXPECT_EQ(solid.solid_names.size(), sample_.elements.size());
+  EXPECT_THROW(readResult((model / "report.json").string(), {}), ToolError);
+}
+
 TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
 {
   const std::string path = (folder_.path() / "scan.pcd").string();

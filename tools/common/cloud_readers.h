@@ -23,6 +23,7 @@ struct FileLayout {
   FileData data = FileData::Binary;
   std::size_t begin = 0; ///< of the points, bytes from the start of the file
   bool is_ply = false;
+  std::uint64_t faces = 0; ///< of a mesh, or its strips of triangles
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 };

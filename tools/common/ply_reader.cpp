@@ -193,6 +193,9 @@ readPlyLayout(const MappedFile& file, const std::string& path)
 
   FileLayout layout;
   layout.is_ply = true;
+  for (const auto& element : header.elements)
+    if (element.name == "face" || element.name == "tristrips")
+      layout.faces += element.count;
   auto& blob = layout.blob;
   blob.fields = vertices->fields;
   layOut(blob, vertices->count, path);

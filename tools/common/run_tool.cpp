@@ -15,9 +15,22 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
+namespace {
+
+/** @brief Name of the program that runs. */
+std::string&
+runningTool()
+{
+  static std::string name;
+  return name;
+}
+
+} // namespace
+
 int
 runTool(Options& options, int argc, char** argv, const std::function<int()>& body)
 {
+  runningTool() = options.tool();
   const auto complain = [&](const std::string& sentence, int exit_code) {
     std::cerr << options.tool() << ": " << sentence << std::endl;
     return exit_code;
@@ -42,6 +55,13 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
   catch (...) {
     return complain("failed for an unknown reason", BadUse);
   }
+}
+
+void
+warn(const std::string& sentence)
+{
+  const std::string& tool = runningTool();
+  std::cerr << tool + (tool.empty() ? "" : ": ") + "warning: " + sentence << std::endl;
 }
 
 void

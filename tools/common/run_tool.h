@@ -16,6 +16,10 @@ namespace tools {
  * returns */
 int runTool(Options& options, int argc, char** argv, const std::function<int()>& body);
 
+/** @brief Prints a warning on stderr, the name of the program that runTool() runs
+ * before it. */
+void warn(const std::string& sentence);
+
 /** @brief Prints a line on stderr if that is a terminal; quiet when piped. */
 void say(const std::string& line);
 

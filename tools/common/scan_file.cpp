@@ -2,15 +2,19 @@
 #include "scan_file.h"
 
 #include "cloud_rows.h"
+#include "run_tool.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/field_access.h>
+#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <sstream>
 
 namespace pcl {
@@ -78,15 +82,6 @@ tidyFields(pcl::PCLPointCloud2& blob, const std::string& path, double unit)
   blob = std::move(tidy);
 }
 
-/** @brief The middle one of some numbers. */
-double
-median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** @brief Whether heights spread, but for a hundredth at each end, over more metres
  * than any building has. */
 bool
@@ -133,13 +128,28 @@ addPlaces(const pcl::PCLPointCloud2& blob, double unit, Places& places)
   }
 }
 
+/** @brief Says, once for a file, that of a mesh the vertices alone are read. */
+void
+warnOfMesh(const std::string& path, const FileLayout& layout)
+{
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (layout.faces > 0 && told.insert(path).second)
+    warn("'" + path + "' is a mesh of " + std::to_string(layout.faces) +
+         (layout.faces == 1 ? " face" : " faces") + ": only its " +
+         std::to_string(layout.blob.width) +
+         " vertices are taken, as points; if they stand too far apart, "
+         "pcl_mesh_sampling makes more of it");
+}
+
 } // namespace
 
 ScanHead
 readScanHead(const std::string& path)
 {
   const FileLayout layout = layoutOf(MappedFile(path), path);
-  return {layout.blob.width, isInPieces(layout)};
+  return {layout.blob.width, isInPieces(layout), layout.faces > 0};
 }
 
 ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes)
@@ -205,6 +215,8 @@ ScanFile::forEachPiece(std::size_t begin,
                        const std::function<bool(const Piece&)>& see) const
 {
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
+  if (begin == 0)
+    warnOfMesh(path_, layout_);
   const std::size_t raw_size = layout_.blob.point_step;
   const std::size_t rows_a_piece =
       std::max<std::size_t>(1, piece_bytes_ / std::max(raw_size, rowSize()));
@@ -257,7 +269,7 @@ ScanFile::checkExtent() const
   if (places[3].empty())
     throw ToolError("'" + path_ + "' has no finite point among its " +
                     std::to_string(size()));
-  const double farthest = median(places[3]);
+  const double farthest = middleValue(places[3]);
   if (farthest * float_step <= coarsest)
     return;
   if (unit_ == 1 && couldBeMillimetres(places[2]))
@@ -274,7 +286,7 @@ ScanFile::checkExtent() const
   for (std::size_t axis = 0; axis < 3; ++axis)
     sentence << (axis > 0 ? ", " : "")
              << static_cast<long long>(std::clamp(
-                    std::round(median(places[axis]) / 1000) * 1000, -1e18, 1e18));
+                    std::round(middleValue(places[axis]) / 1000) * 1000, -1e18, 1e18));
   throw ToolError(sentence.str() + ") m");
 }
 

@@ -16,6 +16,7 @@ namespace tools {
 struct ScanHead {
   std::size_t rows = 0;
   bool is_in_pieces = false; ///< whether some rows can be had without the others
+  bool is_mesh = false;      ///< whether the rows are vertices of faces
 };
 
 /** @brief Reads nothing but the head of a file; anything amiss with it is a ToolError.
@@ -29,6 +30,9 @@ ScanHead readScanHead(const std::string& path);
  * without a copy if they stand there as they are wanted; the pages of a piece are given
  * back after it, so that a scan of any size takes no more memory than one piece.
  * binary_compressed and ascii are unpacked into memory first.
+ *
+ * Of a mesh the vertices are the points, and a warning says so where the first of them
+ * is read, once in a process.
  *
  * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
  * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/plan_alignment.h"
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -112,14 +114,6 @@ fewestPartners(const Floorplan& fixed, std::size_t samples)
   return std::max(unknowns, std::min(samples, samplesOf(fixed).size()) / share);
 }
 
-double
-medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** @brief How much the floors of the rooms that lie over each other differ. */
 double
 riseOf(const Floorplan& moving, const Floorplan& fixed)
@@ -133,7 +127,7 @@ riseOf(const Floorplan& moving, const Floorplan& fixed)
     if (a != moving.rooms.end() && b != fixed.rooms.end())
       rises.push_back(b->floorAt(inside) - a->floorAt(inside));
   }
-  return rises.empty() ? 0 : medianOf(rises);
+  return rises.empty() ? 0 : middleValue(rises);
 }
 
 /** @brief The plane of a slab that has been turned about the vertical and shifted. */

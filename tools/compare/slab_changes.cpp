@@ -3,6 +3,8 @@
 
 #include "compare/plan_slabs.h"
 
+#include <pcl/sedr_filters/middle_value.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -55,14 +57,6 @@ overlapsOf(const Slabs& slabs, const Slabs& others, double tolerance)
     overlap.rises[id].push_back(rise);
   }
   return overlaps;
-}
-
-double
-medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** @brief "soffit", "recess", "step" or "pit"; "ceiling" or "floor" for main slabs. */
@@ -195,7 +189,7 @@ private:
   {
     Change change = single(id, overlap, ChangeKind::Moved);
     change.after = {nameOf(successor, is_floor_)};
-    change.shift.z() = medianOf(overlap.rises.at(successor));
+    change.shift.z() = middleValue(overlap.rises.at(successor));
     return change;
   }
 

@@ -18,7 +18,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -152,8 +151,7 @@ writeReportPage(const ModelSettings& settings)
 } // namespace
 
 int
-makeModel(const std::string& tool,
-          const ModelSettings& settings,
+makeModel(const ModelSettings& settings,
           Reconstruction& chain,
           const std::function<std::size_t()>& open)
 {
@@ -201,7 +199,7 @@ makeModel(const std::string& tool,
       writeReportPage(settings);
   });
   for (const auto& warning : chain.getChain().warnings)
-    std::cerr << tool << ": warning: " << warning << '\n';
+    warn(warning);
   say(summaryOf(record, chain));
   return Done;
 }

@@ -13,11 +13,9 @@ namespace tools {
 
 /** @brief Reads, reconstructs, measures and writes: from a scan to the folder of its
  * model. What fails is a ToolError.
- * @param tool name of the program, for its warnings
  * @param open gives the chain its scan, and returns how many points that has
  * @return the exit code */
-int makeModel(const std::string& tool,
-              const ModelSettings& settings,
+int makeModel(const ModelSettings& settings,
               Reconstruction& chain,
               const std::function<std::size_t()>& open);
 

@@ -6,6 +6,9 @@
 #include "results/result_folder.h"
 #include "results/solid_names.h"
 #include "scan_file.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
 
 #include <filesystem>
 #include <utility>
@@ -44,11 +47,24 @@ boxOf(const Floorplan& plan)
   return box;
 }
 
+/** @brief A single file: a plan, a mesh or a cloud. */
 ViewedResult
-readCloud(const std::string& path, const ReadSettings& settings)
+readFile(const std::string& path, const ReadSettings& settings)
 {
   ViewedResult result;
   result.name = path;
+  if (std::filesystem::path(path).extension() == ".json") {
+    result.plan = *loadFloorplan(path);
+    return result;
+  }
+  if (readScanHead(path).is_mesh) {
+    result.solid_names = solidNames(path);
+    const std::string problem =
+        loadMesh(path, result.solid_names.empty() ? result.mesh : result.solid);
+    if (!problem.empty())
+      throw ToolError(problem);
+    return result;
+  }
   DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.most_points);
   const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();
   (is_structure ? result.structure : result.raw) = std::move(cloud);
@@ -142,7 +158,7 @@ readResult(const std::string& path, const ReadSettings& settings)
   const Progress progress("reading");
   std::error_code error;
   if (!std::filesystem::is_directory(path, error))
-    return readCloud(path, settings);
+    return readFile(path, settings);
   const ResultFolder folder(path);
   ViewedResult result;
   result.name = path;

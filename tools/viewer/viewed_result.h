@@ -50,9 +50,10 @@ struct ReadSettings {
   std::size_t most_points = 1000000; ///< of a cloud that are shown; 0: all
 };
 
-/** @brief Reads the folder that a run of pcl_sedr has left, or one cloud: that is
- * structure where it has labels or rooms, as a stage's is, and else a raw scan. What
- * cannot be read is a ToolError; a missing part is a note. */
+/** @brief Reads the folder that a run of pcl_sedr has left, or one file: a floor
+ * plan, a mesh, a solid, which names its elements, or a cloud. That is structure where
+ * it has labels or rooms, as a stage's is, and else a raw scan. What cannot be read is
+ * a ToolError; a missing part is a note. */
 ViewedResult readResult(const std::string& path, const ReadSettings& settings);
 
 } // namespace tools

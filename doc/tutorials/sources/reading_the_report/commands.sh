@@ -1,5 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
+# In the folder of SEDR, or with SOURCES set to that of all tutorials.
 # [first]
 pcl_simulate_indoor_scan bls_room noisy --rays 6000 --noise 0.04
 pcl_sedr noisy/scan.pcd noisy/model --report
@@ -11,5 +12,5 @@ pcl_sedr noisy/scan.pcd noisy/better --report --plane-tolerance 0.1
 pcl_sedr noisy/scan.pcd noisy/too_far --report --plane-tolerance 0.4
 # [third]
 for model in model better too_far; do
-  python3 "$SOURCES/reading_the_report/rooms.py" noisy/$model
+  python3 "${SOURCES:-doc/tutorials/sources}/reading_the_report/rooms.py" noisy/$model
 done

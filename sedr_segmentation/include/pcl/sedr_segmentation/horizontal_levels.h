@@ -6,6 +6,7 @@
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/level_columns.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,7 +21,7 @@ enum class LevelKind { Other, Ceiling, Floor };
 struct LevelParameters {
   double tolerance = 0.07; ///< distance of an inlier from its plane (paper, Table 1)
   double cell_size = 0.05; ///< cell of the grid in which sizes are counted
-  double maximum_tilt = 0.0524;     ///< a plane leans at most so much, 3 degrees
+  double maximum_tilt = M_PI / 60;  ///< a plane leans at most so much, 3 degrees
   double minimum_area = 1.0;        ///< square metres of occupied cells
   double minimum_room_height = 1.8; ///< from a floor to its ceiling
   double least_step = 0.06; ///< rooms whose slabs differ by less may share a level

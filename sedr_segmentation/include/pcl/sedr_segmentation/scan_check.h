@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <cstddef>
@@ -72,13 +73,26 @@ private:
  * its unit cannot be the metre. Looks at no more than 100,000 of the points. */
 std::string scanProblem(const PointView& points, const std::vector<int>& indices);
 
-/** @brief Whether the scan looks as if another axis than z were up: a sentence, else
- * empty. Then z gives rooms higher than 4.5 m, or none (`z_has_rooms` is false), while
- * across another axis there are two planes at the distance of a floor and a ceiling
- * that are half as large again. For thinned points. */
+/** @brief What is known of rooms along z when upProblem() is asked. */
+enum class RoomsAlongZ {
+  NotLookedFor,
+  None, ///< there is no floor with a ceiling above it
+  Found
+};
+
+/** @brief Whether the scan looks as if another axis than z were up: a sentence with the
+ * turn that mends it, else empty. Then across another axis there are two planes at the
+ * distance of a floor and a ceiling that are half as large again as across z, where z
+ * gives rooms higher than 4.5 m or none; where there are rooms, they are four times as
+ * large as across z, and half as large again as any level of z. For thinned points. */
 std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
-                      bool z_has_rooms = true);
+                      RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor);
+
+/** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
+ * Then there are three rooms or more, all of them 7 to 12 high, and half of them or
+ * more have an area below 300: halls of that height are larger, or alone. O(rooms). */
+std::string footProblem(const Floorplan& plan);
 
 } // namespace sedr
 } // namespace pcl

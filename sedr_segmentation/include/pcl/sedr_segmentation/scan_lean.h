@@ -26,7 +26,10 @@ struct ScanLean {
 ScanLean leanOf(const PointView& points, const std::vector<int>& indices);
 
 /** @brief What to do about a scan that leans, a sentence with its numbers; empty if it
- * does not. */
+ * does not. Walls that stand at an angle to z lean too where y or x is up: then the
+ * sentence says that, if across that axis two planes at the distance of a floor and a
+ * ceiling are half as large again as across the direction that leans; where they are
+ * about as large, it names the turns of both. */
 std::string leanProblem(const PointView& points, const std::vector<int>& indices);
 
 } // namespace sedr

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+
+double
+cross(const Vector2d& a, const Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/** A segment and arcs of both senses, short, more than half, and whole. */
+std::vector<PlanElement>
+elements()
+{
+  return {segment({1, 2}, {4, 6}),        arc({1, 2}, 3, 20, 95),
+          arc({1, 2}, 3, 95, 20),         arc({-2, 0}, 0.5, 170, 410),
+          arc({-2, 0}, 0.5, 410, 170),    arc({5, 5}, 2, 30, 390),
+          arc({5, 5}, 2, 390, 30),        arc({0, 0}, 40, 179, 181),
+          arc({1e4, -1e4}, 2, -100, 100), segment({1e4, 1e4}, {1e4 - 3, 1e4})};
+}
+
+TEST(PlanElement, SweepsTheAngleOfItsSense)
+{
+  EXPECT_NEAR(arc({0, 0}, 1, 0, 90).sweep(), M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({0, 0}, 1, 90, 0).sweep(), -M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({3, 4}, 2, 90, 360).sweep(), 3 * M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({3, 4}, 2, 360, 90).sweep(), -3 * M_PI / 2, 1e-12);
+  EXPECT_NEAR(arc({0, 0}, 1, 170, 190).sweep(), M_PI / 9, 1e-12) << "across -x";
+  EXPECT_NEAR(arc({0, 0}, 1, 190, 170).sweep(), -M_PI / 9, 1e-12);
+}
+
+TEST(PlanElement, AnArcWhoseEndsCoincideIsAWholeCircle)
+{
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 40, 400).sweep(), 2 * M_PI);
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 400, 40).sweep(), -2 * M_PI);
+  EXPECT_DOUBLE_EQ(arc({1, 1}, 2, 40, 400).length(), 4 * M_PI);
+}
+
+TEST(PlanElement, LengthIsThatOfTheSegmentOrArc)
+{
+  EXPECT_DOUBLE_EQ(segment({1, 2}, {4, 6}).length(), 5);
+  EXPECT_DOUBLE_EQ(segment({1, 2}, {1, 2}).length(), 0);
+  EXPECT_NEAR(arc({7, 7}, 2, 10, 100).length(), M_PI, 1e-12);
+  EXPECT_NEAR(arc({7, 7}, 2, 100, 10).length(), M_PI, 1e-12);
+}
+
+TEST(PlanElement, PointAtGoesFromStartToEndAtUnitSpeed)
+{
+  for (const auto& e : elements()) {
+    const double length = e.length();
+    EXPECT_NEAR((e.pointAt(0) - e.start).norm(), 0, 1e-9);
+    EXPECT_NEAR((e.pointAt(length) - e.end).norm(), 0, 1e-9);
+    constexpr double step = 1e-4;
+    for (double s = 0; s + step <= length; s += length / 17)
+      ASSERT_NEAR((e.pointAt(s + step) - e.pointAt(s)).norm() / step, 1, 1e-6);
+  }
+  EXPECT_NEAR(
+      (arc({0, 0}, 1, 0, 90).pointAt(M_PI / 4) - Vector2d(1, 1).normalized()).norm(), 0,
+      1e-12);
+  EXPECT_NEAR(
+      (arc({0, 0}, 1, 0, -90).pointAt(M_PI / 4) - Vector2d(1, -1).normalized()).norm(),
+      0, 1e-12);
+  EXPECT_EQ(segment({1, 2}, {1, 2}).pointAt(0), Vector2d(1, 2));
+}
+
+TEST(PlanElement, TheNormalIsOfUnitLengthAndToTheLeft)
+{
+  EXPECT_TRUE(segment({0, 0}, {2, 0}).normalAt(1).isApprox(Vector2d(0, 1)));
+  EXPECT_TRUE(arc({3, 4}, 2, 0, 90).normalAt(0).isApprox(Vector2d(-1, 0)));
+  EXPECT_TRUE(arc({3, 4}, 2, 90, 0).normalAt(0).isApprox(Vector2d(0, 1)));
+  for (const auto& e : elements()) {
+    constexpr double step = 1e-4;
+    for (double s = step; s + step <= e.length(); s += e.length() / 13) {
+      const Vector2d way = (e.pointAt(s + step) - e.pointAt(s - step)) / (2 * step);
+      ASSERT_NEAR(cross(way, e.normalAt(s)), 1, 1e-6);
+      ASSERT_NEAR(e.normalAt(s).norm(), 1, 1e-9);
+    }
+  }
+}
+
+TEST(PlanElement, ProjectFindsTheNearestPoint)
+{
+  for (const auto& e : elements()) {
+    const Vector2d middle = e.pointAt(e.length() / 2);
+    for (int k = 0; k < 60; ++k) {
+      const Vector2d p =
+          middle + 0.13 * k * Vector2d(std::cos(2.4 * k), std::sin(2.4 * k));
+      double least = std::numeric_limits<double>::infinity();
+      constexpr int parts = 2000;
+      for (int i = 0; i <= parts; ++i)
+        least = std::min(least, (e.pointAt(e.length() * i / parts) - p).norm());
+      const double s = e.project(p);
+      ASSERT_GE(s, 0);
+      ASSERT_LE(s, e.length());
+      ASSERT_NEAR(e.distance(p), (e.pointAt(s) - p).norm(), 1e-9);
+      ASSERT_LE(e.distance(p), least + 1e-9);
+      ASSERT_GE(e.distance(p), least - e.length() / parts);
+    }
+  }
+}
+
+TEST(PlanElement, ProjectStopsAtTheEnds)
+{
+  const PlanElement s = segment({0, 0}, {3, 0});
+  EXPECT_EQ(s.project({-5, 1}), 0);
+  EXPECT_EQ(s.project({9, 1}), 3);
+  EXPECT_EQ(s.project({1.25, -4}), 1.25);
+  const PlanElement quarter = arc({0, 0}, 2, 0, 90);
+  EXPECT_EQ(quarter.project({1, -3}), 0);
+  EXPECT_EQ(quarter.project({-3, 1}), quarter.length());
+  EXPECT_NEAR(quarter.project({0.1, 0.1}), M_PI / 2, 1e-12);
+  const PlanElement back = arc({0, 0}, 2, 90, 0);
+  EXPECT_EQ(back.project({1, -3}), back.length());
+  EXPECT_EQ(back.project({-3, 1}), 0);
+}
+
+TEST(PlanElement, WhatIsBesideTheStartOfAnArcProjectsToIt)
+{
+  for (int from = 0; from < 360; ++from)
+    for (const int sweep : {20, -20, 300, -300}) {
+      const PlanElement e = arc({0.3, -1.7}, 2.1, from, from + sweep);
+      for (const double share : {0.0, 0.7, 0.9, 1.1, 1.3}) {
+        const Vector2d p = e.centre + share * (e.start - e.centre);
+        EXPECT_LE(e.project(p), e.length()) << from << ' ' << sweep << ' ' << share;
+        if (share > 0) {
+          EXPECT_NEAR(e.project(p), 0, 1e-9) << from << ' ' << sweep << ' ' << share;
+        }
+      }
+    }
+}
+
+TEST(PlanElement, IsBesideWhatItsNormalsLeadTo)
+{
+  PlanElement line;
+  line.start = {1, 1};
+  line.end = {3, 1};
+  EXPECT_TRUE(line.isBeside({2, 5}));
+  EXPECT_FALSE(line.isBeside({0.9, 1}));
+  EXPECT_FALSE(line.isBeside({3.1, -4}));
+  for (const double turn : {0.3, 1.5, 3.0, 3.3, 5.9})
+    for (const bool counter_clockwise : {true, false}) {
+      PlanElement arc;
+      arc.centre = {4, -2};
+      arc.radius = 2;
+      arc.counter_clockwise = counter_clockwise;
+      const auto at = [&](double angle) {
+        const double signed_angle = 0.7 + (counter_clockwise ? angle : -angle);
+        return Eigen::Vector2d(std::cos(signed_angle), std::sin(signed_angle));
+      };
+      arc.start = arc.centre + 2 * at(0);
+      arc.end = arc.centre + 2 * at(turn);
+      for (double angle = 0.05; angle < 6.28; angle += 0.1)
+        for (const double from_centre : {0.5, 2.0, 7.0}) {
+          const Eigen::Vector2d p = arc.centre + from_centre * at(angle);
+          EXPECT_EQ(arc.isBeside(p), angle < turn) << turn << " " << angle;
+          const double expected =
+              angle < turn ? std::abs(from_centre - 2)
+                           : std::min((p - arc.start).norm(), (p - arc.end).norm());
+          EXPECT_NEAR(arc.distance(p), expected, 1e-12);
+        }
+    }
+}
+
+} // namespace

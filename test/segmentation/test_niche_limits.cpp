@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "niche_rooms.h"
+
+#include <cmath>
+#include <functional>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Seen = std::function<bool(const Eigen::Vector3d&)>;
+
+/** A room with a niche of which a part is seen, and pieces of wall in it. */
+struct Scene {
+  PlanRoom room = recessed(1, 2.4, 0.8, 2.2, 0.3);
+  RoomPoints points{0.03};
+
+  explicit Scene(const Seen& isSeen) { points.room(room, isSeen); }
+
+  /** A piece of wall at `x`. */
+  void wallAt(double x, double from, double to, double low, double high)
+  {
+    points.wall(segment({x, from}, {x, to}), low, high);
+  }
+
+  std::size_t niches() const { return nichesOf(points, room).size(); }
+};
+
+std::size_t
+nichesFor(const PlanRoom& room)
+{
+  RoomPoints points(0.03);
+  points.room(room);
+  return nichesOf(points, room).size();
+}
+
+TEST(NicheLimits, DepthAndSizeAreThoseOfTheParameters)
+{
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.085)), 0u) << "a panel";
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.115)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 1.06)), 0u) << "a hatch";
+  EXPECT_EQ(nichesFor(recessed(1, 1.26, 0.5, 2.1, 0.2)), 0u) << "a slot";
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 1.16, 0.2)), 0u) << "a slot";
+  EXPECT_EQ(nichesFor(recessed(1, 1.36, 0.9, 1.26, 0.2)), 1u);
+}
+
+TEST(NicheLimits, WhatReachesTheCeilingIsAPartOfTheRoom)
+{
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.5, 0.3)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.58, 0.3)), 0u);
+}
+
+TEST(NicheLimits, ABackThatThingsHideIsNotClosed)
+{
+  // Books, 15 cm deep, before 45 % of the back in strips of 9 cm.
+  const auto isBook = [](double y) { return std::fmod(y, 0.2) < 0.09; };
+  Scene scene([&](const Eigen::Vector3d& p) { return p.x() < 5.29 || !isBook(p.y()); });
+  for (double y = 1; y < 2.3; y += 0.2)
+    scene.wallAt(5.15, y, y + 0.09, 0.82, 2.18);
+  EXPECT_EQ(scene.niches(), 0u);
+}
+
+TEST(NicheLimits, ABackThroughWhichOneSeesOnIsNotClosed)
+{
+  // A grating: a fifth of the back, away from its rim, is open.
+  const auto isOpen = [](const Eigen::Vector3d& p) {
+    return p.y() > 1.35 && p.y() < 2.05 && p.z() > 1.2 && p.z() < 1.8;
+  };
+  Scene scene([&](const Eigen::Vector3d& p) { return p.x() < 5.29 || !isOpen(p); });
+  EXPECT_EQ(scene.niches(), 1u) << "a board from which nothing comes back";
+  scene.wallAt(5.5, 1.35, 2.05, 1.2, 1.8);
+  EXPECT_EQ(scene.niches(), 0u);
+  scene.wallAt(5.3, 1.35, 2.05, 1.2, 1.8);
+  EXPECT_EQ(scene.niches(), 0u) << "glass in it";
+}
+
+TEST(NicheLimits, AnLIsNoRectangle)
+{
+  const auto nichesWithout = [](double from, double low) {
+    Scene scene([&](const Eigen::Vector3d& p) {
+      return p.x() < 5.01 || p.y() < from || p.z() < low;
+    });
+    scene.wallAt(5, from, 2.4, low, 2.2);
+    return scene.niches();
+  };
+  EXPECT_EQ(nichesWithout(1.6, 1.4), 0u) << "a third of it is wall";
+  EXPECT_EQ(nichesWithout(2.1, 1.9), 1u) << "a twentieth is a lamp";
+}
+
+TEST(NicheLimits, HeightsCountFromTheFloor)
+{
+  PlanRoom room = recessed(1, 2.2, -2.1, -0.9, 0.3);
+  room.floor = slabAt(-3);
+  room.ceiling = slabAt(-0.4);
+  RoomPoints points(0.03);
+  points.room(room);
+  const auto niches = nichesOf(points, room);
+  ASSERT_EQ(niches.size(), 1u);
+  expectNiche(niches[0], room.niches[0], 0.002);
+}
+
+TEST(NicheLimits, ThoseOfAWallComeAlongIt)
+{
+  PlanRoom room = recessed(0.5, 1.1, 0.9, 2.1, 0.3);
+  room.niches.push_back(recessed(2, 3.4, 0.5, 2.1, 0.4).niches[0]);
+  RoomPoints points(0.03);
+  points.room(room);
+  const auto niches = nichesOf(points, room);
+  ASSERT_EQ(niches.size(), 2u);
+  expectNiche(niches[0], room.niches[0], 0.002);
+  expectNiche(niches[1], room.niches[1], 0.002);
+}
+
+TEST(NicheLimits, NoiseOfTwoCentimetresHidesNone)
+{
+  const PlanRoom room = recessed(1, 2.2, 0.9, 2.1, 0.3);
+  RoomPoints points(0.02, 0.02);
+  points.room(room);
+  const auto niches = nichesOf(points, room, 0.02);
+  ASSERT_EQ(niches.size(), 1u);
+  expectNiche(niches[0], room.niches[0], 0.015);
+}
+
+} // namespace
