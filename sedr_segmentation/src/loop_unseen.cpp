@@ -13,6 +13,14 @@ namespace sedr {
 
 namespace {
 
+/** @brief A link is unseen where it has less than this share of the usual points. */
+constexpr double unseen_below = 0.05;
+
+/** @brief One that runs along no wall that was seen, where it has less than this, along
+ * less than half of it: the open leaf of a door, a curtain. The lintel of a window goes
+ * all along. */
+constexpr double oblique_unseen_below = 0.15;
+
 /** @brief Points along every link, for each metre. */
 std::vector<double>
 densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
@@ -30,12 +38,11 @@ densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance
   return densities;
 }
 
-/** @brief Which links are seen less than one in twenty of what is usual: half of the
- * loop's length is seen better than that. */
-std::vector<bool>
-unseenLinks(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
+/** @brief How well each link is seen, as a share of what is usual: half of the loop's
+ * length is seen better than that. Known ones are seen well. */
+std::vector<double>
+sharesSeen(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
 {
-  constexpr double least_share = 0.05;
   const std::vector<double> densities = densitiesOf(chain, evidence, tolerance);
   std::vector<std::pair<double, double>> ordered; // and lengths
   double all = 0;
@@ -52,19 +59,18 @@ unseenLinks(const LoopChain& chain, const PlanPoints& evidence, double tolerance
     if (2 * length >= all)
       break;
   }
-  std::vector<bool> unseen;
+  std::vector<double> shares;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    unseen.push_back(usual > 0 && densities[i] < least_share * usual &&
-                     !chain.links[i].is_known);
-  return unseen;
+    shares.push_back(usual > 0 && !chain.links[i].is_known ? densities[i] / usual : 1);
+  return shares;
 }
 
 std::vector<Eigen::Vector2d>
-directionsSeen(const LoopChain& chain, const std::vector<bool>& unseen)
+directionsSeen(const LoopChain& chain, const std::vector<double>& shares)
 {
   std::vector<DirectedLine> lines;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (!unseen[i] && !chain.links[i].curve.isCircle())
+    if (shares[i] >= oblique_unseen_below && !chain.links[i].curve.isCircle())
       lines.push_back({chain.element(i).length(), chain.links[i].curve.direction});
   return mainDirections(std::move(lines));
 }
@@ -116,6 +122,23 @@ shiftOutwards(const PlanElement& e,
   line.point -= (outwards[at] + parameters.expected_offset) * leftOf(line.direction);
 }
 
+/** @brief Whether points show a link along less than half of its length. */
+bool
+isSeenInPart(const LoopChain& chain,
+             std::size_t i,
+             const PlanPoints& evidence,
+             double tolerance)
+{
+  constexpr double bin = 0.1; // metres
+  const PlanElement e = chain.element(i);
+  std::vector<bool> is_seen(static_cast<std::size_t>(e.length() / bin) + 1, false);
+  for (const WeightedPoint& p : pointsAlong(chain, i, evidence, tolerance))
+    is_seen[static_cast<std::size_t>(
+        std::clamp(e.project(p.position), 0.0, e.length()) / bin)] = true;
+  const auto seen = std::count(is_seen.begin(), is_seen.end(), true);
+  return 2 * static_cast<std::size_t>(seen) < is_seen.size();
+}
+
 /** @brief The straight way between the corners of a link. */
 LoopLink
 chordOf(const LoopChain& chain, std::size_t i)
@@ -123,6 +146,85 @@ chordOf(const LoopChain& chain, std::size_t i)
   LoopLink chord;
   chord.curve = lineThrough(chain.corners[i], chain.corners[chain.after(i)]);
   return chord;
+}
+
+/** @brief Puts a line in the place of a link; false where it does not meet those beside
+ * it, or one would run backwards. */
+bool
+putLine(std::size_t i,
+        const PlanCurve& line,
+        const LoopParameters& parameters,
+        LoopChain& chain)
+{
+  const PlanElement e = chain.element(i);
+  const std::size_t before = chain.before(i);
+  const std::size_t after = chain.after(i);
+  LoopChain changed = chain;
+  changed.links[i].curve = line;
+  changed.links[i].is_bridge = false;
+  if (!findCorner(chain.links[before].curve, line, e.start, parameters,
+                  changed.corners[i]) ||
+      !findCorner(line, chain.links[after].curve, e.end, parameters,
+                  changed.corners[after]))
+    return false;
+  for (const std::size_t k : {before, i, after})
+    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+      return false;
+  chain = std::move(changed);
+  return true;
+}
+
+/** @brief Leaves a link out where those beside it meet near it; false where they do
+ * not, or one would run backwards. */
+bool
+dropLink(std::size_t i, const LoopParameters& parameters, LoopChain& chain)
+{
+  const PlanElement e = chain.element(i);
+  const std::size_t before = chain.before(i);
+  const std::size_t after = chain.after(i);
+  LoopChain changed = chain;
+  if (chain.size() < 4 ||
+      !findCorner(chain.links[before].curve, chain.links[after].curve,
+                  (e.start + e.end) / 2, parameters, changed.corners[after]))
+    return false;
+  changed.corners[i] = changed.corners[after];
+  for (const std::size_t k : {before, after})
+    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+      return false;
+  changed.links.erase(changed.links.begin() + static_cast<std::ptrdiff_t>(i));
+  changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(i));
+  chain = std::move(changed);
+  return true;
+}
+
+/** @brief Mends an unseen link that runs along no wall, as the end of what can be seen
+ * of a ceiling does: links beside it that are about square to each other meet; those
+ * that run alike are joined by a line square to them.
+ * @return whether it was left out */
+bool
+straightenOblique(std::size_t i,
+                  const std::vector<ContourSample>& samples,
+                  const LoopParameters& parameters,
+                  LoopChain& chain)
+{
+  constexpr double square = 0.7; // sines
+  constexpr double alike = 0.35;
+  const PlanElement e = chain.element(i);
+  const Eigen::Vector2d middle = (e.start + e.end) / 2;
+  const PlanCurve& before = chain.links[chain.before(i)].curve;
+  const double sine = sineBetween(before, chain.links[chain.after(i)].curve, middle);
+  if (sine >= square)
+    return dropLink(i, parameters, chain);
+  if (sine > alike)
+    return false;
+  PlanCurve line;
+  line.direction = leftOf(before.tangentAt(middle));
+  if (line.direction.dot(e.end - e.start) < 0)
+    line.direction = -line.direction;
+  line.point = middle;
+  shiftOutwards(e, samples, parameters, line);
+  putLine(i, line, parameters, chain);
+  return false;
 }
 
 } // namespace
@@ -136,36 +238,31 @@ squareUnseenLinks(LoopChain& chain,
   constexpr double least_length = 0.2; // a shorter one is between what was seen
   if (chain.size() < 3)
     return;
-  const std::vector<bool> unseen = unseenLinks(chain, evidence, parameters.tolerance);
-  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, unseen);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!unseen[i])
-      continue;
+  std::vector<double> shares = sharesSeen(chain, evidence, parameters.tolerance);
+  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, shares);
+  for (std::size_t i = 0; i < chain.size();) {
     const PlanElement e = chain.element(i);
-    if (e.length() < least_length)
-      continue;
-    if (chain.links[i].curve.isCircle())
-      chain.links[i] = chordOf(chain, i);
-    LoopLink link = chain.links[i];
-    link.curve.point = link.curve.project((e.start + e.end) / 2);
-    if (!turnTo(directions, link.curve))
-      continue;
-    shiftOutwards(e, samples, parameters, link.curve);
-    link.is_bridge = false;
-    const std::size_t before = chain.before(i);
-    const std::size_t after = chain.after(i);
-    LoopChain turned = chain;
-    turned.links[i] = link;
-    if (!findCorner(chain.links[before].curve, link.curve, e.start, parameters,
-                    turned.corners[i]) ||
-        !findCorner(link.curve, chain.links[after].curve, e.end, parameters,
-                    turned.corners[after]))
-      continue;
-    const auto isForward = [&](std::size_t k) {
-      return runsForward(turned.links[k], turned.element(k), 1e-4);
-    };
-    if (isForward(before) && isForward(i) && isForward(after))
-      chain = std::move(turned);
+    const bool is_unseen = shares[i] < unseen_below;
+    const bool is_oblique = !is_unseen && shares[i] < oblique_unseen_below &&
+                            !chain.links[i].curve.isCircle() &&
+                            isSeenInPart(chain, i, evidence, parameters.tolerance);
+    if (e.length() >= least_length && (is_unseen || is_oblique)) {
+      if (chain.links[i].curve.isCircle())
+        chain.links[i] = chordOf(chain, i);
+      PlanCurve line = chain.links[i].curve;
+      line.point = line.project((e.start + e.end) / 2);
+      if (!turnTo(directions, line)) {
+        if (straightenOblique(i, samples, parameters, chain)) {
+          shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));
+          continue;
+        }
+      }
+      else if (is_unseen) {
+        shiftOutwards(e, samples, parameters, line);
+        putLine(i, line, parameters, chain);
+      }
+    }
+    ++i;
   }
 }
 
