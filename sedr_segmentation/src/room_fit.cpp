@@ -253,7 +253,11 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
+  const CellMask open =
+      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
   for (const CellMask& column : outline.columns) {
+    if (2 * intersect(column, open).count() >= column.count())
+      continue;
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = uprightPlaces(
         points, pointsIn(column, points, standing, grid), room, columns, grid);
