@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_unseen.h"
 
-#include "link_fit.h"
+#include "link_views.h"
 #include "loop_window.h"
 #include "main_directions.h"
 
@@ -20,50 +20,6 @@ constexpr double unseen_below = 0.05;
  * less than half of it: the open leaf of a door, a curtain. The lintel of a window goes
  * all along. */
 constexpr double oblique_unseen_below = 0.15;
-
-/** @brief Points along every link, for each metre. */
-std::vector<double>
-densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
-{
-  constexpr double least_length = 0.01;
-  std::vector<double> densities;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double length = chain.element(i).length();
-    densities.push_back(
-        length < least_length
-            ? 0
-            : static_cast<double>(pointsAlong(chain, i, evidence, tolerance).size()) /
-                  length);
-  }
-  return densities;
-}
-
-/** @brief How well each link is seen, as a share of what is usual: half of the loop's
- * length is seen better than that. Known ones are seen well. */
-std::vector<double>
-sharesSeen(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
-{
-  const std::vector<double> densities = densitiesOf(chain, evidence, tolerance);
-  std::vector<std::pair<double, double>> ordered; // and lengths
-  double all = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    ordered.emplace_back(densities[i], chain.element(i).length());
-    all += ordered.back().second;
-  }
-  std::sort(ordered.begin(), ordered.end());
-  double usual = 0;
-  double length = 0;
-  for (const auto& [density, own] : ordered) {
-    length += own;
-    usual = density;
-    if (2 * length >= all)
-      break;
-  }
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    shares.push_back(usual > 0 && !chain.links[i].is_known ? densities[i] / usual : 1);
-  return shares;
-}
 
 std::vector<Eigen::Vector2d>
 directionsSeen(const LoopChain& chain, const std::vector<double>& shares)
@@ -94,6 +50,24 @@ turnTo(const std::vector<Eigen::Vector2d>& directions, PlanCurve& line)
   return is_found;
 }
 
+/** @brief Those of some directions that a straight link beside another one has, or that
+ * are square to it. */
+std::vector<Eigen::Vector2d>
+directionsBeside(const LoopChain& chain,
+                 std::size_t i,
+                 const std::vector<Eigen::Vector2d>& directions)
+{
+  constexpr double same = 0.03; // sine
+  std::vector<Eigen::Vector2d> beside;
+  for (const std::size_t k : {chain.before(i), chain.after(i)})
+    for (const auto& d : directions)
+      if (const PlanCurve& line = chain.links[k].curve;
+          !line.isCircle() && std::min(std::abs(d.dot(line.direction)),
+                                       std::abs(leftOf(d).dot(line.direction))) < same)
+        beside.push_back(d);
+  return beside;
+}
+
 /** @brief Shifts a line to where the contour beside an element reaches farthest
  * outwards, but for a few samples. */
 void
@@ -120,23 +94,6 @@ shiftOutwards(const PlanElement& e,
       static_cast<std::size_t>((1 - few) * static_cast<double>(outwards.size() - 1));
   // Cells at a wall that is seen are its own; where it is not, they reach beyond it.
   line.point -= (outwards[at] + parameters.expected_offset) * leftOf(line.direction);
-}
-
-/** @brief Whether points show a link along less than half of its length. */
-bool
-isSeenInPart(const LoopChain& chain,
-             std::size_t i,
-             const PlanPoints& evidence,
-             double tolerance)
-{
-  constexpr double bin = 0.1; // metres
-  const PlanElement e = chain.element(i);
-  std::vector<bool> is_seen(static_cast<std::size_t>(e.length() / bin) + 1, false);
-  for (const WeightedPoint& p : pointsAlong(chain, i, evidence, tolerance))
-    is_seen[static_cast<std::size_t>(
-        std::clamp(e.project(p.position), 0.0, e.length()) / bin)] = true;
-  const auto seen = std::count(is_seen.begin(), is_seen.end(), true);
-  return 2 * static_cast<std::size_t>(seen) < is_seen.size();
 }
 
 /** @brief The straight way between the corners of a link. */
@@ -172,6 +129,41 @@ putLine(std::size_t i,
       return false;
   chain = std::move(changed);
   return true;
+}
+
+/** @brief Puts a line in the place of a link and of a shorter one beside it that runs
+ * alike, so that the line does not meet it, and is hardly seen.
+ * @return the position of that one, which is left out; the number of links where there
+ * is none */
+std::size_t
+putLineOverBoth(std::size_t i,
+                const PlanCurve& line,
+                const std::vector<double>& shares,
+                const LoopParameters& parameters,
+                LoopChain& chain)
+{
+  constexpr double hardly = 0.5;
+  constexpr double alike = 0.35; // sine
+  const double longest = chain.element(i).length() / 2;
+  for (const std::size_t k : {chain.after(i), chain.before(i)}) {
+    const PlanElement beside = chain.element(k);
+    if (chain.size() < 5 || shares[k] >= hardly || beside.length() > longest ||
+        sineBetween(line, chain.links[k].curve, beside.start) > alike)
+      continue;
+    const std::size_t between = k == chain.after(i) ? k : i; // the corner of both
+    LoopChain joined = chain;
+    joined.links.erase(joined.links.begin() + static_cast<std::ptrdiff_t>(k));
+    joined.corners.erase(joined.corners.begin() + static_cast<std::ptrdiff_t>(between));
+    if (k == chain.before(i) && i == 0) { // the link now starts where the last one did
+      std::rotate(joined.corners.begin(), joined.corners.end() - 1,
+                  joined.corners.end());
+    }
+    if (!putLine(k < i ? i - 1 : i, line, parameters, joined))
+      continue;
+    chain = std::move(joined);
+    return k;
+  }
+  return chain.size();
 }
 
 /** @brief Leaves a link out where those beside it meet near it; false where they do
@@ -251,7 +243,8 @@ squareUnseenLinks(LoopChain& chain,
         chain.links[i] = chordOf(chain, i);
       PlanCurve line = chain.links[i].curve;
       line.point = line.project((e.start + e.end) / 2);
-      if (!turnTo(directions, line)) {
+      if (!turnTo(directionsBeside(chain, i, directions), line) &&
+          !turnTo(directions, line)) {
         if (straightenOblique(i, samples, parameters, chain)) {
           shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));
           continue;
@@ -259,7 +252,13 @@ squareUnseenLinks(LoopChain& chain,
       }
       else if (is_unseen) {
         shiftOutwards(e, samples, parameters, line);
-        putLine(i, line, parameters, chain);
+        if (!putLine(i, line, parameters, chain)) {
+          const std::size_t count = chain.size();
+          const std::size_t gone = putLineOverBoth(i, line, shares, parameters, chain);
+          if (gone < count)
+            shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(gone));
+          i -= gone < i ? 1 : 0;
+        }
       }
     }
     ++i;

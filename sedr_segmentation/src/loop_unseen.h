@@ -13,7 +13,8 @@ namespace sedr {
  * wall that was seen, or square to it, if that is within 20 degrees, and lies where the
  * ceiling reaches farthest, as what is below it is inside. What runs along no wall ends
  * where the view did: walls beside it that are about square meet instead, and such that
- * run alike are joined squarely. */
+ * run alike are joined squarely. A short step beside it that is hardly seen gives way.
+ */
 void squareUnseenLinks(LoopChain& chain,
                        const std::vector<ContourSample>& samples,
                        const PlanPoints& evidence,

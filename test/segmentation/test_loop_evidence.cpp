@@ -83,6 +83,35 @@ TEST(FitLoop, WhereTheViewEndedObliquelyParallelWallsAreJoinedSquarely)
   expectLoop(fitted(contourIn(seen), points), truth, 0.13);
 }
 
+TEST(FitLoop, TheUnseenEndOfAPassageIsSquareToItsWalls)
+{
+  // A wall elsewhere runs as the edge of what was seen of the ceiling does by chance;
+  // beside that edge a few points lie askew.
+  const PlanLoop truth = polygon({{0.01, 0.02},
+                                  {6.01, 0.02},
+                                  {6.01, 2.02},
+                                  {4.01, 2.62},
+                                  {4.01, 4.02},
+                                  {3.01, 4.02},
+                                  {3.01, 2.62},
+                                  {0.01, 2.62}});
+  const PlanLoop seen = polygon({{0.01, 0.02},
+                                 {6.01, 0.02},
+                                 {6.01, 2.02},
+                                 {4.01, 2.62},
+                                 {4.01, 3.79},
+                                 {3.71, 3.79},
+                                 {3.01, 4.02},
+                                 {3.01, 2.62},
+                                 {0.01, 2.62}});
+  std::vector<Vector2d> points =
+      wallPoints(truth, 0.003, [](const Vector2d& p) { return p.y() < 3.75; });
+  for (double x = 3.73; x < 4; x += 0.05)
+    for (int k = 0; k < 2; ++k)
+      points.emplace_back(x, 3.79);
+  expectLoop(fitted(contourIn(seen), points), truth, 0.15);
+}
+
 TEST(FitLoop, AnObliqueWindowOfWhichOnlyTheLintelWasSeenStays)
 {
   const PlanLoop truth =
