@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_unseen.h"
 
+#include "link_fit.h"
 #include "link_views.h"
 #include "loop_window.h"
 #include "main_directions.h"
@@ -189,6 +190,44 @@ dropLink(std::size_t i, const LoopParameters& parameters, LoopChain& chain)
   return true;
 }
 
+/** @brief Root mean square distance of points from a curve. */
+double
+residualOf(const PlanCurve& curve, const std::vector<WeightedPoint>& points)
+{
+  double sum = 0;
+  for (const WeightedPoint& p : points)
+    sum += std::pow(curve.distance(p.position), 2);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/** @brief Arcs of which less than half was seen become straight, where a line agrees as
+ * well with that: they were bent by the edge of the ceiling. */
+void
+straightenArcs(const PlanPoints& evidence,
+               const LoopParameters& parameters,
+               LoopChain& chain)
+{
+  constexpr std::size_t least_points = 10;
+  constexpr double as_well = 1.2;
+  constexpr double slack = 0.002; // metres
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const LoopLink& link = chain.links[i];
+    if (!link.curve.isCircle() || link.is_known ||
+        !isSeenInPart(chain, i, evidence, parameters.tolerance))
+      continue;
+    const std::vector<WeightedPoint> points =
+        pointsAlong(chain, i, evidence, parameters.tolerance);
+    if (points.size() < least_points)
+      continue;
+    PlanCurve line = fitLine(points);
+    const PlanElement e = chain.element(i);
+    if (line.direction.dot(e.end - e.start) < 0)
+      line.direction = -line.direction;
+    if (residualOf(line, points) <= as_well * residualOf(link.curve, points) + slack)
+      putLine(i, line, parameters, chain);
+  }
+}
+
 /** @brief Mends an unseen link that runs along no wall, as the end of what can be seen
  * of a ceiling does: links beside it that are about square to each other meet; those
  * that run alike are joined by a line square to them.
@@ -230,6 +269,7 @@ squareUnseenLinks(LoopChain& chain,
   constexpr double least_length = 0.2; // a shorter one is between what was seen
   if (chain.size() < 3)
     return;
+  straightenArcs(evidence, parameters, chain);
   std::vector<double> shares = sharesSeen(chain, evidence, parameters.tolerance);
   const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, shares);
   for (std::size_t i = 0; i < chain.size();) {

@@ -14,7 +14,8 @@ namespace sedr {
  * ceiling reaches farthest, as what is below it is inside. What runs along no wall ends
  * where the view did: walls beside it that are about square meet instead, and such that
  * run alike are joined squarely. A short step beside it that is hardly seen gives way.
- */
+ * An arc of which less than half was seen becomes a segment, too, where that agrees as
+ * well. */
 void squareUnseenLinks(LoopChain& chain,
                        const std::vector<ContourSample>& samples,
                        const PlanPoints& evidence,

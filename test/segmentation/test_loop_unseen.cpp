@@ -60,4 +60,29 @@ TEST(SquareUnseenLinks, AStepThatIsHardlySeenGivesWay)
       }
 }
 
+TEST(SquareUnseenLinks, AnArcOfWhichOnlyAStraightPieceWasSeenIsStraight)
+{
+  // A circle of 16 m radius through (6, 0) and (6, 4), a room to the left of it.
+  const double radius = 16;
+  const Vector2d centre{6 - std::sqrt(radius * radius - 4), 2};
+  PlanLoop bulging = rectangle(0, 0, 6, 4);
+  bulging.elements[1].centre = centre;
+  bulging.elements[1].radius = radius;
+  const auto fittedTo = [&](const PlanLoop& wall, const Where& isSeen) {
+    LoopChain chain = chainAlong({{0, 0}, {6, 0}, {6, 4}, {0, 4}});
+    chain.links[1].curve = carrierOf(bulging.elements[1]);
+    std::vector<Vector2d> points = wallPoints(wall, 0, [&](const Vector2d& p) {
+      return p.x() < 5.9 || (p.y() > 0.1 && p.y() < 3.9 && isSeen(p));
+    });
+    squareUnseenLinks(chain, {}, PlanPoints(std::move(points), 0.1), {});
+    return chain.loop();
+  };
+  const Where inOnePlace = [](const Vector2d& p) { return p.y() > 0.2 && p.y() < 1.6; };
+  const Where atBothEnds = [](const Vector2d& p) { return std::abs(p.y() - 2) > 1.2; };
+  const PlanLoop straight = rectangle(0, 0, 6.03, 4);
+  expectLoop(fittedTo(straight, inOnePlace), straight, 0.01);
+  EXPECT_TRUE(fittedTo(bulging, atBothEnds).elements[1].isArc());
+  EXPECT_TRUE(fittedTo(bulging, everywhere).elements[1].isArc());
+}
+
 } // namespace
