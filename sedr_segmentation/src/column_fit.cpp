@@ -74,10 +74,21 @@ fitsIn(const PlanLoop& shape, const PlanLoop& hole)
   if (std::abs(shape.area()) < least_share * std::abs(hole.area()))
     return false;
   constexpr double farthest = 0.08; // ceiling cells lie over the edge of a column
-  const std::vector<Eigen::Vector2d> corners = shape.polygon(0.01);
-  return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& p) {
-    return hole.contains(p) || hole.distance(p) < farthest;
-  });
+  constexpr double chord = 0.01;
+  const auto isNear = [&](const Eigen::Vector2d& p, double reach) {
+    return hole.contains(p) || hole.distance(p) < reach;
+  };
+  // Where cells lie over two sides, their corner is farther from the hole than these.
+  return std::all_of(
+      shape.elements.begin(), shape.elements.end(), [&](const PlanElement& e) {
+        if (!e.isArc())
+          return isNear(e.pointAt(e.length() / 2), farthest) &&
+                 isNear(e.start, std::sqrt(2.0) * farthest);
+        const std::vector<Eigen::Vector2d> way = PlanLoop{{e}}.polygon(chord);
+        return std::all_of(way.begin(), way.end(), [&](const Eigen::Vector2d& p) {
+          return isNear(p, farthest);
+        });
+      });
 }
 
 Shape

@@ -38,6 +38,7 @@ public:
     const CellMask solid = unite(closed, enclosedCells(closed));
     const CellMask open = freeAround(solid, others);
     const CellMask walls = wallsAround(open);
+    const CellMask beside_others = dilated(others, 1.5);
     const std::vector<float> from_room = squaredDistances(solid);
     const std::vector<float> from_wall = squaredDistances(walls);
     const MaskRegions regions = labelRegions(open, false);
@@ -46,7 +47,8 @@ public:
     for (std::size_t i = 0; i < open.values().size(); ++i)
       if (regions.label[i] >= 0)
         strips[static_cast<std::size_t>(regions.label[i])].add(
-            *this, open.cellAt(i), {solid, open, from_room[i], from_wall[i]});
+            *this, open.cellAt(i),
+            {solid, open, beside_others, from_room[i], from_wall[i]});
     const auto depth = static_cast<float>(least_depth / grid_.size());
     CellMask hidden(room.box());
     for (std::size_t i = 0; i < open.values().size(); ++i)
@@ -61,7 +63,8 @@ private:
   struct Surroundings {
     const CellMask& room;
     const CellMask& strips;
-    float from_room; ///< squared, cells
+    const CellMask& beside_others; ///< other rooms, and a cell around them
+    float from_room;               ///< squared, cells
     float from_wall;
   };
 
@@ -84,7 +87,9 @@ private:
         if (around.strips.at(near))
           continue;
         const bool is_inner = around.room.at(near) != 0;
-        const bool is_wall = scene.isWall(near, 1);
+        // What a wall shows to another room is no end of this one.
+        const bool is_wall =
+            scene.isWall(near, 1) && (is_inner || !around.beside_others.at(near));
         (is_inner ? inner_edges : outer_edges) += 1;
         (is_inner ? inner_walls : outer_walls) += is_wall ? 1 : 0;
       }
@@ -97,8 +102,7 @@ private:
 
     bool isHidden(float in_cells) const
     {
-      return deepest >= in_cells * in_cells &&
-             10 * outer_walls >= 8 * outer_edges &&
+      return deepest >= in_cells * in_cells && 10 * outer_walls >= 8 * outer_edges &&
              10 * inner_walls <= 2 * inner_edges && 10 * covered <= 4 * before_wall;
     }
   };

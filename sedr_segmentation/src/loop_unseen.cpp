@@ -2,6 +2,7 @@
 #include "loop_unseen.h"
 
 #include "link_fit.h"
+#include "link_views.h"
 #include "loop_window.h"
 #include "main_directions.h"
 
@@ -13,58 +14,20 @@ namespace sedr {
 
 namespace {
 
-/** @brief Points along every link, for each metre. */
-std::vector<double>
-densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
-{
-  constexpr double least_length = 0.01;
-  std::vector<double> densities;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double length = chain.element(i).length();
-    densities.push_back(
-        length < least_length
-            ? 0
-            : static_cast<double>(pointsAlong(chain, i, evidence, tolerance).size()) /
-                  length);
-  }
-  return densities;
-}
+/** @brief A link is unseen where it has less than this share of the usual points. */
+constexpr double unseen_below = 0.05;
 
-/** @brief Which links are seen less than one in twenty of what is usual: half of the
- * loop's length is seen better than that. */
-std::vector<bool>
-unseenLinks(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
-{
-  constexpr double least_share = 0.05;
-  const std::vector<double> densities = densitiesOf(chain, evidence, tolerance);
-  std::vector<std::pair<double, double>> ordered; // and lengths
-  double all = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    ordered.emplace_back(densities[i], chain.element(i).length());
-    all += ordered.back().second;
-  }
-  std::sort(ordered.begin(), ordered.end());
-  double usual = 0;
-  double length = 0;
-  for (const auto& [density, own] : ordered) {
-    length += own;
-    usual = density;
-    if (2 * length >= all)
-      break;
-  }
-  std::vector<bool> unseen;
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    unseen.push_back(usual > 0 && densities[i] < least_share * usual &&
-                     !chain.links[i].is_known);
-  return unseen;
-}
+/** @brief One that runs along no wall that was seen, where it has less than this, along
+ * less than half of it: the open leaf of a door, a curtain. The lintel of a window goes
+ * all along. */
+constexpr double oblique_unseen_below = 0.15;
 
 std::vector<Eigen::Vector2d>
-directionsSeen(const LoopChain& chain, const std::vector<bool>& unseen)
+directionsSeen(const LoopChain& chain, const std::vector<double>& shares)
 {
   std::vector<DirectedLine> lines;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (!unseen[i] && !chain.links[i].curve.isCircle())
+    if (shares[i] >= oblique_unseen_below && !chain.links[i].curve.isCircle())
       lines.push_back({chain.element(i).length(), chain.links[i].curve.direction});
   return mainDirections(std::move(lines));
 }
@@ -86,6 +49,24 @@ turnTo(const std::vector<Eigen::Vector2d>& directions, PlanCurve& line)
   const bool is_found = nearest < 0.35;
   line.direction = best;
   return is_found;
+}
+
+/** @brief Those of some directions that a straight link beside another one has, or that
+ * are square to it. */
+std::vector<Eigen::Vector2d>
+directionsBeside(const LoopChain& chain,
+                 std::size_t i,
+                 const std::vector<Eigen::Vector2d>& directions)
+{
+  constexpr double same = 0.03; // sine
+  std::vector<Eigen::Vector2d> beside;
+  for (const std::size_t k : {chain.before(i), chain.after(i)})
+    for (const auto& d : directions)
+      if (const PlanCurve& line = chain.links[k].curve;
+          !line.isCircle() && std::min(std::abs(d.dot(line.direction)),
+                                       std::abs(leftOf(d).dot(line.direction))) < same)
+        beside.push_back(d);
+  return beside;
 }
 
 /** @brief Shifts a line to where the contour beside an element reaches farthest
@@ -125,6 +106,158 @@ chordOf(const LoopChain& chain, std::size_t i)
   return chord;
 }
 
+/** @brief Puts a line in the place of a link; false where it does not meet those beside
+ * it, or one would run backwards. */
+bool
+putLine(std::size_t i,
+        const PlanCurve& line,
+        const LoopParameters& parameters,
+        LoopChain& chain)
+{
+  const PlanElement e = chain.element(i);
+  const std::size_t before = chain.before(i);
+  const std::size_t after = chain.after(i);
+  LoopChain changed = chain;
+  changed.links[i].curve = line;
+  changed.links[i].is_bridge = false;
+  if (!findCorner(chain.links[before].curve, line, e.start, parameters,
+                  changed.corners[i]) ||
+      !findCorner(line, chain.links[after].curve, e.end, parameters,
+                  changed.corners[after]))
+    return false;
+  for (const std::size_t k : {before, i, after})
+    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+      return false;
+  chain = std::move(changed);
+  return true;
+}
+
+/** @brief Puts a line in the place of a link and of a shorter one beside it that runs
+ * alike, so that the line does not meet it, and is hardly seen.
+ * @return the position of that one, which is left out; the number of links where there
+ * is none */
+std::size_t
+putLineOverBoth(std::size_t i,
+                const PlanCurve& line,
+                const std::vector<double>& shares,
+                const LoopParameters& parameters,
+                LoopChain& chain)
+{
+  constexpr double hardly = 0.5;
+  constexpr double alike = 0.35; // sine
+  const double longest = chain.element(i).length() / 2;
+  for (const std::size_t k : {chain.after(i), chain.before(i)}) {
+    const PlanElement beside = chain.element(k);
+    if (chain.size() < 5 || shares[k] >= hardly || beside.length() > longest ||
+        sineBetween(line, chain.links[k].curve, beside.start) > alike)
+      continue;
+    const std::size_t between = k == chain.after(i) ? k : i; // the corner of both
+    LoopChain joined = chain;
+    joined.links.erase(joined.links.begin() + static_cast<std::ptrdiff_t>(k));
+    joined.corners.erase(joined.corners.begin() + static_cast<std::ptrdiff_t>(between));
+    if (k == chain.before(i) && i == 0) { // the link now starts where the last one did
+      std::rotate(joined.corners.begin(), joined.corners.end() - 1,
+                  joined.corners.end());
+    }
+    if (!putLine(k < i ? i - 1 : i, line, parameters, joined))
+      continue;
+    chain = std::move(joined);
+    return k;
+  }
+  return chain.size();
+}
+
+/** @brief Leaves a link out where those beside it meet near it; false where they do
+ * not, or one would run backwards. */
+bool
+dropLink(std::size_t i, const LoopParameters& parameters, LoopChain& chain)
+{
+  const PlanElement e = chain.element(i);
+  const std::size_t before = chain.before(i);
+  const std::size_t after = chain.after(i);
+  LoopChain changed = chain;
+  if (chain.size() < 4 ||
+      !findCorner(chain.links[before].curve, chain.links[after].curve,
+                  (e.start + e.end) / 2, parameters, changed.corners[after]))
+    return false;
+  changed.corners[i] = changed.corners[after];
+  for (const std::size_t k : {before, after})
+    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+      return false;
+  changed.links.erase(changed.links.begin() + static_cast<std::ptrdiff_t>(i));
+  changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(i));
+  chain = std::move(changed);
+  return true;
+}
+
+/** @brief Root mean square distance of points from a curve. */
+double
+residualOf(const PlanCurve& curve, const std::vector<WeightedPoint>& points)
+{
+  double sum = 0;
+  for (const WeightedPoint& p : points)
+    sum += std::pow(curve.distance(p.position), 2);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/** @brief Arcs of which less than half was seen become straight, where a line agrees as
+ * well with that: they were bent by the edge of the ceiling. */
+void
+straightenArcs(const PlanPoints& evidence,
+               const LoopParameters& parameters,
+               LoopChain& chain)
+{
+  constexpr std::size_t least_points = 10;
+  constexpr double as_well = 1.2;
+  constexpr double slack = 0.002; // metres
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const LoopLink& link = chain.links[i];
+    if (!link.curve.isCircle() || link.is_known ||
+        !isSeenInPart(chain, i, evidence, parameters.tolerance))
+      continue;
+    const std::vector<WeightedPoint> points =
+        pointsAlong(chain, i, evidence, parameters.tolerance);
+    if (points.size() < least_points)
+      continue;
+    PlanCurve line = fitLine(points);
+    const PlanElement e = chain.element(i);
+    if (line.direction.dot(e.end - e.start) < 0)
+      line.direction = -line.direction;
+    if (residualOf(line, points) <= as_well * residualOf(link.curve, points) + slack)
+      putLine(i, line, parameters, chain);
+  }
+}
+
+/** @brief Mends an unseen link that runs along no wall, as the end of what can be seen
+ * of a ceiling does: links beside it that are about square to each other meet; those
+ * that run alike are joined by a line square to them.
+ * @return whether it was left out */
+bool
+straightenOblique(std::size_t i,
+                  const std::vector<ContourSample>& samples,
+                  const LoopParameters& parameters,
+                  LoopChain& chain)
+{
+  constexpr double square = 0.7; // sines
+  constexpr double alike = 0.35;
+  const PlanElement e = chain.element(i);
+  const Eigen::Vector2d middle = (e.start + e.end) / 2;
+  const PlanCurve& before = chain.links[chain.before(i)].curve;
+  const double sine = sineBetween(before, chain.links[chain.after(i)].curve, middle);
+  if (sine >= square)
+    return dropLink(i, parameters, chain);
+  if (sine > alike)
+    return false;
+  PlanCurve line;
+  line.direction = leftOf(before.tangentAt(middle));
+  if (line.direction.dot(e.end - e.start) < 0)
+    line.direction = -line.direction;
+  line.point = middle;
+  shiftOutwards(e, samples, parameters, line);
+  putLine(i, line, parameters, chain);
+  return false;
+}
+
 } // namespace
 
 void
@@ -136,36 +269,39 @@ squareUnseenLinks(LoopChain& chain,
   constexpr double least_length = 0.2; // a shorter one is between what was seen
   if (chain.size() < 3)
     return;
-  const std::vector<bool> unseen = unseenLinks(chain, evidence, parameters.tolerance);
-  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, unseen);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!unseen[i])
-      continue;
+  straightenArcs(evidence, parameters, chain);
+  std::vector<double> shares = sharesSeen(chain, evidence, parameters.tolerance);
+  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, shares);
+  for (std::size_t i = 0; i < chain.size();) {
     const PlanElement e = chain.element(i);
-    if (e.length() < least_length)
-      continue;
-    if (chain.links[i].curve.isCircle())
-      chain.links[i] = chordOf(chain, i);
-    LoopLink link = chain.links[i];
-    link.curve.point = link.curve.project((e.start + e.end) / 2);
-    if (!turnTo(directions, link.curve))
-      continue;
-    shiftOutwards(e, samples, parameters, link.curve);
-    link.is_bridge = false;
-    const std::size_t before = chain.before(i);
-    const std::size_t after = chain.after(i);
-    LoopChain turned = chain;
-    turned.links[i] = link;
-    if (!findCorner(chain.links[before].curve, link.curve, e.start, parameters,
-                    turned.corners[i]) ||
-        !findCorner(link.curve, chain.links[after].curve, e.end, parameters,
-                    turned.corners[after]))
-      continue;
-    const auto isForward = [&](std::size_t k) {
-      return runsForward(turned.links[k], turned.element(k), 1e-4);
-    };
-    if (isForward(before) && isForward(i) && isForward(after))
-      chain = std::move(turned);
+    const bool is_unseen = shares[i] < unseen_below;
+    const bool is_oblique = !is_unseen && shares[i] < oblique_unseen_below &&
+                            !chain.links[i].curve.isCircle() &&
+                            isSeenInPart(chain, i, evidence, parameters.tolerance);
+    if (e.length() >= least_length && (is_unseen || is_oblique)) {
+      if (chain.links[i].curve.isCircle())
+        chain.links[i] = chordOf(chain, i);
+      PlanCurve line = chain.links[i].curve;
+      line.point = line.project((e.start + e.end) / 2);
+      if (!turnTo(directionsBeside(chain, i, directions), line) &&
+          !turnTo(directions, line)) {
+        if (straightenOblique(i, samples, parameters, chain)) {
+          shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));
+          continue;
+        }
+      }
+      else if (is_unseen) {
+        shiftOutwards(e, samples, parameters, line);
+        if (!putLine(i, line, parameters, chain)) {
+          const std::size_t count = chain.size();
+          const std::size_t gone = putLineOverBoth(i, line, shares, parameters, chain);
+          if (gone < count)
+            shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(gone));
+          i -= gone < i ? 1 : 0;
+        }
+      }
+    }
+    ++i;
   }
 }
 

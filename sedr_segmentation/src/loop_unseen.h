@@ -11,7 +11,11 @@ namespace sedr {
 /** @brief What hardly any point shows was led along the edge of the ceiling that was
  * seen, which says little of its shape: it becomes straight, gets the direction of a
  * wall that was seen, or square to it, if that is within 20 degrees, and lies where the
- * ceiling reaches farthest, as what is below it is inside. */
+ * ceiling reaches farthest, as what is below it is inside. What runs along no wall ends
+ * where the view did: walls beside it that are about square meet instead, and such that
+ * run alike are joined squarely. A short step beside it that is hardly seen gives way.
+ * An arc of which less than half was seen becomes a segment, too, where that agrees as
+ * well. */
 void squareUnseenLinks(LoopChain& chain,
                        const std::vector<ContourSample>& samples,
                        const PlanPoints& evidence,

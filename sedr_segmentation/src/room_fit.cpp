@@ -262,11 +262,15 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
+  const CellMask open =
+      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
-    // What the growing took for no wall may still be the column's.
     const CellMask& column = outline.columns[c];
+    if (2 * intersect(column, open).count() >= column.count())
+      return;
+    // What the growing took for no wall may still be the column's.
     const PlanPoints own = uprightPlaces(
         points, pointsIn(column, points, standing, grid), room, columns, grid);
     of_columns[c].label = StructureLabel::Column;

@@ -17,6 +17,11 @@ constexpr double gap_radius = 0.1;
 constexpr double notch_radius = 0.4;
 constexpr double protrusion_radius = 0.15;
 
+/** @brief What was seen through an opening is no wider than twice this, and reaches
+ * farther than that from the room, metres: corners do not. */
+constexpr double opening_radius = 0.45;
+constexpr double least_sight = 0.3;
+
 /** @brief What reaches further into a room than this may be a partition, metres. */
 constexpr double partition_reach = 0.4;
 
@@ -56,6 +61,7 @@ public:
     room = unite(room, holes);
     room = withoutFalseNotches(room);
     room = withoutFalseProtrusions(room);
+    room = withoutSights(room);
     result.room = largestRegion(room);
     result.lost_area = static_cast<double>(room.count() - result.room.count()) *
                        grid_.size() * grid_.size();
@@ -112,7 +118,7 @@ private:
    * cupboard leaves that open. */
   bool isFloorToCeiling(Cell cell) const
   {
-    const double top = ceiling_.heightAt(grid_.centre(cell));
+    const double top = topAround(cell, cellsFor(2 * gap_radius, grid_.size()));
     const double floor = floor_.heightAt(grid_.centre(cell));
     return reaches(cell, top) &&
            columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
@@ -214,6 +220,36 @@ private:
       const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
       if (regions.sizes[r] >= 4 && wallShare(part, outside) < 0.5)
         result = subtract(result, part);
+    }
+    return result;
+  }
+
+  /** @brief The room without what was seen of a ceiling through an opening, or in a
+   * mirror: wider than a false protrusion, but nothing at all stands along it. */
+  CellMask withoutSights(const CellMask& room) const
+  {
+    constexpr double most_walled = 0.15;
+    constexpr double rim = 1.5; // cells: by it, corners hang together
+    const double radius = cellsFor(opening_radius, grid_.size());
+    const CellMask opened = dilated(eroded(room, radius), radius);
+    if (opened.count() == 0) // a narrow room
+      return room;
+    const std::vector<float> away = squaredDistances(opened);
+    const CellMask parts = subtract(room, dilated(opened, rim));
+    const CellMask outside = inverted(room);
+    const MaskRegions regions = labelRegions(parts, false);
+    const auto least = static_cast<float>(least_sight / grid_.size());
+    std::vector<std::uint8_t> is_deep(regions.sizes.size(), 0);
+    for (std::size_t i = 0; i < parts.values().size(); ++i)
+      if (regions.label[i] >= 0 && away[i] > least * least)
+        is_deep[static_cast<std::size_t>(regions.label[i])] = 1;
+    CellMask result = room;
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (!is_deep[r])
+        continue;
+      const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
+      if (wallShare(part, outside) < most_walled)
+        result = subtract(result, subtract(dilated(part, rim), opened));
     }
     return result;
   }

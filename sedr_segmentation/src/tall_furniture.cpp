@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/tall_furniture.h>
 
+#include <pcl/sedr_segmentation/cell_count.h>
+
 #include <algorithm>
 
 namespace pcl {
@@ -28,6 +30,21 @@ topAround(Cell cell,
   return std::min(top, highest);
 }
 
+/** @brief Whether something stands, or hangs, in the upper half of a column. */
+bool
+isUpright(Cell cell,
+          const CellGrid& grid,
+          const ColumnTable& columns,
+          const PlanSlab& ceiling,
+          const PlanSlab& floor)
+{
+  if (columns.begin(cell) == columns.end(cell))
+    return false;
+  const double top = topAround(cell, 2, grid, columns, ceiling);
+  const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
+  return columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5;
+}
+
 } // namespace
 
 CellMask
@@ -41,15 +58,11 @@ tallFurniture(const CellMask& seen,
   CellMask low(seen.box());
   for (std::size_t i = 0; i < low.values().size(); ++i) {
     const Cell cell = low.cellAt(i);
-    if (columns.begin(cell) == columns.end(cell))
+    if (!isUpright(cell, grid, columns, ceiling, floor))
       continue;
     const double top = topAround(cell, 2, grid, columns, ceiling);
-    const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
     low.values()[i] =
-        columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5 &&
-                columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1
-            ? 1
-            : 0;
+        columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1 ? 1 : 0;
   }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
   const MaskRegions regions = labelRegions(low, true);
@@ -64,6 +77,39 @@ tallFurniture(const CellMask& seen,
       low.values()[i] = 2 * under[r] >= regions.sizes[r] && near.values()[i] ? 1 : 0;
     }
   return low;
+}
+
+CellMask
+aroundSeenCeiling(const CellMask& seen,
+                  const CellGrid& grid,
+                  const ColumnTable& columns,
+                  const PlanSlab& ceiling,
+                  const PlanSlab& floor)
+{
+  constexpr double largest = 1; // square metres
+  constexpr double least_seen = 0.3;
+  constexpr std::size_t least_cells = 6;
+  const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
+  CellMask upright(seen.box());
+  for (std::size_t i = 0; i < upright.values().size(); ++i)
+    upright.values()[i] =
+        isUpright(upright.cellAt(i), grid, columns, ceiling, floor) ? 1 : 0;
+  const CellMask within = enclosedCells(upright);
+  const MaskRegions regions = labelRegions(within, false);
+  std::vector<std::size_t> count(regions.sizes.size());
+  for (std::size_t i = 0; i < seen.values().size(); ++i)
+    if (regions.label[i] >= 0)
+      count[static_cast<std::size_t>(regions.label[i])] += seen.values()[i];
+  CellMask around(seen.box());
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    const auto size = static_cast<double>(regions.sizes[r]);
+    if (size * grid.size() * grid.size() > largest || count[r] < least_cells ||
+        static_cast<double>(count[r]) < least_seen * size)
+      continue;
+    const CellMask place = regionMask(within, regions, static_cast<std::int32_t>(r));
+    around = unite(around, unite(place, intersect(dilated(place, thickness), upright)));
+  }
+  return around;
 }
 
 } // namespace sedr

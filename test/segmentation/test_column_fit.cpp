@@ -185,4 +185,14 @@ TEST(FitColumn, NeverReachesFarBeyondItsHole)
   EXPECT_LT(errorOf(loop, truth), 0.01);
 }
 
+TEST(FitColumn, ACornerWhoseHoleIsCutOffIsThere)
+{
+  // Ceiling cells lie over both sides at a corner.
+  const PlanLoop truth = rectangle(1, 1, 1.4, 1.4);
+  const Contour hole = holeOf(
+      polygon({{1.04, 1.04}, {1.24, 1.04}, {1.36, 1.16}, {1.36, 1.36}, {1.04, 1.36}}));
+  const PlanLoop loop = fitColumn(hole, pointsOf(truth, 0.003), along_axes, {});
+  EXPECT_LT(errorOf(loop, reversed(truth)), 0.01);
+}
+
 } // namespace

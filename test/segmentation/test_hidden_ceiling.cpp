@@ -153,4 +153,24 @@ TEST(HiddenCeiling, TakesNothingFromOtherRooms)
   EXPECT_EQ(0U, scene.hidden(CellSet(strip)).count());
 }
 
+/** The cells from y = `from` to 4 along the whole room. */
+CellSet
+cellsBeyond(double from)
+{
+  const CellGrid grid(cell);
+  std::vector<CellKey> cells;
+  for (double x = 0.03; x < 5; x += cell)
+    for (double y = from + 0.01; y < 4; y += cell)
+      cells.push_back(keyOf(grid.at(x, y)));
+  return CellSet(std::move(cells));
+}
+
+TEST(HiddenCeiling, IsNotBehindTheFaceThatAWallShowsToAnotherRoom)
+{
+  // The other room's ceiling begins at the wall's points: they are its face.
+  EXPECT_EQ(0U, roomWithDuct().hidden(cellsBeyond(3.05)).count());
+  // Beyond a partition of 10 cm, the points are those of this room's face.
+  EXPECT_NEAR(areaOf(roomWithDuct().hidden(cellsBeyond(3.15))), 5 * 0.35, 0.25);
+}
+
 } // namespace

@@ -40,6 +40,90 @@ TEST(FitLoop, AWallThatNobodySawIsSquareAndWhereTheCeilingReaches)
   }
 }
 
+TEST(FitLoop, WhereTheViewEndedObliquelyWallsMeetSquarely)
+{
+  // Through an opening in the wall at x = 5 a corner of the ceiling beyond was seen.
+  const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
+  const PlanLoop seen =
+      polygon({{0.01, 0.02}, {5.46, 0.02}, {5.01, 0.92}, {5.01, 3.02}, {0.01, 3.02}});
+  const PlanLoop walls = polygon(
+      {{0.01, 0.02}, {5.46, 0.02}, {5.46, -1}, {6, -1}, {6, 3.02}, {0.01, 3.02}});
+  std::vector<Vector2d> points = wallPoints(
+      walls, 0.003, [](const Vector2d& p) { return p.x() < 5.44 && p.y() > -0.1; });
+  for (const auto& p : wallPoints(
+           truth, 0.003, [](const Vector2d& q) { return q.x() > 5 && q.y() > 0.9; }))
+    points.push_back(p);
+  expectLoop(fitted(contourIn(seen), points), truth, 0.02);
+}
+
+TEST(FitLoop, WhereTheViewEndedObliquelyParallelWallsAreJoinedSquarely)
+{
+  const PlanLoop truth = polygon({{0.01, 0.02},
+                                  {5.41, 0.02},
+                                  {5.41, 2.02},
+                                  {5.01, 2.02},
+                                  {5.01, 4.02},
+                                  {0.01, 4.02}});
+  const PlanLoop seen = polygon({{0.01, 0.02},
+                                 {5.41, 0.02},
+                                 {5.41, 1.72},
+                                 {5.01, 2.02},
+                                 {5.01, 4.02},
+                                 {0.01, 4.02}});
+  const auto isSeen = [](const Vector2d& p) { return p.x() < 5.02 || p.y() < 1.7; };
+  const auto isShown = [&](const Vector2d& p) {
+    return isSeen(p) && !(p.x() > 5 && p.y() > 1.7 && p.y() < 2.1);
+  };
+  std::vector<Vector2d> points = wallPoints(truth, 0.003, isShown);
+  expectLoop(fitted(contourIn(seen), points), truth, 0.13);
+  // The open leaf of a door.
+  for (double s = 0.2; s < 0.3; s += 0.01)
+    for (int k = 0; k < 2; ++k)
+      points.push_back(seen.elements[2].pointAt(s));
+  expectLoop(fitted(contourIn(seen), points), truth, 0.13);
+}
+
+TEST(FitLoop, TheUnseenEndOfAPassageIsSquareToItsWalls)
+{
+  // A wall elsewhere runs as the edge of what was seen of the ceiling does by chance;
+  // beside that edge a few points lie askew.
+  const PlanLoop truth = polygon({{0.01, 0.02},
+                                  {6.01, 0.02},
+                                  {6.01, 2.02},
+                                  {4.01, 2.62},
+                                  {4.01, 4.02},
+                                  {3.01, 4.02},
+                                  {3.01, 2.62},
+                                  {0.01, 2.62}});
+  const PlanLoop seen = polygon({{0.01, 0.02},
+                                 {6.01, 0.02},
+                                 {6.01, 2.02},
+                                 {4.01, 2.62},
+                                 {4.01, 3.79},
+                                 {3.71, 3.79},
+                                 {3.01, 4.02},
+                                 {3.01, 2.62},
+                                 {0.01, 2.62}});
+  std::vector<Vector2d> points =
+      wallPoints(truth, 0.003, [](const Vector2d& p) { return p.y() < 3.75; });
+  for (double x = 3.73; x < 4; x += 0.05)
+    for (int k = 0; k < 2; ++k)
+      points.emplace_back(x, 3.79);
+  expectLoop(fitted(contourIn(seen), points), truth, 0.15);
+}
+
+TEST(FitLoop, AnObliqueWindowOfWhichOnlyTheLintelWasSeenStays)
+{
+  const PlanLoop truth =
+      polygon({{0.01, 0.02}, {5.01, 0.02}, {5.01, 2.42}, {4.41, 3.02}, {0.01, 3.02}});
+  std::vector<Vector2d> points =
+      wallPoints(truth, 0.003, [](const Vector2d& p) { return p.x() + p.y() < 7.4; });
+  for (double s = 0.025; s < truth.elements[2].length(); s += 0.05)
+    for (int k = 0; k < 2; ++k)
+      points.push_back(truth.elements[2].pointAt(s));
+  expectLoop(fitted(contourIn(truth), points), truth, 0.03);
+}
+
 TEST(FitLoop, PointsInOnePlaceDoNotTurnAWall)
 {
   // Of the window wall at x = 6 only a curtain was seen, askew.

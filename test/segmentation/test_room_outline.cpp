@@ -160,6 +160,23 @@ TEST(OutlineRoom, ADividerTenCentimetresShortOfTheCeilingIsNoColumn)
   EXPECT_TRUE(outline.columns.empty());
 }
 
+TEST(OutlineRoom, AColumnBelowASoffitReachesThatOnly)
+{
+  const double soffit = 2.2;
+  for (const double top : {soffit, soffit - 0.3}) {
+    Scene scene([](double, double y) { return y > 1.51; });
+    const auto under = scene.points.slab(
+        rectangle(0.01, 0.01, 4.01, 1.51), soffit,
+        [](double x, double y) { return !within(x, y, 1.51, 0.61, 1.91, 1.01); });
+    scene.points.wall(segment({4.01, 1.51}, {0.01, 1.51}), soffit, height);
+    scene.ceiling = joined(scene.ceiling, under);
+    scene.box(1.51, 0.61, 1.91, 1.01, 0, top);
+    const RoomOutline outline = scene.outline();
+    EXPECT_TRUE(isWholeRoom(outline.room)) << top;
+    EXPECT_EQ(outline.columns.size(), top == soffit ? 1u : 0u) << top;
+  }
+}
+
 TEST(OutlineRoom, AHoleSmallerThanAColumnIsFilled)
 {
   Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.66, 1.16); });
@@ -220,6 +237,25 @@ TEST(OutlineRoom, WhatWasSeenThroughAnOpeningIsCutOff)
   const CellMask room = scene.outline().room;
   EXPECT_EQ(room.at(CellGrid(0.05).at(2.13, 3.35)), 0);
   EXPECT_NEAR(areaOf(room), 12, 0.08) << "but for its mouth";
+}
+
+TEST(OutlineRoom, WhatWasSeenInAMirrorIsCutOff)
+{
+  Scene scene;
+  const auto beyond = scene.points.slab(rectangle(1.51, 3.01, 2.21, 4.31), height);
+  scene.ceiling = joined(scene.ceiling, beyond);
+  const CellMask room = scene.outline().room;
+  EXPECT_EQ(room.at(CellGrid(0.05).at(1.86, 3.5)), 0);
+  EXPECT_NEAR(areaOf(room), 12, 0.2) << "but for its mouth";
+}
+
+TEST(OutlineRoom, AnAlcoveOfWhichOneWallWasSeenStays)
+{
+  Scene scene;
+  const auto alcove = scene.points.slab(rectangle(1.51, 3.01, 2.21, 4.31), height);
+  scene.ceiling = joined(scene.ceiling, alcove);
+  scene.points.wall(segment({2.21, 3.01}, {2.21, 4.31}), 0, height);
+  EXPECT_NEAR(areaOf(scene.outline().room), 12 + 0.7 * 1.3, 0.1);
 }
 
 TEST(OutlineRoom, ANarrowNicheWithWallsStays)

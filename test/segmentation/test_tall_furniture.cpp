@@ -124,6 +124,65 @@ TEST(TallFurniture, BelowANoisyCeilingNeedsALargerGap)
   EXPECT_NEAR(gapBelow(ceiling).low, 0.115, 1e-9);
 }
 
+/** A room of 4 m x 3 m with a box in it, 5 cm short of the ceiling, which is seen above
+ * the box, or not. */
+struct BoxRoom {
+  BoxRoom(const PlanLoop& box, bool is_seen_above)
+  {
+    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+    parts.floor = points.slab(loop, 0);
+    for (const auto& e : loop.elements)
+      parts.walls = joined(parts.walls, points.wall(e, 0, height));
+    for (const auto& e : box.elements)
+      parts.walls = joined(parts.walls, points.wall(e, 0, height - 0.05));
+    parts.ceiling = points.slab(loop, height, [&](double x, double y) {
+      return is_seen_above || !box.contains({x, y});
+    });
+  }
+
+  CellMask open() const
+  {
+    const CellGrid grid(0.05);
+    const CellSet seen(grid, points.view(), parts.ceiling);
+    const CellBox all = grown(boxOf(seen), 14);
+    return aroundSeenCeiling(CellMask(seen, all), grid,
+                             ColumnTable(grid, all, points.view(), points.all()),
+                             slabAt(height), slabAt(0));
+  }
+
+  RoomPoints points;
+  RoomParts parts;
+};
+
+TEST(AroundSeenCeiling, IsACabinetAndNoColumnNorAnythingAsLargeAsARoom)
+{
+  const PlanLoop box = rectangle(1.61, 1.11, 2.41, 1.91);
+  const CellMask open = BoxRoom(box, true).open();
+  const CellGrid grid(0.05);
+  for (const auto& e : box.elements)
+    for (const double share : {0.2, 0.5, 0.8}) {
+      const Eigen::Vector2d p = e.pointAt(share * e.length());
+      EXPECT_TRUE(open.at(grid.at(p.x(), p.y()))) << p.transpose();
+    }
+  EXPECT_TRUE(open.at(grid.at(2, 1.5)));
+  EXPECT_FALSE(open.at(grid.at(1.4, 1.5)));
+  EXPECT_EQ(BoxRoom(box, false).open().count(), 0U);
+  EXPECT_EQ(BoxRoom(rectangle(1.01, 0.51, 2.51, 2.01), true).open().count(), 0U);
+}
+
+TEST(FitRoom, ACabinetAboveWhichTheCeilingIsSeenIsNoColumn)
+{
+  for (const bool is_cabinet : {true, false}) {
+    const BoxRoom room(rectangle(1.61, 1.11, 2.41, 1.91), is_cabinet);
+    std::string problem;
+    const PlanRoom plan =
+        fitRoom(room.points.view(), evidenceOf(room.points, room.parts), {}, problem);
+    EXPECT_EQ(problem, "");
+    EXPECT_EQ(plan.columns.size(), is_cabinet ? 0U : 1U);
+    EXPECT_EQ(plan.boundary.elements.size(), 4u);
+  }
+}
+
 TEST(FitRoom, AWardrobeTenCentimetresShortOfTheCeilingIsNoWall)
 {
   const WardrobeRoom room(height - 0.1, 0.12);

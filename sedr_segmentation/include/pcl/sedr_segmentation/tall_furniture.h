@@ -27,5 +27,18 @@ CellMask tallFurniture(const CellMask& seen,
                        const PlanSlab& floor,
                        const CeilingGap& gap);
 
+/** @brief Places smaller than a room, up to 1 m2, of whose ceiling three tenths and
+ * more were seen, and what stands in the upper half of the room all around them, with
+ * it: nobody sees the ceiling within a column; over a cabinet one does, whatever noise
+ * says of how high that is. O(cells of the box).
+ * @param seen cells in which ceilings and soffits of the room were seen
+ * @param columns all points around the room
+ * @param ceiling,floor planes of the room */
+CellMask aroundSeenCeiling(const CellMask& seen,
+                           const CellGrid& grid,
+                           const ColumnTable& columns,
+                           const PlanSlab& ceiling,
+                           const PlanSlab& floor);
+
 } // namespace sedr
 } // namespace pcl

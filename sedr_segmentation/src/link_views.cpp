@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link_views.h"
+
+#include "link_fit.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Points along every link, for each metre. */
+std::vector<double>
+densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
+{
+  constexpr double least_length = 0.01;
+  std::vector<double> densities;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double length = chain.element(i).length();
+    densities.push_back(
+        length < least_length
+            ? 0
+            : static_cast<double>(pointsAlong(chain, i, evidence, tolerance).size()) /
+                  length);
+  }
+  return densities;
+}
+
+} // namespace
+
+std::vector<double>
+sharesSeen(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
+{
+  const std::vector<double> densities = densitiesOf(chain, evidence, tolerance);
+  std::vector<std::pair<double, double>> ordered; // and lengths
+  double all = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    ordered.emplace_back(densities[i], chain.element(i).length());
+    all += ordered.back().second;
+  }
+  std::sort(ordered.begin(), ordered.end());
+  double usual = 0;
+  double length = 0;
+  for (const auto& [density, own] : ordered) {
+    length += own;
+    usual = density;
+    if (2 * length >= all)
+      break;
+  }
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    shares.push_back(usual > 0 && !chain.links[i].is_known ? densities[i] / usual : 1);
+  return shares;
+}
+
+bool
+isSeenInPart(const LoopChain& chain,
+             std::size_t i,
+             const PlanPoints& evidence,
+             double tolerance)
+{
+  constexpr double bin = 0.1; // metres
+  const PlanElement e = chain.element(i);
+  std::vector<bool> is_seen(static_cast<std::size_t>(e.length() / bin) + 1, false);
+  for (const WeightedPoint& p : pointsAlong(chain, i, evidence, tolerance))
+    is_seen[static_cast<std::size_t>(
+        std::clamp(e.project(p.position), 0.0, e.length()) / bin)] = true;
+  const auto seen = std::count(is_seen.begin(), is_seen.end(), true);
+  return 2 * static_cast<std::size_t>(seen) < is_seen.size();
+}
+
+} // namespace sedr
+} // namespace pcl
