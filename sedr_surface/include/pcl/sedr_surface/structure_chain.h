@@ -217,7 +217,8 @@ private:
   /** @brief The points of a room's floor and of its platforms, increasing. */
   pcl::IndicesPtr floorPoints(std::size_t region) const;
 
-  double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
+  double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
+  std::size_t supported_cells_ = 0; ///< minimum of outlier removal at that size
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
