@@ -109,6 +109,27 @@ TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
   EXPECT_EQ(chain.plan->rooms.size(), 4u);
 }
 
+TEST(StructureChain, FindsTheWallBehindCupboardsUpToTheCeiling)
+{
+  RoomPoints points;
+  const PlanLoop room = rectangle(0.01, 0.01, 4.01, 3.01);
+  points.slab(room, 0, [](double, double y) { return y > 0.61; });
+  points.slab(rectangle(0.01, 0.01, 4.01, 0.61), 0.9);
+  points.wall(segment({4.01, 0.61}, {0.01, 0.61}), 0, 0.9);
+  for (std::size_t e = 1; e < 4; ++e)
+    points.wall(room.elements[e], 0, 2.5, [&](double s, double z) {
+      return room.elements[e].pointAt(s).y() > 0.37 || (z > 0.9 && z < 1.4);
+    });
+  points.wall(room.elements[0], 0.9, 1.4);
+  points.wall(segment({4.01, 0.37}, {0.01, 0.37}), 1.4, 2.5);
+  points.slab(room, 2.5, [](double, double y) { return y > 0.37; });
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.02);
+  EXPECT_EQ(chain.plan->rooms[0].boundary.elements.size(), 4u);
+}
+
 TEST(StructureChain, KeepsItsCellsWhereItIsAskedTo)
 {
   StructureChain chain;

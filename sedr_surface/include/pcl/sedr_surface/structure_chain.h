@@ -143,6 +143,14 @@ private:
   /** @brief Takes points, increasing, out of the cloud before any has a label. */
   void removePoints(const pcl::Indices& indices);
 
+  /** @brief The planes as levels, with cells of that size. */
+  std::vector<Level> levelsOfPlanes(double cell_size) const;
+
+  /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
+   * puts points on the walls that they hide, before any has a label.
+   * @return whether there were any: the planes must be found again */
+  bool leaveOutHangingFurniture();
+
   double cellSizeThatFills() const;
   void enlargeCells(double size);
   bool findPlanes(StageReport& report);
