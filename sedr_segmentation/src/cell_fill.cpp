@@ -13,6 +13,10 @@ namespace {
 constexpr std::int32_t square_size = 20;
 constexpr std::size_t least_of_square = 10;
 constexpr double fill_wanted = 0.97;
+
+/** @brief A scan that fills so much of its middle square is sparse at most in places;
+ * below, it is in too many. */
+constexpr double fill_enough = 0.98;
 constexpr double most_enlargement = 2.5;
 
 /** @brief Cells between two occupied ones. */
@@ -68,7 +72,7 @@ double
 cellSizeFor(const std::vector<CellSet>& ceilings, double size)
 {
   const std::vector<double> shares = sharesOf(ceilings);
-  if (shares.empty() || shares[shares.size() / 2] >= fill_wanted)
+  if (shares.empty() || shares[shares.size() / 2] >= fill_enough)
     return size;
   const double fill = std::max(shares[shares.size() / 10], 0.01);
   const double enlargement = std::sqrt(std::log(1 - fill_wanted) / std::log(1 - fill));

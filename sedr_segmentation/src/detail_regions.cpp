@@ -99,6 +99,13 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
   return regions;
 }
 
+bool
+isAboveFloor(const SliceScene& scene, Cell cell)
+{
+  return scene.columns.hasWithin(cell, scene.floor_height - 0.1,
+                                 scene.floor_height + 0.1);
+}
+
 /** @brief Whether the floor goes on below a quarter of a region or more. Below the head
  * of a window there is a sill. */
 bool
@@ -106,11 +113,60 @@ hasFloorBelow(const SliceScene& scene, const CellMask& region)
 {
   std::size_t above_floor = 0;
   for (std::size_t i = 0; i < region.values().size(); ++i)
-    if (region.values()[i] &&
-        scene.columns.hasWithin(region.cellAt(i), scene.floor_height - 0.1,
-                                scene.floor_height + 0.1))
-      ++above_floor;
+    above_floor += region.values()[i] && isAboveFloor(scene, region.cellAt(i)) ? 1 : 0;
   return 4 * above_floor >= region.count();
+}
+
+/** @brief Whether the floor is hidden before a region as well, below the ceiling beside
+ * it: by furniture deeper than a soffit. Before a window it goes on up to the wall. */
+bool
+isFloorHiddenBefore(const SliceScene& scene, const CellMask& region)
+{
+  constexpr double before = 4; // cells
+  const CellMask nowhere(region.box());
+  const CellMask front =
+      intersect(dilated(region, before), unite(nowhere, scene.ceiling));
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < front.values().size(); ++i)
+    hidden += front.values()[i] && !isAboveFloor(scene, front.cellAt(i)) ? 1 : 0;
+  return hidden > 0 && 5 * hidden >= 4 * front.count();
+}
+
+/** @brief Whether a wall stands below most of the other edges of a region: behind a
+ * window one looks out. */
+bool
+hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
+{
+  const CellMask nowhere(region.box());
+  const CellMask edge = subtract(subtract(region, eroded(region, 1)),
+                                 dilated(unite(nowhere, scene.ceiling), 4));
+  std::size_t walled = 0;
+  for (std::size_t i = 0; i < edge.values().size(); ++i) {
+    if (!edge.values()[i])
+      continue;
+    const Cell cell = edge.cellAt(i);
+    const double top = tops.height[tops.undersides.indexOf(cell)];
+    walled +=
+        scene.columns.share(cell, scene.sliceAt(cell, 0.5), top - 0.1, 6, 2) >= 0.8 ? 1
+                                                                                    : 0;
+  }
+  return 5 * walled >= 4 * edge.count();
+}
+
+/** @brief Whether a region is a soffit above furniture that hides the floor: at least
+ * 10 cm below the ceiling, what is nearer may be the edge of the ceiling itself. */
+bool
+isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& region)
+{
+  constexpr double least_drop = 0.1;
+  double drop = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i)
+    if (region.values()[i]) {
+      const Cell cell = region.cellAt(i);
+      drop += scene.ceilingAt(cell) - tops.height[tops.undersides.indexOf(cell)];
+    }
+  return drop >= least_drop * static_cast<double>(region.count()) &&
+         isFloorHiddenBefore(scene, region) && hasWallBehind(scene, tops, region);
 }
 
 /** @brief Whether a wall stands on the strip's line beyond one of its ends. */
@@ -198,7 +254,9 @@ isDetail(const SliceScene& scene,
     const double area = static_cast<double>(region.count()) * p.cell_size * p.cell_size;
     return area >= p.minimum_island_area && hasRisers(scene, region);
   }
-  return hasFloorBelow(scene, region) && !isNiche(scene, tops, region);
+  const bool is_open_below =
+      hasFloorBelow(scene, region) || isAboveFurniture(scene, tops, region);
+  return is_open_below && !isNiche(scene, tops, region);
 }
 
 /** @brief The regions of `cells` that come within two cells of `ceiling`, or of one

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "strip.h"
+
 #include <pcl/sedr_segmentation/room_outline.h>
 
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -53,13 +57,11 @@ public:
     const MaskRegions regions = labelRegions(holes, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
-      if (static_cast<double>(regions.sizes[r]) * grid_.size() * grid_.size() >=
-              least_column_area &&
-          isColumn(hole))
+      if (isLargeEnough(hole) && isColumn(hole))
         result.columns.push_back(hole);
     }
     room = unite(room, holes);
-    room = withoutFalseNotches(room);
+    room = withoutFalseNotches(room, result.columns);
     room = withoutFalseProtrusions(room);
     room = withoutSights(room);
     result.room = largestRegion(room);
@@ -89,6 +91,14 @@ private:
   {
     const double floor = floor_.heightAt(grid_.centre(cell));
     return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+  }
+
+  /** @brief The same of the column alone. */
+  bool isUpright(Cell cell) const
+  {
+    const double top = topAround(cell, 2);
+    const double floor = floor_.heightAt(grid_.centre(cell));
+    return columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 0) >= 0.6;
   }
 
   /** @brief Whether something in the column or beside it goes up to the ceiling. */
@@ -123,6 +133,12 @@ private:
     return reaches(cell, top) &&
            columns_.share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
            columns_.share(cell, (floor + top) / 2, top - 0.1, 6, 1) >= 0.6;
+  }
+
+  bool isLargeEnough(const CellMask& hole) const
+  {
+    return static_cast<double>(hole.count()) * grid_.size() * grid_.size() >=
+           least_column_area;
   }
 
   /** @brief Whether the hole is closed by a wall from the floor up to the ceiling,
@@ -192,7 +208,60 @@ private:
     return partitions;
   }
 
-  CellMask withoutFalseNotches(const CellMask& room) const
+  /** @brief Share of a notch's width along which the wall that it opens towards stands
+   * behind it. The faces of a pilaster end at the wall, and behind it is none.
+   * @param outer cells of the notch at its mouth in that wall
+   * @param outside what is beyond them */
+  double wallBehind(const CellMask& notch,
+                    const CellMask& outer,
+                    const CellMask& outside) const
+  {
+    constexpr double margin = 2;   // cells at both ends in which its faces are
+    constexpr double farthest = 4; // cells from the mouth to the wall
+    const Strip mouth = stripOf(outer, grid_);
+    if (mouth.width > 3 * grid_.size()) // around a corner of the wall
+      return 0;
+    const Eigen::Vector2d along = mouth.direction / grid_.size();
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < notch.values().size(); ++i)
+      if (notch.values()[i]) {
+        const double s = along.dot(grid_.centre(notch.cellAt(i)));
+        low = std::min(low, s);
+        high = std::max(high, s);
+      }
+    const double first = low + margin;
+    const double width = high - margin - first;
+    if (width < 1)
+      return 0;
+    std::vector<std::uint8_t> is_walled(static_cast<std::size_t>(width) + 1, 0);
+    const CellMask near = intersect(dilated(outer, farthest), outside);
+    for (std::size_t i = 0; i < near.values().size(); ++i) {
+      if (!near.values()[i] || !isUpright(near.cellAt(i)))
+        continue;
+      const double s = along.dot(grid_.centre(near.cellAt(i))) - first;
+      if (s >= 0 && s <= width)
+        is_walled[static_cast<std::size_t>(s)] = 1;
+    }
+    return static_cast<double>(std::count(is_walled.begin(), is_walled.end(), 1)) /
+           static_cast<double>(is_walled.size());
+  }
+
+  /** @brief What a notch leaves if the wall of the room goes on behind it: a column
+   * just off that wall, and what is in its shadow. Nothing if it does not. */
+  CellMask columnBeforeWall(const CellMask& notch, const CellMask& closed) const
+  {
+    const CellMask nothing(notch.box());
+    const CellMask outside = inverted(closed);
+    const CellMask outer = intersect(notch, dilated(outside, 1));
+    if (outer.count() == 0 || wallBehind(notch, outer, outside) < 0.6)
+      return nothing;
+    const CellMask column = largestRegion(subtract(notch, outer));
+    return isLargeEnough(column) && isColumn(column) ? column : nothing;
+  }
+
+  CellMask withoutFalseNotches(const CellMask& room,
+                               std::vector<CellMask>& columns) const
   {
     const double radius = cellsFor(notch_radius, grid_.size());
     CellMask closed = eroded(dilated(room, radius), radius);
@@ -202,7 +271,11 @@ private:
     CellMask result = room;
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       const CellMask notch = regionMask(notches, regions, static_cast<std::int32_t>(r));
-      if (wallShare(notch, room) < 0.5)
+      const bool is_false = wallShare(notch, room) < 0.5;
+      const CellMask column = is_false ? CellMask() : columnBeforeWall(notch, closed);
+      if (column.count() > 0)
+        columns.push_back(column);
+      if (is_false || column.count() > 0)
         result = unite(result, notch);
     }
     return result;

@@ -2,6 +2,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <chrono>
+#include <cmath>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -51,6 +52,10 @@ StructureChain::enlargeCells(double size)
   const double repaired = hole_repair.getGridSize();
   setGridSize(size);
   hole_repair.setGridSize(repaired);
+  // As many square metres as before.
+  supported_cells_ = outlier_removal.getMinimumSupportedCells();
+  outlier_removal.setMinimumSupportedCells(static_cast<std::size_t>(std::lround(
+      static_cast<double>(supported_cells_) * least * least / (size * size))));
   wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
                                     2 * (size - least));
   enlarged_from_ = least;
@@ -59,8 +64,11 @@ StructureChain::enlargeCells(double size)
 void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
-  if (enlarged_from_ > 0)
+  if (enlarged_from_ > 0) {
+    const std::size_t supported = supported_cells_;
     enlargeCells(enlarged_from_);
+    outlier_removal.setMinimumSupportedCells(supported);
+  }
   enlarged_from_ = 0;
   cloud.reset(new Cloud(*thinned));
   scanned_points_ = cloud->size();

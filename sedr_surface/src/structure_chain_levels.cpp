@@ -4,6 +4,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <pcl/sedr_segmentation/cell_fill.h>
+#include <pcl/sedr_segmentation/hanging_furniture.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_segmentation/scan_lean.h>
@@ -103,6 +104,41 @@ StructureChain::removePoints(const pcl::Indices& indices)
   rooms.assign(cloud->size(), 0);
 }
 
+std::vector<Level>
+StructureChain::levelsOfPlanes(double cell_size) const
+{
+  const CellGrid grid(cell_size);
+  const PointView points(*cloud);
+  std::vector<Level> levels;
+  for (const auto& plane : planes) {
+    Level level;
+    level.slab = plane.slab;
+    level.height = plane.height;
+    level.kind = plane.kind;
+    level.inliers = plane.inliers.indices;
+    if (level.kind != LevelKind::Other)
+      level.cells = CellSet(grid, points, level.inliers);
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+bool
+StructureChain::leaveOutHangingFurniture()
+{
+  const double size = plane_detection.getGridSize();
+  const HangingFurniture hanging = hangingFurnitureBelow(
+      levelsOfPlanes(size), PointView(*cloud), size, room_segmentation.minimum_height);
+  if (hanging.points.empty())
+    return false;
+  removePoints(hanging.points);
+  for (const Eigen::Vector3f& p : hanging.behind)
+    cloud->push_back({p.x(), p.y(), p.z()});
+  labels.assign(cloud->size(), 0);
+  rooms.assign(cloud->size(), 0);
+  return true;
+}
+
 double
 StructureChain::cellSizeThatFills() const
 {
@@ -136,6 +172,8 @@ StructureChain::findPlanes(StageReport& report)
                             : ", of which some are still empty: walls may be guesses");
     warnings.push_back(text);
   }
+  if (leaveOutHangingFurniture() && !detectPlanes())
+    return false;
   tellResult("HorizontalPlaneDetection");
   std::size_t ceilings = 0;
   std::size_t floors = 0;

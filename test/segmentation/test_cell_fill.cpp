@@ -76,6 +76,13 @@ TEST(CellSize, IsThatOfTheScanNotOfOnePlace)
   EXPECT_EQ(0.05, cellSizeFor({full(300, 200), ghost}, 0.05));
 }
 
+TEST(CellSize, GrowsForASparseThirdOfAScanThatHardlyFillsTheRest)
+{
+  const std::vector<CellSet> ceilings{scattered(1500, 0.05), scattered(1500, 0.05, 20),
+                                      scattered(400, 0.05, 40)};
+  EXPECT_NEAR(0.09, cellSizeFor(ceilings, 0.05), 0.02);
+}
+
 TEST(CellSize, OfNothingStays)
 {
   EXPECT_EQ(0.05, cellSizeFor({}, 0.05));

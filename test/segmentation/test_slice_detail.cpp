@@ -41,6 +41,49 @@ TEST(SliceDetails, ASoffitAlongTwoWallsIsOneInTheFirstTrial)
     EXPECT_EQ(region, 0u);
 }
 
+/** A room with a soffit 0.6 m wide, below which a row of cupboards hides the floor: it
+ * is 0.9 m high and `depth` deep. */
+Scene
+kitchenWithSoffit(double depth, double noise)
+{
+  const PlanLoop loop = plainRoom().boundary;
+  Scene scene(plainRoom(), noise);
+  RoomPoints& points = scene.points = RoomPoints(0.05, noise);
+  const auto isBeside = [&](double, double y) { return y > depth; };
+  scene.parts.floor = points.slab(loop, 0, isBeside);
+  points.slab(rectangle(0.01, 0.01, 5.01, depth), 0.9);
+  points.wall(segment({5.01, depth}, {0.01, depth}), 0, 0.9);
+  scene.parts.ceiling =
+      points.slab(loop, height, [](double, double y) { return y > 0.61; });
+  scene.parts.details = points.slab(rectangle(0.01, 0.01, 5.01, 0.61), 2.2);
+  scene.parts.details =
+      joined(scene.parts.details,
+             points.wall(segment({5.01, 0.61}, {0.01, 0.61}), 2.2, height));
+  scene.parts.walls.clear();
+  for (std::size_t e = 0; e < 4; ++e)
+    scene.parts.walls =
+        joined(scene.parts.walls,
+               points.wall(loop.elements[e], 0, height, [&](double s, double z) {
+                 const double y = loop.elements[e].pointAt(s).y();
+                 return (y > 0.61 || z < 2.2) && (y > depth || z > 0.9);
+               }));
+  return scene;
+}
+
+TEST(SliceDetails, ASoffitOverCupboardsThatHideTheFloorBelowItIsFound)
+{
+  for (const double noise : {0.0, 0.02}) {
+    const Scene scene = kitchenWithSoffit(0.86, noise);
+    expectFound(scene, scene.find(), 0.1);
+  }
+}
+
+TEST(SliceDetails, TheHeadOfARecessAboveASillIsNone)
+{
+  // What stands below it stands in line with its front.
+  EXPECT_TRUE(kitchenWithSoffit(0.61, 0).find().indices.empty());
+}
+
 TEST(SliceDetails, TheSliceLiesBelowAllThatWasFound)
 {
   for (const double drop : {0.2, 0.5}) {

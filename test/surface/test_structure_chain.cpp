@@ -84,12 +84,50 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
             std::string::npos);
   ASSERT_EQ(chain.plan->rooms.size(), 1u);
   EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
+  const double size = chain.outlier_removal.getGridSize();
+  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(),
+            std::lround(1 / (size * size)))
+      << "a square metre, as before";
 
   ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
   EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
   EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
+  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 400U);
   EXPECT_TRUE(chain.warnings.empty());
+}
+
+TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
+{
+  // Three rooms of one size and one of 4 square metres.
+  RoomPoints points(0.1);
+  for (const double x : {0.01, 5.21, 10.41})
+    points.room(rectangle(x, 0.01, x + 5, 4.01), 0, 2.5);
+  points.room(rectangle(15.61, 0.01, 17.61, 2.01), 0, 2.5);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  EXPECT_EQ(chain.plan->rooms.size(), 4u);
+}
+
+TEST(StructureChain, FindsTheWallBehindCupboardsUpToTheCeiling)
+{
+  RoomPoints points;
+  const PlanLoop room = rectangle(0.01, 0.01, 4.01, 3.01);
+  points.slab(room, 0, [](double, double y) { return y > 0.61; });
+  points.slab(rectangle(0.01, 0.01, 4.01, 0.61), 0.9);
+  points.wall(segment({4.01, 0.61}, {0.01, 0.61}), 0, 0.9);
+  for (std::size_t e = 1; e < 4; ++e)
+    points.wall(room.elements[e], 0, 2.5, [&](double s, double z) {
+      return room.elements[e].pointAt(s).y() > 0.37 || (z > 0.9 && z < 1.4);
+    });
+  points.wall(room.elements[0], 0.9, 1.4);
+  points.wall(segment({4.01, 0.37}, {0.01, 0.37}), 1.4, 2.5);
+  points.slab(room, 2.5, [](double, double y) { return y > 0.37; });
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.02);
+  EXPECT_EQ(chain.plan->rooms[0].boundary.elements.size(), 4u);
 }
 
 TEST(StructureChain, KeepsItsCellsWhereItIsAskedTo)

@@ -14,7 +14,7 @@ namespace sedr {
  * in a column, some share is occupied. What hides a ceiling leaves gaps many cells wide,
  * which do not count; a scan with too few points leaves single cells empty all over.
  * Points scattered independently fill 1 - exp(-density * size^2) of the cells. Where the
- * median share is below 97 %, cells are enlarged so that at the share that a tenth of
+ * median share is below 98 %, cells are enlarged so that at the share that a tenth of
  * the squares stay below, 97 % would be filled; at most to 2.5 times `size`, and to
  * whole centimetres.
  * @param ceilings their cells of `size` that hold points

@@ -143,6 +143,14 @@ private:
   /** @brief Takes points, increasing, out of the cloud before any has a label. */
   void removePoints(const pcl::Indices& indices);
 
+  /** @brief The planes as levels, with cells of that size. */
+  std::vector<Level> levelsOfPlanes(double cell_size) const;
+
+  /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
+   * puts points on the walls that they hide, before any has a label.
+   * @return whether there were any: the planes must be found again */
+  bool leaveOutHangingFurniture();
+
   double cellSizeThatFills() const;
   void enlargeCells(double size);
   bool findPlanes(StageReport& report);
@@ -217,7 +225,8 @@ private:
   /** @brief The points of a room's floor and of its platforms, increasing. */
   pcl::IndicesPtr floorPoints(std::size_t region) const;
 
-  double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
+  double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
+  std::size_t supported_cells_ = 0; ///< minimum of outlier removal at that size
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/hanging_furniture.h>
+
+#include <pcl/sedr_segmentation/box_clusters.h>
+#include <pcl/sedr_segmentation/cell_count.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The floor that is below most of some cells; null where there is none. */
+const Level*
+floorBelow(const CellMask& cells,
+           const CellGrid& grid,
+           const Level& ceiling,
+           const std::vector<Level>& levels,
+           double least_height)
+{
+  const Level* best = nullptr;
+  std::size_t most = 0;
+  for (const Level& level : levels) {
+    if (level.kind != LevelKind::Floor)
+      continue;
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < cells.values().size(); ++i) {
+      const Cell cell = cells.cellAt(i);
+      const Eigen::Vector2d place = grid.centre(cell);
+      covered += cells.values()[i] && level.cells.contains(cell) &&
+                         level.slab.heightAt(place) <
+                             ceiling.slab.heightAt(place) - least_height
+                     ? 1
+                     : 0;
+    }
+    if (covered > most) {
+      most = covered;
+      best = &level;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+HangingFurniture
+hangingFurnitureBelow(const std::vector<Level>& levels,
+                      const PointView& points,
+                      double cell_size,
+                      double least_height)
+{
+  constexpr double margin = 0.8;
+  constexpr double least_area = 1; // square metres
+  const CellGrid grid(cell_size);
+  const int reach = cellsFor(margin, cell_size);
+  std::vector<std::pair<const Level*, CellSet>> ceilings;
+  std::vector<CellBox> boxes;
+  for (const Level& level : levels) {
+    if (level.kind != LevelKind::Ceiling)
+      continue;
+    const CellRegions regions = labelRegions(level.cells);
+    std::vector<std::vector<CellKey>> keys(regions.sizes.size());
+    for (std::size_t i = 0; i < level.cells.size(); ++i)
+      keys[regions.label[i]].push_back(level.cells.keys()[i]);
+    for (auto& k : keys) {
+      if (static_cast<double>(k.size()) * cell_size * cell_size < least_area)
+        continue;
+      ceilings.emplace_back(&level, CellSet::fromSorted(std::move(k)));
+      boxes.push_back(boxOf(ceilings.back().second));
+    }
+  }
+  std::vector<int> all(points.size());
+  std::iota(all.begin(), all.end(), 0);
+  HangingFurniture found;
+  for (const CellBox& box : clusterBoxes(boxes, reach)) {
+    if (!maskProblem(box).empty())
+      continue;
+    const ColumnTable columns(grid, box, points, all);
+    for (const auto& [level, cells] : ceilings) {
+      const CellMask seen(cells, grown(boxOf(cells), reach));
+      if (overlapOf(box, seen.box()).count() != seen.box().count())
+        continue;
+      const Level* floor = floorBelow(seen, grid, *level, levels, least_height);
+      if (!floor)
+        continue;
+      HangingFurniture some =
+          hangingFurniture(seen, grid, points, columns, level->slab, floor->slab);
+      found.points.insert(found.points.end(), some.points.begin(), some.points.end());
+      found.behind.insert(found.behind.end(), some.behind.begin(), some.behind.end());
+    }
+  }
+  std::sort(found.points.begin(), found.points.end());
+  found.points.erase(std::unique(found.points.begin(), found.points.end()),
+                     found.points.end());
+  return found;
+}
+
+} // namespace sedr
+} // namespace pcl
