@@ -27,9 +27,9 @@ double noiseOfRelief(const CellSet& cells, const std::vector<double>& relief);
 std::vector<double>
 smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
-/** @brief Marks the cells of steps: where the medians of what is on either side, in the
- * 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise lets
- * them. What bends or leans has none. O(n); the same for any number of threads. */
+/** @brief Marks the cells of steps: where the middle means of what is on either side,
+ * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
+ * lets them. What bends or leans has none. O(n); the same for any number of threads. */
 std::vector<std::uint8_t>
 stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
