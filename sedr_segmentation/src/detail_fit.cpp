@@ -94,6 +94,22 @@ withHiddenCorners(const CellMask& cells, const PlanLoop& boundary, const CellGri
   return unite(cells, dilated(eroded(beyond, 1), 1));
 }
 
+/** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
+ * are not its. No furniture hides the rim of what is at a ceiling. */
+std::vector<Eigen::Vector2d>
+atRim(const std::vector<Eigen::Vector2d>& points,
+      const CellMask& cells,
+      const CellGrid& grid)
+{
+  constexpr double reach = 4; // cells
+  const CellMask rim = subtract(dilated(cells, reach), eroded(cells, reach));
+  std::vector<Eigen::Vector2d> own;
+  for (const Eigen::Vector2d& p : points)
+    if (rim.at(grid.at(p.x(), p.y())))
+      own.push_back(p);
+  return own;
+}
+
 PlanDetail
 fitDetail(const HeightMap& map,
           const CellMask& cells,
@@ -151,7 +167,6 @@ fitDetails(const PointView& points,
   std::vector<Eigen::Vector2d> edges =
       riserPoints(points, evidence, map, columns, parameters);
   appendPoints(room.boundary, edges);
-  const PlanPoints risers(std::move(edges), 0.1);
   std::vector<PlanElement> others;
   appendElements(room.boundary, others);
   for (const auto& column : room.columns)
@@ -159,8 +174,10 @@ fitDetails(const PointView& points,
 
   std::vector<PlanDetail> details;
   for (const std::int32_t label : widestFirst(map)) {
-    PlanDetail detail = fitDetail(map, cellsOf(map, label, details, grid),
-                                  evidence.is_floor, label, risers, others, parameters);
+    const CellMask own = cellsOf(map, label, details, grid);
+    const PlanPoints risers(evidence.is_floor ? edges : atRim(edges, own, grid), 0.1);
+    PlanDetail detail =
+        fitDetail(map, own, evidence.is_floor, label, risers, others, parameters);
     if (detail.boundary.elements.empty())
       continue;
     appendElements(detail.boundary, others);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detail_tops.h"
 #include "slice_scene.h"
 #include "strip.h"
 
@@ -22,82 +23,6 @@ hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top)
 }
 
 namespace {
-
-/** @brief Cells around a region that its judgement looks at. */
-constexpr int region_margin = 6;
-
-/** @brief The tops of the columns that are not ceiling: undersides (short runs) in
- * regions of one height, and risers (long runs). */
-struct Tops {
-  CellMask undersides;
-  CellMask risers;
-  std::vector<float> height; ///< lower end of the uppermost run of each cell
-};
-
-/** @brief The cells between two stretches of ceiling four cells apart or less: on both
- * sides of a narrow beam, on one of a wall above a window. */
-CellMask
-betweenCeilings(const SliceScene& scene)
-{
-  constexpr double half_of_beam = 2; // cells
-  return eroded(dilated(scene.ceiling, half_of_beam), half_of_beam);
-}
-
-/** @brief Strips of undersides narrower than three cells are left out, but beams: the
- * wall above a window or a door ends in such a strip. */
-Tops
-findTops(const SliceScene& scene)
-{
-  Tops tops{CellMask(scene.ceiling.box()), CellMask(scene.ceiling.box()), {}};
-  tops.height.assign(tops.undersides.values().size(), 0.f);
-  ColumnRun top;
-  for (std::size_t i = 0; i < tops.height.size(); ++i) {
-    if (!hasOwnTop(scene, tops.undersides.cellAt(i), top))
-      continue;
-    const bool is_short = top.high - top.low < 2 * scene.parameters.tolerance;
-    (is_short ? tops.undersides : tops.risers).values()[i] = 1;
-    tops.height[i] = top.low;
-  }
-  tops.undersides =
-      intersect(tops.undersides,
-                unite(dilated(eroded(tops.undersides, 1), 2), betweenCeilings(scene)));
-  return tops;
-}
-
-/** @brief Regions of undersides in which neighbours differ by less than the tolerance
- * in height, each in a box of its own. */
-std::vector<CellMask>
-regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
-{
-  const CellMask& mask = tops.undersides;
-  std::vector<CellMask> regions;
-  CellMask seen(mask.box());
-  for (std::size_t start = 0; start < mask.values().size(); ++start) {
-    const Cell first = mask.cellAt(start);
-    if (!mask.at(first) || seen.at(first))
-      continue;
-    std::vector<CellKey> keys{keyOf(first)};
-    seen.set(first, 1);
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-      const Cell cell = cellOf(keys[k]);
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          const Cell to{cell.x + dx, cell.y + dy};
-          if (!mask.at(to) || seen.at(to) ||
-              std::abs(tops.height[mask.indexOf(to)] -
-                       tops.height[mask.indexOf(cell)]) > scene.parameters.tolerance)
-            continue;
-          seen.set(to, 1);
-          keys.push_back(keyOf(to));
-        }
-    }
-    if (keys.size() < scene.parameters.minimum_cells)
-      continue;
-    const CellSet cells(std::move(keys));
-    regions.push_back(CellMask(cells, grown(boxOf(cells), region_margin)));
-  }
-  return regions;
-}
 
 bool
 isAboveFloor(const SliceScene& scene, Cell cell)

@@ -70,15 +70,22 @@ goesOn(const ColumnTable& columns,
   });
 }
 
-/** @brief Whether a point is at the height of any slab, such as the tread of a step
- * between floor and platform. */
+/** @brief Whether a point is at the height of a slab around it, such as the tread of a
+ * step between floor and platform. What is elsewhere in the room does not matter: its
+ * coffers may be of many heights. */
 bool
-isOnSlab(const HeightMap& map, const Eigen::Vector3f& p, double margin)
+isOnSlab(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
 {
-  return std::abs(distanceAbove(map.main, p)) <= margin ||
-         std::any_of(map.details.begin(), map.details.end(), [&](const PlanSlab& slab) {
-           return std::abs(distanceAbove(slab, p)) <= margin;
-         });
+  constexpr int reach = 4;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t label =
+          map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (label >= 0 && std::abs(distanceAbove(map.slabOf(label), p)) <= margin)
+        return true;
+    }
+  return false;
 }
 
 /** @brief Whether something closes the step along most of the edge between a detail and
@@ -135,7 +142,8 @@ riserPoints(const PointView& points,
       continue;
     const auto& [low, high] = steps[map.room.indexOf(cell)];
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
-    if (p.z() > low + margin && p.z() < high - margin && !isOnSlab(map, p, margin) &&
+    if (p.z() > low + margin && p.z() < high - margin &&
+        !isOnSlab(map, cell, p, margin) &&
         !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
       risers.push_back(p.head<2>().cast<double>());
   }

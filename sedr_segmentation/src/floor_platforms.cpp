@@ -12,6 +12,15 @@ namespace sedr {
 
 namespace {
 
+/** @brief Whether a region is larger than furniture: than two beds side by side. */
+bool
+isLarge(const CellMask& region, double cell_size)
+{
+  constexpr double largest_furniture = 4.5; // square metres
+  return static_cast<double>(region.count()) * cell_size * cell_size >
+         largest_furniture;
+}
+
 /** @brief A level that may be a platform, and the floor below it. */
 struct Step {
   const Level& level;
@@ -78,7 +87,6 @@ struct Step {
 bool
 isClosed(const Step& step, const CellMask& region)
 {
-  constexpr double largest_furniture = 4.5; // square metres, two beds side by side
   const CellMask rim = subtract(region, eroded(region, 1));
   const CellMask near_higher = dilated(step.higher, 3);
   std::size_t walls = 0;
@@ -96,10 +104,7 @@ isClosed(const Step& step, const CellMask& region)
       ++risers;
   }
   const std::size_t all = rim.count();
-  const double size = step.grid.size();
-  const bool is_large =
-      static_cast<double>(region.count()) * size * size > largest_furniture;
-  return (is_large || 5 * walls >= all - hidden) &&
+  return (isLarge(region, step.grid.size()) || 5 * walls >= all - hidden) &&
          10 * (walls + hidden + risers) >= 7 * all;
 }
 
@@ -151,7 +156,8 @@ floorBeside(const CellMask& region,
 }
 
 /** @brief Whether one can step onto a region, from the floor or from a tread between
- * that and the region: one at least half as wide as a door along its rim. */
+ * that and the region: one at least half as wide as a door along its rim. A stage that
+ * is larger than furniture has its steps somewhere, be they too small for a level. */
 bool
 isWithinAStep(const CellMask& region,
               const Level& level,
@@ -164,7 +170,7 @@ isWithinAStep(const CellMask& region,
   const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
   const double top = level.slab.heightAt(middle);
   const double bottom = floor.slab.heightAt(middle);
-  if (top - bottom <= platform.greatest_step)
+  if (top - bottom <= platform.greatest_step || isLarge(region, grid.size()))
     return true;
   const CellMask rim = subtract(dilated(region, 2), region);
   const auto least = static_cast<std::size_t>(cellsFor(0.4, grid.size()));

@@ -235,14 +235,27 @@ slabOfWindow(const PointView& points,
                         seed, parameters.threads);
 }
 
+/** @brief The cells of a level and those up to two cells away: its walls. */
+CellSet
+withRim(const CellSet& all, const CellSet& cells)
+{
+  std::vector<std::uint8_t> marked(all.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (const std::size_t near : blockAround(all, all.find(cells[i])))
+      for (const std::size_t k : blockAround(all, near))
+        marked[k] = 1;
+  return markedCells(all, marked);
+}
+
 /** @brief A level that was parted from earlier ones has no points in the cells of
- * these. */
+ * these, nor in those of their walls. */
 void
-keepApart(const std::vector<Level>& earlier, Level& level)
+keepApart(const CellSet& all, const std::vector<Level>& earlier, Level& level)
 {
   for (const Level& other : earlier)
     if (2 * intersect(level.cells, other.without).size() > level.cells.size())
-      level.without = unite(level.without, subtract(other.cells, level.cells));
+      level.without =
+          unite(level.without, subtract(withRim(all, other.cells), level.cells));
 }
 
 } // namespace
@@ -296,7 +309,8 @@ findLevels(const LevelColumns& columns,
       draft.cells = cellsOf(candidates, own, cells.size());
       has_changed = partLevel(columns, candidates, parameters, minimum_cells, draft);
     }
-    if (setStepsApart(candidates, own, cells, parameters.tolerance, draft)) {
+    if (setStepsApart(candidates, cells, parameters.tolerance, parameters.threads,
+                      draft)) {
       own = nearPlane(candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
     }
@@ -307,7 +321,7 @@ findLevels(const LevelColumns& columns,
       level.cells = markedCells(cells, draft.cells);
       own = withTails(candidates, cells, draft, level.slab, parameters.tolerance);
       level.without = markedCells(cells, draft.apart);
-      keepApart(levels, level);
+      keepApart(cells, levels, level);
       levels.push_back(std::move(level));
     }
     else { // no plane there after all: the window's points are clutter

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_steps.h"
+#include "level_relief.h"
 
 #include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/plane_fit.h>
@@ -12,24 +13,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Mean distance of every cell's points from a plane, NaN where there is none.
- */
-std::vector<double>
-offsetsOf(const std::vector<Candidate>& candidates,
-          const std::vector<std::size_t>& own,
-          std::size_t cell_count,
-          const PlanSlab& slab)
-{
-  std::vector<double> sum(cell_count, 0);
-  std::vector<double> count(cell_count, 0);
-  for (const std::size_t k : own) {
-    sum[candidates[k].cell] += distanceAbove(slab, candidates[k].position());
-    count[candidates[k].cell] += 1;
-  }
-  for (std::size_t i = 0; i < cell_count; ++i)
-    sum[i] /= count[i];
-  return sum;
-}
+/** @brief What is nearer to a plane than this may be of it, metres. */
+constexpr double least_noise = 0.015;
 
 /** @brief Whether a cell on the plane lies within some cells. */
 bool
@@ -75,7 +60,7 @@ isStep(const CellSet& cells,
 double
 noiseOf(const PlanSlab& slab, double tolerance)
 {
-  return std::min(tolerance, std::max(4 * slab.residual, 0.015));
+  return std::min(tolerance, std::max(4 * slab.residual, least_noise));
 }
 
 CellSet
@@ -98,15 +83,17 @@ withoutFringes(const CellSet& cells)
 
 bool
 setStepsApart(const std::vector<Candidate>& candidates,
-              const std::vector<std::size_t>& own,
               const CellSet& cells,
               double tolerance,
+              unsigned threads,
               LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
-  const double noise = noiseOf(draft.slab, tolerance);
-  const std::vector<double> offsets =
-      offsetsOf(candidates, own, cells.size(), draft.slab);
+  const std::vector<double> relief =
+      reliefOf(candidates, cells.size(), draft.slab, 2 * tolerance);
+  const std::vector<double> offsets = smoothRelief(cells, relief, threads);
+  const double noise =
+      std::clamp(2 * noiseOfRelief(cells, relief), least_noise, tolerance);
   std::vector<CellKey> off;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (std::abs(offsets[i]) > noise)

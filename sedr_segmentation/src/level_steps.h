@@ -13,18 +13,17 @@ namespace sedr {
  * tolerance: the reveal of a window that ends just below the ceiling, a shallow soffit
  * or tray.
  *
- * What is off the plane by twice its noise, see noiseOf(), a decimetre and more wide,
- * and begins at once where the plane ends, is a surface of its own; a plane that is
- * uneven leaves itself gradually. O(n).
+ * What is off the plane by 3 cm, or four times the noise of its cells if that is more,
+ * a decimetre and more wide, and begins at once where the plane ends, is a surface of
+ * its own; a plane that is uneven leaves itself gradually. O(n).
  * @param candidates those that no level has taken yet
- * @param own        positions of those near the plane
  * @param cells      the set that cells are positions in
  * @param[in,out] draft with its plane and cells; gets the cells apart
  * @return whether there were any; then its cells are out of date */
 bool setStepsApart(const std::vector<Candidate>& candidates,
-                   const std::vector<std::size_t>& own,
                    const CellSet& cells,
                    double tolerance,
+                   unsigned threads,
                    LevelDraft& draft);
 
 /** @brief How far from a plane its own points are: four standard deviations, at least

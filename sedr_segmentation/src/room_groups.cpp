@@ -35,20 +35,41 @@ perimeterOf(const CellMask& cells)
   return edges;
 }
 
+/** @brief The outline of a piece. */
+struct Outline {
+  std::size_t perimeter = 0; ///< cell edges
+  CellBox box;
+};
+
+/** @brief Number of cell edges around a box. */
+std::size_t
+perimeterOf(const CellBox& box)
+{
+  return 2 * static_cast<std::size_t>(std::int64_t{box.high.x} - box.low.x + 1 +
+                                      box.high.y - box.low.y + 1);
+}
+
 /** @brief Cell edges around each group of pieces, by its number, but for those between
- * its own pieces. */
+ * its own pieces; no fewer than around its box: frontiers are longer than the edges on
+ * either side of them, the more so the more strips a vault is cut into. */
 std::vector<std::size_t>
-perimetersOf(const std::vector<std::size_t>& perimeters,
+perimetersOf(const std::vector<Outline>& outlines,
              const Frontiers& frontiers,
              const std::vector<std::size_t>& group)
 {
   std::vector<std::size_t> all(group.size(), 0);
-  for (std::size_t p = 0; p < group.size(); ++p)
-    all[group[p]] += perimeters[p];
+  std::vector<CellBox> boxes(group.size(), CellBox{{0, 0}, {-1, -1}});
+  for (std::size_t p = 0; p < group.size(); ++p) {
+    all[group[p]] += outlines[p].perimeter;
+    boxes[group[p]] = around(boxes[group[p]], outlines[p].box);
+  }
   for (const auto& [pair, frontier] : frontiers)
     if (group[pair.first] == group[pair.second])
       all[group[pair.first]] -=
           std::min(all[group[pair.first]], 2 * lengthOf(frontier));
+  for (std::size_t g = 0; g < all.size(); ++g)
+    if (all[g] > 0)
+      all[g] = std::max(all[g], perimeterOf(boxes[g]));
   return all;
 }
 
@@ -117,17 +138,17 @@ betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
  * group is that of all that has been joined to it. */
 template <typename AreOne>
 void
-joinGroups(const std::vector<std::size_t>& perimeters,
+joinGroups(const std::vector<Outline>& outlines,
            const Frontiers& frontiers,
            AreOne areOne,
            std::vector<std::size_t>& group)
 {
   for (bool has_changed = true; has_changed;) {
-    const std::vector<std::size_t> around = perimetersOf(perimeters, frontiers, group);
+    const std::vector<std::size_t> edges = perimetersOf(outlines, frontiers, group);
     std::pair<std::size_t, std::size_t> joined;
     double most = 0;
     for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
-      const std::size_t smaller = std::min(around[pair.first], around[pair.second]);
+      const std::size_t smaller = std::min(edges[pair.first], edges[pair.second]);
       const double share =
           static_cast<double>(frontier.plain + frontier.below_lintel.size()) /
           static_cast<double>(std::max<std::size_t>(1, smaller));
@@ -149,9 +170,9 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
 {
   const Frontiers frontiers = frontiersOf(storey, pieces);
   std::vector<std::size_t> group(pieces.size());
-  std::vector<std::size_t> perimeters;
+  std::vector<Outline> outlines;
   for (const auto& piece : pieces)
-    perimeters.push_back(perimeterOf(piece.cells));
+    outlines.push_back({perimeterOf(piece.cells), boxOf(piece.cells.toSet())});
   std::iota(group.begin(), group.end(), std::size_t{0});
   const auto isOpenAbove = [&](const Frontier& frontier, std::size_t around) {
     return 2 * frontier.plain >=
@@ -161,8 +182,8 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   const auto isOpenBelow = [&](const Frontier& frontier, std::size_t around) {
     return isOpen(frontier, around, storey.parameters);
   };
-  joinGroups(perimeters, frontiers, isOpenAbove, group);
-  joinGroups(perimeters, frontiers, isOpenBelow, group);
+  joinGroups(outlines, frontiers, isOpenAbove, group);
+  joinGroups(outlines, frontiers, isOpenBelow, group);
   return group;
 }
 

@@ -178,6 +178,16 @@ TEST(Platforms, ABedIsTooHigh)
   }
 }
 
+TEST(Platforms, AStageThatALittleStepLeadsToIsAFloor)
+{
+  PlanRoom room = hall();
+  room.floor_details = {detailOf(rectangle(3.5, 0, 5, 4), 0.5),
+                        detailOf(rectangle(3.1, 1.5, 3.5, 2.5), 0.25)};
+  RoomPoints points;
+  points.room(room);
+  expectFloors(points, {0, 0.5});
+}
+
 TEST(Platforms, OneThatAStepLeadsToIsAFloorHoweverHigh)
 {
   PlanRoom room = hall();

@@ -1,43 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_checks.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace {
 
-using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 8 m x 6 m whose ceiling at 2.5 m hangs by `sag(x, y)` metres. */
-template <typename Sag>
-RoomPoints
-roomWithCeiling(Sag sag)
+/** The levels of a room of 6 m x 5 m, turned, whose ceiling is lower by `drop` beyond
+ * x = `from`; four points a cell. */
+std::vector<Level>
+levelsOfAStep(double drop, double from, double noise)
 {
-  RoomPoints points(0.05, 0.002);
-  points.slab(rectangle(0.01, 0.01, 8.01, 6.01), 0);
-  for (double y = 0.035; y < 6; y += 0.05)
-    for (double x = 0.035; x < 8; x += 0.05)
-      points.point(x, y, 2.5 - sag(x, y));
-  return points;
+  RoomPoints points(0.025, noise);
+  PlanRoom room = roomOf(placed(rectangle(0, 0, 6, 5), 12, {0.01, 0.02}), 2.7);
+  room.details = {
+      detailOf(placed(rectangle(from, 0, 6, 5), 12, {0.01, 0.02}), 2.7 - drop)};
+  points.room(room);
+  return levelsOf(points);
 }
 
-TEST(LevelSteps, WhatStandsOutByTwiceTheNoiseAtOnceIsAStepAndLessIsUnevenness)
+TEST(LevelSteps, StandOutFromTheNoiseOfTheirPoints)
 {
-  // Noise counts as 1.5 cm at least.
-  const auto levelsFor = [](double depth) {
-    return levelsOf(
-        roomWithCeiling([&](double x, double) { return x > 5.5 ? depth : 0; }));
-  };
-  expectHeights(levelsFor(0.04), {0, 2.46, 2.5}, 0.002);
-  EXPECT_EQ(levelsFor(0.022).size(), 2u);
+  // As large as each other, and a strip; from a step that is lost between its own
+  // points to one as high as the tolerance.
+  for (const double from : {3.0, 4.7})
+    for (const double drop : {0.05, 0.08, 0.1}) {
+      const auto levels = levelsOfAStep(drop, from, 0.02);
+      ASSERT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}))
+          << drop << " from " << from;
+      EXPECT_NEAR(levels[1].height, 2.7 - drop, 0.003);
+      EXPECT_NEAR(levels[2].height, 2.7, 0.003);
+      const double low = 5 * (6 - from);
+      const double high = 5 * from;
+      EXPECT_NEAR(static_cast<double>(levels[1].cells.size()) * 0.0025, low,
+                  0.08 * low);
+      EXPECT_NEAR(static_cast<double>(levels[2].cells.size()) * 0.0025, high,
+                  0.08 * high);
+    }
 }
 
-TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)
+TEST(LevelSteps, NoiseAloneHasNone)
 {
-  // A bulge of 6 cm, 5 m wide, like a drop: level around it and in its middle.
-  const auto levels = levelsOf(roomWithCeiling([](double x, double y) {
-    const double r = std::min(1.0, std::hypot(x - 4, y - 3) / 2.5);
-    return 0.03 * (1 + std::cos(M_PI * r));
-  }));
-  EXPECT_EQ(levels.size(), 2u);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    RoomPoints points(0.05, 0.025, seed);
+    points.room(rectangle(0, 0, 8, 6), 0, 2.7);
+    expectHeights(levelsOf(points), {0, 2.7}, 0.002);
+  }
+}
+
+TEST(LevelSteps, WhatNoiseBringsNearALevelStaysWithItsOwn)
+{
+  // Beyond a partition, ten centimetres above: half of its points within the tolerance.
+  RoomPoints points(0.025, 0.02);
+  points.room(rectangle(0, 0, 5, 5), 0, 2.6);
+  const RoomParts small = points.room(rectangle(5.1, 0, 6.9, 1.8), 0, 2.69);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(levels.size(), 3u);
+  const auto inliers = levels[1].inliers;
+  EXPECT_EQ(std::count_if(small.ceiling.begin(), small.ceiling.end(),
+                          [&](int i) {
+                            return std::binary_search(inliers.begin(), inliers.end(),
+                                                      i);
+                          }),
+            0);
 }
 
 } // namespace

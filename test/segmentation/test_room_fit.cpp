@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
 
+#include <array>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -186,6 +188,41 @@ TEST(FitRoom, ARecessIsADetailAboveTheCeiling)
   EXPECT_NEAR(room.details[0].slab.heightAt({2, 2}), 2.75, 0.002);
   EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
   EXPECT_NEAR(room.details[0].boundary.area(), 3, 0.05);
+}
+
+/** 8 m x 6 m, turned, with six coffers 60 cm apart, each of its own depth. */
+PlanRoom
+cofferedRoom()
+{
+  const auto turned = [](double x0, double y0, double x1, double y1) {
+    return placed(rectangle(x0, y0, x1, y1), 14, {0.013, 0.017});
+  };
+  PlanRoom room = roomOf(turned(0, 0, 7.8, 5.8), 3);
+  for (const auto& [x, y, depth] : std::vector<std::array<double, 3>>{{0.6, 0.6, 0.15},
+                                                                      {3, 0.6, 0.2},
+                                                                      {5.4, 0.6, 0.25},
+                                                                      {0.6, 3.2, 0.3},
+                                                                      {3, 3.2, 0.35},
+                                                                      {5.4, 3.2, 0.12}})
+    room.details.push_back(detailOf(turned(x, y, x + 1.8, y + 2), 3 + depth));
+  return room;
+}
+
+TEST(FitRoom, TheRisersOfACofferAreItsOwnWhateverHeightsOthersHave)
+{
+  for (const double noise : {0.002, 0.01}) {
+    const PlanRoom truth = cofferedRoom();
+    RoomPoints points(0.05, noise);
+    const RoomParts parts = points.room(truth);
+    const PlanRoom room = fitted(points, parts);
+    ASSERT_EQ(room.details.size(), truth.details.size());
+    for (const PlanDetail& coffer : truth.details) {
+      double least = 1e9;
+      for (const PlanDetail& d : room.details)
+        least = std::min(least, cornerError(d.boundary, coffer.boundary));
+      EXPECT_LT(least, 0.02) << coffer.slab.heightAt({3, 3}) << ", noise " << noise;
+    }
+  }
 }
 
 /** The plan of a room of which nothing was seen where `isHidden` says so. */

@@ -232,6 +232,29 @@ TEST(SegmentRooms, APassageWithALowerCeilingBelongsToOneOfTheTwoRoomsItJoins)
   EXPECT_GE(rooms.at(4.3, 1.5), 0);
 }
 
+TEST(SegmentRooms, NorDoesItJoinARoomWhoseCeilingIsManyStrips)
+{
+  // A fifth and less of the outline of the smaller room is open.
+  for (const double width : {2.0, 2.6}) {
+    const auto isWall = [&](const Vector3d& p) {
+      return p.x() < 5.9 || p.x() > 7.1 || p.y() < 1 || p.y() > 1 + width ||
+             p.z() > 2.7;
+    };
+    RoomPoints points(0.05, 0.002);
+    points.room(roomOf(rectangle(0.01, 0.01, 6.01, 6.01), 3), isWall);
+    PlanRoom strips = roomOf(rectangle(7.01, 0.01, 11.01, 6.01), 3);
+    for (int k = 0; k < 4; ++k)
+      strips.details.push_back(
+          detailOf(rectangle(7.01, 0.4 + 1.5 * k, 11.01, 1.15 + 1.5 * k), 3.2));
+    points.room(strips, isWall);
+    points.room(roomOf(rectangle(6.01, 1, 7.01, 1 + width), 2.7),
+                [](const Vector3d& p) { return p.x() > 6.02 && p.x() < 7; });
+    const Rooms rooms(points);
+    EXPECT_EQ(rooms.regions.size(), 2u) << width;
+    EXPECT_NE(rooms.at(3, 3), rooms.at(9, 3)) << width;
+  }
+}
+
 TEST(SegmentRooms, WithoutWallsAroundItIsNoRoom)
 {
   RoomPoints points;

@@ -249,21 +249,21 @@ TEST(SliceDetails, ALampIsNone)
   }
 }
 
-TEST(SliceDetails, HeadsOfDoorsAndWindowsAreNone)
+/** An opening in the wall at y = 0.01, with a reveal outwards. */
+struct Opening {
+  double from, to, sill, head, depth;
+};
+
+/** A room with openings. */
+Scene
+sceneWith(const PlanRoom& room, const std::vector<Opening>& openings)
 {
-  // Openings in the wall at y = 0.01, with reveals outwards.
-  struct Opening {
-    double from, to, sill, head, depth;
-  };
-  const std::vector<Opening> openings{{0.5, 1.4, 0, 2.0, 0.15},
-                                      {2.2, 4.2, 0.9, 2.1, 0.3}};
-  const auto isWall = [&](const Eigen::Vector3d& p) {
+  Scene scene(room, [&](const Eigen::Vector3d& p) {
     return p.y() > 0.02 ||
            std::none_of(openings.begin(), openings.end(), [&](const Opening& o) {
              return p.x() > o.from && p.x() < o.to && p.z() > o.sill && p.z() < o.head;
            });
-  };
-  Scene scene(plainRoom(), isWall);
+  });
   for (const Opening& o : openings) {
     const PlanLoop reveal = rectangle(o.from, 0.01 - o.depth, o.to, 0.01);
     scene.points.slab(reveal, o.sill);
@@ -271,8 +271,28 @@ TEST(SliceDetails, HeadsOfDoorsAndWindowsAreNone)
     scene.points.wall(reveal.elements[1], o.sill, o.head);
     scene.points.wall(reveal.elements[3], o.sill, o.head);
   }
+  return scene;
+}
+
+TEST(SliceDetails, HeadsOfDoorsAndWindowsAreNone)
+{
+  const Scene scene =
+      sceneWith(plainRoom(), {{0.5, 1.4, 0, 2.0, 0.15}, {2.2, 4.2, 0.9, 2.1, 0.3}});
   const SliceDetails details = scene.find();
   EXPECT_TRUE(details.indices.empty()) << details.indices.size();
+}
+
+TEST(SliceDetails, TheHeadOfAWindowJustBelowASoffitIsNoneOfIt)
+{
+  PlanRoom room = plainRoom();
+  room.details = {detailOf(rectangle(0.01, 0.01, 5.01, 0.61), height - 0.3)};
+  for (const double step : {0.03, 0.05, 0.1}) {
+    const Scene scene = sceneWith(room, {{0.5, 4.5, 0.8, height - 0.3 - step, 0.35}});
+    const SliceDetails details = scene.find();
+    EXPECT_GT(details.indices.size(), 500u) << "the soffit";
+    for (const int i : details.indices)
+      EXPECT_GT(scene.points[i].y(), -0.06) << step;
+  }
 }
 
 TEST(SliceDetails, ATableAndAShelfAreNone)

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_region_fit.h"
+
+#include "level_regions.h"
+#include "level_relief.h"
+
+#include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+Moments
+momentsOf(const PointView& points, const std::vector<int>& indices)
+{
+  Moments moments;
+  if (indices.empty())
+    return moments;
+  moments.count = static_cast<double>(indices.size());
+  for (const int i : indices)
+    moments.mean += points[static_cast<std::size_t>(i)].cast<double>() / moments.count;
+  for (const int i : indices) {
+    const Eigen::Vector3d d =
+        points[static_cast<std::size_t>(i)].cast<double>() - moments.mean;
+    moments.covariance += d * d.transpose() / moments.count;
+  }
+  return moments;
+}
+
+/** @brief A slab moved up. */
+PlanSlab
+raised(PlanSlab slab, double by)
+{
+  slab.plane[3] -= by;
+  return slab;
+}
+
+/** @brief Mean square distance of a surface from its plane: of the means of squares of
+ * half a metre, which noise hardly moves. */
+double
+unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSlab& slab)
+{
+  struct Patch {
+    double sum = 0;
+    double count = 0;
+  };
+  const CellGrid grid(0.5);
+  std::map<CellKey, Patch> patches;
+  for (const int i : own) {
+    const auto p = points[static_cast<std::size_t>(i)];
+    Patch& patch = patches[keyOf(grid.at(p.x(), p.y()))];
+    patch.sum += distanceAbove(slab, p);
+    patch.count += 1;
+  }
+  double squares = 0;
+  for (const auto& [key, patch] : patches)
+    squares += patch.sum * patch.sum / patch.count;
+  return squares / std::max(1.0, static_cast<double>(own.size()));
+}
+
+/** @brief The regions that walls and steps part. */
+std::vector<LevelRegion>
+partedRegions(const CellSet& cells,
+              const LevelRelief& relief,
+              const LevelParameters& parameters,
+              std::size_t minimum_cells)
+{
+  constexpr std::size_t least_edge = 10; // cells
+  constexpr double lowest_step = 0.015;
+  std::vector<std::uint8_t> within(cells.size(), 0);
+  for (std::size_t i = 0; i < within.size(); ++i)
+    within[i] = !std::isnan(relief.heights[i]) && !relief.edges[i] ? 1 : 0;
+  std::vector<LevelRegion> regions;
+  for (auto& region : regionsOf(cells, within, minimum_cells)) {
+    const auto isAtEdge = [&](std::size_t i) {
+      const CellBlock block = blockAround(cells, i);
+      return std::any_of(block.begin(), block.end(),
+                         [&](std::size_t k) { return relief.edges[k] != 0; });
+    };
+    const bool has_step = std::count_if(region.begin(), region.end(), isAtEdge) >=
+                          static_cast<std::ptrdiff_t>(least_edge);
+    regions.emplace_back();
+    regions.back().cells = std::move(region);
+    regions.back().least_step =
+        has_step ? std::min(lowest_step, parameters.least_step) : parameters.least_step;
+  }
+  return regions;
+}
+
+/** @brief Fits every region to the candidates in its cells. */
+void
+fitRegions(const PointView& points,
+           const std::vector<Candidate>& candidates,
+           const LevelRelief& relief,
+           double tolerance,
+           const PlanSlab& start,
+           unsigned threads,
+           std::vector<LevelRegion>& regions)
+{
+  std::vector<std::size_t> region_of(relief.heights.size(), regions.size());
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    for (const std::size_t cell : regions[r].cells)
+      region_of[cell] = r;
+  // The common plane may pass a region's own at some distance.
+  for (const Candidate& c : candidates)
+    if (region_of[c.cell] < regions.size() &&
+        std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
+      regions[region_of[c.cell]].points.push_back(c.index);
+  parallelBlocks(regions.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    LevelRegion& region = regions[r];
+    std::vector<double> heights;
+    for (const std::size_t i : region.cells)
+      heights.push_back(relief.heights[i]);
+    region.height = middleValue(std::move(heights));
+    const PlanSlab own =
+        fitSlabRobustly(points, region.points, raised(start, region.height), tolerance);
+    region.slab = own;
+    const double reach = std::min(tolerance, 3 * own.residual + 1e-4);
+    region.points.erase(std::remove_if(region.points.begin(), region.points.end(),
+                                       [&](int i) {
+                                         const auto p =
+                                             points[static_cast<std::size_t>(i)];
+                                         return std::abs(distanceAbove(own, p)) > reach;
+                                       }),
+                        region.points.end());
+    region.moments = momentsOf(points, region.points);
+    region.variance =
+        region.moments.variance(region.moments.normal(), region.moments.mean);
+    region.unevenness = unevennessOf(points, region.points, own);
+  });
+}
+
+} // namespace
+
+Eigen::Vector3d
+Moments::normal() const
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d n = solver.eigenvectors().col(0);
+  return n.z() < 0 ? Eigen::Vector3d(-n) : n;
+}
+
+LevelRelief
+reliefAround(const LevelColumns& columns,
+             const std::vector<Candidate>& candidates,
+             const LevelParameters& parameters,
+             const LevelDraft& draft)
+{
+  const CellSet& cells = columns.cells();
+  LevelRelief relief;
+  relief.heights =
+      reliefOf(candidates, cells.size(), draft.slab, 2 * parameters.tolerance);
+  std::vector<std::uint8_t> seen(cells.size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i] = !std::isnan(relief.heights[i]) && !draft.apart[i] ? 1 : 0;
+  const auto clear = withoutWalls(columns, seen, draft.slab, parameters.tolerance);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!clear[i])
+      relief.heights[i] = std::numeric_limits<double>::quiet_NaN();
+  relief.edges = stepEdges(cells, relief.heights, parameters.threads);
+  return relief;
+}
+
+std::vector<LevelRegion>
+fittedRegions(const LevelColumns& columns,
+              const std::vector<Candidate>& candidates,
+              const LevelRelief& relief,
+              const PlanSlab& slab,
+              const LevelParameters& parameters,
+              std::size_t minimum_cells)
+{
+  std::vector<LevelRegion> regions =
+      partedRegions(columns.cells(), relief, parameters, minimum_cells);
+  fitRegions(columns.points(), candidates, relief, parameters.tolerance, slab,
+             parameters.threads, regions);
+  return regions;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_relief.h"
+
+#include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t cells_a_block = 4096;
+
+/** @brief What up to 25 values of a window agree on. */
+class Window {
+public:
+  void add(double value)
+  {
+    if (!std::isnan(value))
+      values_[size_++] = value;
+  }
+
+  std::size_t size() const { return size_; }
+
+  double median()
+  {
+    const auto middle = at(size_ / 2);
+    std::nth_element(values_.begin(), middle, at(size_));
+    return *middle;
+  }
+
+  /** @brief Mean of the middle half. Heights of voxels come in layers, between which a
+   * median may jump. */
+  double middleMean()
+  {
+    std::sort(values_.begin(), at(size_));
+    const std::size_t first = size_ / 4;
+    const std::size_t last = size_ - first;
+    return std::accumulate(at(first), at(last), 0.0) /
+           static_cast<double>(last - first);
+  }
+
+private:
+  std::array<double, 25>::iterator at(std::size_t i)
+  {
+    return values_.begin() + static_cast<std::ptrdiff_t>(i);
+  }
+
+  std::array<double, 25> values_{};
+  std::size_t size_ = 0;
+};
+
+/** @brief The relief around a cell, up to four cells away. */
+class Surroundings {
+public:
+  static constexpr int reach = 4;
+
+  Surroundings(const CellSet& cells, const std::vector<double>& relief, std::size_t at)
+  {
+    values_.fill(unknown);
+    const Cell middle = cells[at];
+    for (int dy = -reach; dy <= reach; ++dy) {
+      // Cells side by side follow one another in the set.
+      std::size_t i = CellSet::npos;
+      for (int dx = -reach; dx <= reach && i == CellSet::npos; ++dx)
+        i = cells.find({middle.x + dx, middle.y + dy});
+      const CellKey last = keyOf({middle.x + reach, middle.y + dy});
+      for (; i < cells.size() && cells.keys()[i] <= last; ++i)
+        values_[indexOf(cells[i].x - middle.x, dy)] = relief[i];
+    }
+  }
+
+  /** @brief The step across the cell, from what is on one side of it to what is on the
+   * other; 0 where too little was seen. */
+  double step(bool along_x) const
+  {
+    constexpr std::size_t least = 8;
+    constexpr int half_width = 2;
+    Window before;
+    Window behind;
+    for (int along = 1; along <= reach; ++along)
+      for (int across = -half_width; across <= half_width; ++across) {
+        before.add(along_x ? at(-along, across) : at(across, -along));
+        behind.add(along_x ? at(along, across) : at(across, along));
+      }
+    if (before.size() < least || behind.size() < least)
+      return 0;
+    return std::abs(behind.middleMean() - before.middleMean());
+  }
+
+private:
+  static std::size_t indexOf(int dx, int dy)
+  {
+    return static_cast<std::size_t>((dy + reach) * (2 * reach + 1) + dx + reach);
+  }
+
+  double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
+
+  std::array<double, (2 * reach + 1) * (2 * reach + 1)> values_{};
+};
+
+/** @brief Marks the cells around which a step may be: where the means of squares of
+ * 20 cm differ by half of it. Most of a slab is flat. */
+std::vector<std::uint8_t>
+unevenCells(const CellSet& cells, const std::vector<double>& relief, double step)
+{
+  const auto squareOf = [](Cell cell) {
+    return Cell{cell.x >> 2, cell.y >> 2}; // rounds down
+  };
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!std::isnan(relief[i]))
+      keys.push_back(keyOf(squareOf(cells[i])));
+  const CellSet squares(std::move(keys));
+  std::vector<double> sum(squares.size(), 0);
+  std::vector<double> count(squares.size(), 0);
+  std::vector<std::size_t> square_of(cells.size(), CellSet::npos);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (std::isnan(relief[i]))
+      continue;
+    square_of[i] = squares.find(squareOf(cells[i]));
+    sum[square_of[i]] += relief[i];
+    count[square_of[i]] += 1;
+  }
+  std::vector<std::uint8_t> is_uneven(squares.size(), 0);
+  for (std::size_t s = 0; s < squares.size(); ++s) {
+    double low = sum[s] / count[s];
+    double high = low;
+    for (const std::size_t near : blockAround(squares, s)) {
+      low = std::min(low, sum[near] / count[near]);
+      high = std::max(high, sum[near] / count[near]);
+    }
+    is_uneven[s] = 2 * (high - low) >= step ? 1 : 0;
+  }
+  std::vector<std::uint8_t> uneven(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    uneven[i] = square_of[i] != CellSet::npos ? is_uneven[square_of[i]] : 0;
+  return uneven;
+}
+
+} // namespace
+
+std::vector<double>
+reliefOf(const std::vector<Candidate>& candidates,
+         std::size_t cell_count,
+         const PlanSlab& slab,
+         double reach)
+{
+  std::vector<double> sum(cell_count, 0);
+  std::vector<double> count(cell_count, 0);
+  for (const Candidate& c : candidates) {
+    const double d = distanceAbove(slab, c.position());
+    if (std::abs(d) > reach)
+      continue;
+    sum[c.cell] += d;
+    count[c.cell] += 1;
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = count[i] > 0 ? sum[i] / count[i] : unknown;
+  return sum;
+}
+
+double
+noiseOfRelief(const CellSet& cells, const std::vector<double>& relief)
+{
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < relief.size(); ++i)
+    if (cells[i].y == cells[i - 1].y && cells[i].x == cells[i - 1].x + 1 &&
+        !std::isnan(relief[i]) && !std::isnan(relief[i - 1]))
+      differences.push_back(std::abs(relief[i] - relief[i - 1]));
+  return differences.empty()
+             ? 0
+             : 1.4826 * middleValue(std::move(differences)) / std::sqrt(2);
+}
+
+std::vector<double>
+smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  std::vector<double> smooth(relief.size(), unknown);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     if (std::isnan(relief[i]))
+                       continue;
+                     Window window;
+                     for (const std::size_t k : blockAround(cells, i))
+                       window.add(relief[k]);
+                     smooth[i] = window.median();
+                   }
+                 });
+  return smooth;
+}
+
+std::vector<std::uint8_t>
+stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  constexpr double least_step = 0.015;
+  // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
+  const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
+  const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
+  std::vector<std::uint8_t> edges(relief.size(), 0);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     if (!uneven[i])
+                       continue;
+                     const Surroundings around(cells, relief, i);
+                     edges[i] = around.step(true) >= step || around.step(false) >= step;
+                   }
+                 });
+  return edges;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "level_candidates.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The relief about a level: mean distance from its plane of what was seen in
+ * each cell, metres, up is positive; NaN where nothing was. Means of cells tell steps
+ * that are lost in the noise of single points. O(n).
+ * @param reach how far from the plane is looked, metres */
+std::vector<double> reliefOf(const std::vector<Candidate>& candidates,
+                             std::size_t cell_count,
+                             const PlanSlab& slab,
+                             double reach);
+
+/** @brief Standard deviation of the cells of a relief from their neighbours: noise
+ * alone, whatever the surface does. Metres; O(n). */
+double noiseOfRelief(const CellSet& cells, const std::vector<double>& relief);
+
+/** @brief The median of a cell and its eight neighbours, NaN where the cell is. Steps
+ * keep their place in it. O(n). */
+std::vector<double>
+smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+
+/** @brief Marks the cells of steps: where the middle means of what is on either side,
+ * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
+ * lets them. What bends or leans has none. O(n); the same for any number of threads. */
+std::vector<std::uint8_t>
+stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+
+} // namespace sedr
+} // namespace pcl

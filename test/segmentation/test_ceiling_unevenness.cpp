@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_checks.h"
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of 8 m x 6 m whose ceiling at 2.5 m hangs by `sag(x, y)` metres. */
+template <typename Sag>
+RoomPoints
+roomWithCeiling(Sag sag)
+{
+  RoomPoints points(0.05, 0.002);
+  points.slab(rectangle(0.01, 0.01, 8.01, 6.01), 0);
+  for (double y = 0.035; y < 6; y += 0.05)
+    for (double x = 0.035; x < 8; x += 0.05)
+      points.point(x, y, 2.5 - sag(x, y));
+  return points;
+}
+
+TEST(LevelSteps, WhatStandsOutByTwiceTheNoiseAtOnceIsAStepAndLessIsUnevenness)
+{
+  // Noise counts as 1.5 cm at least.
+  const auto levelsFor = [](double depth) {
+    return levelsOf(
+        roomWithCeiling([&](double x, double) { return x > 5.5 ? depth : 0; }));
+  };
+  expectHeights(levelsFor(0.04), {0, 2.46, 2.5}, 0.002);
+  EXPECT_EQ(levelsFor(0.022).size(), 2u);
+}
+
+TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)
+{
+  // A bulge of 6 cm, 5 m wide, like a drop: level around it and in its middle.
+  const auto levels = levelsOf(roomWithCeiling([](double x, double y) {
+    const double r = std::min(1.0, std::hypot(x - 4, y - 3) / 2.5);
+    return 0.03 * (1 + std::cos(M_PI * r));
+  }));
+  EXPECT_EQ(levels.size(), 2u);
+}
+
+} // namespace
