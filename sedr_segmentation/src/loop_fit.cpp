@@ -107,22 +107,6 @@ polygonLoop(const std::vector<ContourSample>& samples, double tolerance)
   return loop;
 }
 
-/** @brief Drops elements of no length, and closes the gaps they leave. */
-void
-dropPoints(PlanLoop& loop)
-{
-  auto& elements = loop.elements;
-  for (std::size_t i = 0; i < elements.size() && elements.size() > 2;) {
-    PlanElement& e = elements[i];
-    if (e.isArc() || e.length() > 1e-6) {
-      ++i;
-      continue;
-    }
-    elements[(i + 1) % elements.size()].start = e.start;
-    elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-}
-
 /** @brief The curves of some elements, each once. */
 std::vector<PlanCurve>
 curvesOf(const std::vector<PlanElement>& elements)

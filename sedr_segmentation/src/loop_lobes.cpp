@@ -107,5 +107,20 @@ cutLobes(PlanLoop& loop)
   return false;
 }
 
+void
+dropPoints(PlanLoop& loop)
+{
+  auto& elements = loop.elements;
+  for (std::size_t i = 0; i < elements.size() && elements.size() > 2;) {
+    PlanElement& e = elements[i];
+    if (e.isArc() || e.length() > 1e-6) {
+      ++i;
+      continue;
+    }
+    elements[(i + 1) % elements.size()].start = e.start;
+    elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
 } // namespace sedr
 } // namespace pcl

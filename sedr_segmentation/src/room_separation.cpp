@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/plan_evidence.h>
 #include <pcl/sedr_segmentation/contour.h>
 #include <pcl/sedr_segmentation/loop_difference.h>
+#include <pcl/sedr_segmentation/loop_lobes.h>
 #include <pcl/sedr_segmentation/loop_necks.h>
 
 #include <algorithm>
@@ -298,8 +299,10 @@ separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& 
       break;
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)
     plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
-  for (PlanRoom& room : plan.rooms)
+  for (PlanRoom& room : plan.rooms) {
     cutNecksOf(room);
+    dropPoints(room.boundary);
+  }
   dropNiches(plan);
   return sentences;
 }

@@ -200,4 +200,16 @@ TEST(SeparateRooms, ASlitIsCutOffFromTheRoomAndItsSoffit)
   EXPECT_NEAR(plan.rooms[0].floor_details[0].boundary.area(), 3, 1e-9);
 }
 
+TEST(SeparateRooms, CornersInOnePlaceAreOne)
+{
+  Floorplan plan;
+  plan.rooms = {
+      roomAt(1, polygon({{0, 0}, {4, 0}, {4, 1}, {4, 1 + 1e-9}, {4, 3}, {0, 3}}))};
+  EXPECT_TRUE(separate(plan, RoomPoints()).empty());
+  const auto& walls = plan.rooms[0].boundary.elements;
+  ASSERT_EQ(walls.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ((walls[i].end - walls[(i + 1) % 5].start).norm(), 0);
+}
+
 } // namespace

@@ -11,9 +11,14 @@ namespace sedr {
  *
  * Where two curves that hardly differ in direction are joined by a short one, their
  * corners may come out in the wrong order; what is between them is such a lobe.
- * @return false, and the loop is as it was, where a lobe is longer than a quarter of the
- * loop, or crossings remain. O(n^2) for n elements and each lobe */
+ * @return false, and the loop is as it was, where a lobe is longer than a quarter of
+ * the loop, or crossings remain. O(n^2) for n elements and each lobe */
 bool cutLobes(PlanLoop& loop);
+
+/** @brief Drops segments of no length, up to a micrometre, and closes the gaps that
+ * they leave: where corners have come to lie in one place, a mesh would have a vertex
+ * twice. At least two elements stay. O(n^2) where many are dropped */
+void dropPoints(PlanLoop& loop);
 
 } // namespace sedr
 } // namespace pcl
