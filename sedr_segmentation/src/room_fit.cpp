@@ -263,7 +263,9 @@ fitRoom(const PointView& points,
     return room;
   }
   const CellMask open =
-      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
+      outline.columns.empty()
+          ? CellMask(box)
+          : aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
