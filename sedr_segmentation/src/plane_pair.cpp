@@ -64,19 +64,27 @@ bestPair(const PointView& points,
 SidePair
 bestSidePair(const PointView& points,
              const std::vector<int>& indices,
-             const Eigen::Vector3d& up)
+             const Eigen::Vector3d& up,
+             double least)
 {
   constexpr double least_area = 2; // square metres
+  Eigen::AlignedBox3f box;
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      box.extend(points[static_cast<std::size_t>(i)]);
+  const Eigen::Vector3d reach =
+      box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                    : Eigen::Vector3d(box.sizes().cast<double>().array() + 0.2);
   SidePair best;
   for (const int axis : {0, 1}) {
-    if (std::abs(up[axis]) > most_off)
+    if (std::abs(up[axis]) > most_off || reach[2] * reach[1 - axis] <= least)
       continue;
     Eigen::Matrix3d axes;
     for (int k = 0; k < 3; ++k)
       axes.row(k) = Eigen::Vector3d::Unit((axis + 1 + k) % 3);
     const PlanePair found =
         bestPair(points, indices, axes, lowest_room, highest_usual_room);
-    if (found.area() < least_area || found.cells < best.cells)
+    if (found.area() < least_area || found.area() <= least || found.cells < best.cells)
       continue;
     static_cast<PlanePair&>(best) = found;
     best.axis = axis == 0 ? 'x' : 'y';

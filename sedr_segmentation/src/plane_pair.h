@@ -46,10 +46,12 @@ struct SidePair : PlanePair {
 };
 
 /** @brief The larger one of the pairs across those of y and x that are square to `up`,
- * unit, of at least two square metres. */
+ * unit, of at least two square metres and more than `least`. Not looked for where the
+ * points do not reach far enough for that. */
 SidePair bestSidePair(const PointView& points,
                       const std::vector<int>& indices,
-                      const Eigen::Vector3d& up);
+                      const Eigen::Vector3d& up,
+                      double least);
 
 /** @brief The sentence that the axis of `side` is up rather than `up`, across which
  * `pair` is, and what turns it. */

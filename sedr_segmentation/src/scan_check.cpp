@@ -153,8 +153,8 @@ upProblem(const PointView& points, const std::vector<int>& indices, RoomsAlongZ 
           ? std::max(times_of_rooms * up.area(), times * up.largestArea())
           : times * up.area();
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  const SidePair side = bestSidePair(points, indices, z);
-  return side.area() > least ? sideProblem(side, z, up) : std::string();
+  const SidePair side = bestSidePair(points, indices, z, least);
+  return side.axis ? sideProblem(side, z, up) : std::string();
 }
 
 std::string

@@ -187,7 +187,7 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
       Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
-  const SidePair side = bestSidePair(points, indices, lean.up);
+  const SidePair side = bestSidePair(points, indices, lean.up, pair.area() / times);
   if (side.area() > times * pair.area())
     return sideProblem(side, lean.up, pair);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -200,7 +200,7 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
       "%.4f,%.4f,0,%.4f",
       lean.area, lean.angle * 180 / M_PI, axis.x(), axis.y(), lean.angle);
   std::string problem = text.data();
-  if (side.area() * times > pair.area())
+  if (side.axis)
     problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
   return problem;
 }
