@@ -85,7 +85,8 @@ private:
 
   const Table& newest() const { return *newest_.load(std::memory_order_acquire); }
 
-  /** @brief The slot of a block, or the empty one where it belongs. */
+  /** @brief The slot of a block, or the empty one where it belongs, while none is made.
+   */
   static std::size_t
   slotOf(const Table& table, const VoxelCode& corner, std::uint32_t hash)
   {
@@ -96,10 +97,18 @@ private:
     return slot;
   }
 
+  /** @brief Null if there is none. Each slot is read once: another thread may fill one
+   * that was empty with a block that was not looked for. */
   static VoxelBlock*
   findIn(const Table& table, const VoxelCode& corner, std::uint32_t hash)
   {
-    return table.at(slotOf(table, corner, hash));
+    std::size_t slot = hash & table.mask;
+    VoxelBlock* block = table.at(slot);
+    while (block && !isSame(block->corner, corner)) {
+      slot = (slot + 1) & table.mask;
+      block = table.at(slot);
+    }
+    return block;
   }
 
   VoxelBlock& make(const VoxelCode& corner, std::uint32_t hash, BlockMemory& memory)

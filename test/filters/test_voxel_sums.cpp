@@ -79,6 +79,21 @@ TEST(VoxelSums, OrderPiecesAndThreadsLeaveTheSameBytes)
   EXPECT_TRUE(areSame(sumsOf(points), expected));
 }
 
+TEST(VoxelSums, ThreadsThatMakeBlocksAtOnceDoNotMistakeThem)
+{
+  // Hardly two points in a block: each is made while others are looked for.
+  constexpr std::uint32_t n = 300000;
+  std::vector<Eigen::Vector3f> points;
+  for (std::uint32_t i = 0; i < n; ++i)
+    points.emplace_back(static_cast<float>(i) + 0.5f, static_cast<float>(5 * i) + 0.5f,
+                        static_cast<float>(13 * i) + 0.5f);
+  const Eigen::Array3f inverse = Eigen::Array3f::Ones();
+  const auto expected = sumsOf(points, inverse, 1);
+  ASSERT_EQ(expected.size(), n);
+  for (int trial = 0; trial < 40; ++trial)
+    ASSERT_TRUE(areSame(sumsOf(points, inverse, 8), expected)) << trial;
+}
+
 TEST(VoxelSums, SumsOfPartsReduceToThoseOfAll)
 {
   const auto points = roomWithStrays(200000, {-1, 0, 0});
