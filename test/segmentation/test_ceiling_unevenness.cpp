@@ -19,15 +19,15 @@ roomWithCeiling(Sag sag)
   return points;
 }
 
-TEST(LevelSteps, WhatStandsOutByTwiceTheNoiseAtOnceIsAStepAndLessIsUnevenness)
+TEST(LevelSteps, WhatStandsOutAtOnceIsAStepAndLessThanOneAndAHalfCentimetresUnevenness)
 {
-  // Noise counts as 1.5 cm at least.
   const auto levelsFor = [](double depth) {
     return levelsOf(
         roomWithCeiling([&](double x, double) { return x > 5.5 ? depth : 0; }));
   };
   expectHeights(levelsFor(0.04), {0, 2.46, 2.5}, 0.002);
-  EXPECT_EQ(levelsFor(0.022).size(), 2u);
+  expectHeights(levelsFor(0.022), {0, 2.478, 2.5}, 0.002);
+  EXPECT_EQ(levelsFor(0.012).size(), 2u);
 }
 
 TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)

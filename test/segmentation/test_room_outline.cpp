@@ -12,15 +12,21 @@ using namespace sedr_test;
 
 constexpr double height = 2.5;
 
-/** A room of 4 m x 3 m whose ceiling was seen where `isSeen` says so. */
+/** A room of 4 m x 3 m whose ceiling was seen where `isSeen` says so, and the wall y =
+ * 0.01 but for the x from `hidden_from` to `hidden_to`. */
 class Scene {
 public:
-  explicit Scene(const RoomPoints::InPlan& isSeen = [](double, double) { return true; })
+  explicit Scene(
+      const RoomPoints::InPlan& isSeen = [](double, double) { return true; },
+      double hidden_from = 0,
+      double hidden_to = 0)
   {
     const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
     points.slab(loop, 0);
-    for (const auto& e : loop.elements)
-      points.wall(e, 0, height);
+    for (std::size_t e = 0; e < 4; ++e)
+      points.wall(loop.elements[e], 0, height, [&](double s, double) {
+        return e > 0 || s <= hidden_from || s >= hidden_to;
+      });
     ceiling = points.slab(loop, height, isSeen);
   }
 
@@ -250,13 +256,15 @@ TEST(OutlineRoom, ANotchWithAWallAroundStaysUnderASoffitToo)
 {
   // The soffit hangs 0.5 m below the ceiling along the wall; a pillar ends at it.
   const double soffit = 2.0;
-  Scene scene([](double, double y) { return y > 0.81; });
+  Scene scene([](double, double y) { return y > 0.81; }, 1.5, 2.1);
   const auto under = scene.points.slab(
       rectangle(0.01, 0.01, 4.01, 0.81), soffit,
       [](double x, double y) { return !within(x, y, 1.51, 0, 2.11, 0.51); });
   scene.points.wall(segment({4.01, 0.81}, {0.01, 0.81}), soffit, height);
   scene.ceiling = joined(scene.ceiling, under);
-  scene.box(1.51, 0.01, 2.11, 0.51, 0, soffit);
+  for (const double x : {1.51, 2.11})
+    scene.points.wall(segment({x, 0.01}, {x, 0.51}), 0, soffit);
+  scene.points.wall(segment({1.51, 0.51}, {2.11, 0.51}), 0, soffit);
   const RoomOutline outline = scene.outline();
   EXPECT_EQ(outline.room.at(CellGrid(0.05).at(1.8, 0.2)), 0);
   EXPECT_NEAR(areaOf(outline.room), 12 - 0.3, 0.06);
