@@ -47,6 +47,23 @@ isTheirPlane(const PlanSlab& slab, const std::vector<const LevelRegion*>& region
   return fitsAll(normal, -slab.plane[3] * normal, regions);
 }
 
+/** @brief The least step from the regions that stay to another: low ones are told where
+ * there is one between them, not across a wall, where no two slabs are quite alike. */
+double
+leastStep(const LevelRegion& region,
+          const std::vector<LevelRegion>& regions,
+          const std::vector<const LevelRegion*>& stay,
+          const LevelParameters& parameters)
+{
+  constexpr double lowest_step = 0.015;
+  const bool is_beside = std::any_of(
+      region.beyond_steps.begin(), region.beyond_steps.end(), [&](std::size_t r) {
+        return std::find(stay.begin(), stay.end(), &regions[r]) != stay.end();
+      });
+  return is_beside ? std::min(lowest_step, parameters.least_step)
+                   : parameters.least_step;
+}
+
 /** @brief Marks cells and those within two of them as apart, unless they are kept, or
  * cells of a step. */
 void
@@ -118,12 +135,13 @@ partLevel(const LevelColumns& columns,
   const PointView& points = columns.points();
   const CellSet& cells = columns.cells();
   const LevelRelief relief = reliefAround(columns, candidates, parameters, draft);
-  const std::vector<LevelRegion> regions =
+  std::vector<LevelRegion> regions =
       fittedRegions(columns, candidates, relief, draft.slab, parameters, minimum_cells);
 
   std::vector<const LevelRegion*> stay;
   std::vector<const LevelRegion*> others;
-  for (const LevelRegion& region : regions) {
+  for (LevelRegion& region : regions) {
+    region.least_step = leastStep(region, regions, stay, parameters);
     stay.push_back(&region);
     if (std::abs(region.height) <= parameters.tolerance &&
         (stay.size() == 1 || areOnOnePlane(stay)))

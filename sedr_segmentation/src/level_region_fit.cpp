@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -68,32 +69,66 @@ unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSla
   return squares / std::max(1.0, static_cast<double>(own.size()));
 }
 
+/** @brief The different numbers of the cells up to six away, those of none left out. */
+std::vector<std::size_t>
+numbersAround(const CellSet& cells,
+              std::size_t at,
+              const std::vector<std::size_t>& number_of)
+{
+  constexpr int reach = 6;
+  std::vector<std::size_t> numbers;
+  const Cell middle = cells[at];
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const std::size_t i = cells.find({middle.x + dx, middle.y + dy});
+      if (i != CellSet::npos && number_of[i] != CellSet::npos &&
+          std::find(numbers.begin(), numbers.end(), number_of[i]) == numbers.end())
+        numbers.push_back(number_of[i]);
+    }
+  return numbers;
+}
+
+/** @brief Notes which regions lie on both sides of a step. */
+void
+findStepsBetween(const CellSet& cells,
+                 const std::vector<std::uint8_t>& edges,
+                 std::vector<LevelRegion>& regions)
+{
+  constexpr std::size_t least_edge = 10; // cells
+  std::vector<std::size_t> region_of(cells.size(), CellSet::npos);
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    for (const std::size_t i : regions[r].cells)
+      region_of[i] = r;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> edge_cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!edges[i])
+      continue;
+    const std::vector<std::size_t> beside = numbersAround(cells, i, region_of);
+    for (const std::size_t a : beside)
+      for (const std::size_t b : beside)
+        if (a != b)
+          ++edge_cells[{a, b}];
+  }
+  for (const auto& [pair, count] : edge_cells)
+    if (count >= least_edge)
+      regions[pair.first].beyond_steps.push_back(pair.second);
+}
+
 /** @brief The regions that walls and steps part. */
 std::vector<LevelRegion>
 partedRegions(const CellSet& cells,
               const LevelRelief& relief,
-              const LevelParameters& parameters,
               std::size_t minimum_cells)
 {
-  constexpr std::size_t least_edge = 10; // cells
-  constexpr double lowest_step = 0.015;
   std::vector<std::uint8_t> within(cells.size(), 0);
   for (std::size_t i = 0; i < within.size(); ++i)
     within[i] = !std::isnan(relief.heights[i]) && !relief.edges[i] ? 1 : 0;
   std::vector<LevelRegion> regions;
   for (auto& region : regionsOf(cells, within, minimum_cells)) {
-    const auto isAtEdge = [&](std::size_t i) {
-      const CellBlock block = blockAround(cells, i);
-      return std::any_of(block.begin(), block.end(),
-                         [&](std::size_t k) { return relief.edges[k] != 0; });
-    };
-    const bool has_step = std::count_if(region.begin(), region.end(), isAtEdge) >=
-                          static_cast<std::ptrdiff_t>(least_edge);
     regions.emplace_back();
     regions.back().cells = std::move(region);
-    regions.back().least_step =
-        has_step ? std::min(lowest_step, parameters.least_step) : parameters.least_step;
   }
+  findStepsBetween(cells, relief.edges, regions);
   return regions;
 }
 
@@ -180,7 +215,7 @@ fittedRegions(const LevelColumns& columns,
               std::size_t minimum_cells)
 {
   std::vector<LevelRegion> regions =
-      partedRegions(columns.cells(), relief, parameters, minimum_cells);
+      partedRegions(columns.cells(), relief, minimum_cells);
   fitRegions(columns.points(), candidates, relief, parameters.tolerance, slab,
              parameters.threads, regions);
   return regions;

@@ -45,6 +45,7 @@ struct LevelRegion {
   std::vector<int> points;        ///< on its own plane
   PlanSlab slab;
   Moments moments;
+  std::vector<std::size_t> beyond_steps; ///< numbers of the regions across a step
   double height = 0;     ///< median, over the plane of the level, metres
   double least_step = 0; ///< a plane that misses it by less may be its own, metres
   double variance = 0;   ///< of its points about its own plane, square metres
@@ -65,8 +66,7 @@ LevelRelief reliefAround(const LevelColumns& columns,
                          const LevelDraft& draft);
 
 /** @brief The regions of at least `minimum_cells` that walls and steps part, the
- * largest first, each fitted by itself. What a step bounds is parted from what is
- * beyond it however low that is. O(n log n).
+ * largest first, each fitted by itself. O(n log n).
  * @param slab the plane of the level */
 std::vector<LevelRegion> fittedRegions(const LevelColumns& columns,
                                        const std::vector<Candidate>& candidates,
