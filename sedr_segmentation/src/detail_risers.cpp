@@ -70,11 +70,21 @@ goesOn(const ColumnTable& columns,
   });
 }
 
-/** @brief Whether a point is at the height of a slab around it, such as the tread of a
- * step between floor and platform. What is elsewhere in the room does not matter: its
- * coffers may be of many heights. */
+/** @brief Whether a point is at the height of any slab of the floor, such as the tread
+ * of a step before a platform, of which little may have been seen. */
 bool
-isOnSlab(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
+isOnFloor(const HeightMap& map, const Eigen::Vector3f& p, double margin)
+{
+  return std::abs(distanceAbove(map.main, p)) <= margin ||
+         std::any_of(map.details.begin(), map.details.end(), [&](const PlanSlab& slab) {
+           return std::abs(distanceAbove(slab, p)) <= margin;
+         });
+}
+
+/** @brief Whether a point is at the height of a slab around it. What is elsewhere at
+ * the ceiling does not matter: its coffers may be of many heights. */
+bool
+isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
 {
   constexpr int reach = 4;
   for (int dy = -reach; dy <= reach; ++dy)
@@ -143,7 +153,8 @@ riserPoints(const PointView& points,
     const auto& [low, high] = steps[map.room.indexOf(cell)];
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
     if (p.z() > low + margin && p.z() < high - margin &&
-        !isOnSlab(map, cell, p, margin) &&
+        !(evidence.is_floor ? isOnFloor(map, p, margin)
+                            : isOnSlabAround(map, cell, p, margin)) &&
         !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
       risers.push_back(p.head<2>().cast<double>());
   }

@@ -90,7 +90,7 @@ setStepsApart(const std::vector<Candidate>& candidates,
 {
   constexpr std::size_t least_cells = 60;
   const std::vector<double> relief =
-      reliefOf(candidates, cells.size(), draft.slab, 2 * tolerance);
+      reliefOf(candidates, cells.size(), draft.slab, tolerance);
   const std::vector<double> offsets = smoothRelief(cells, relief, threads);
   const double noise =
       std::clamp(2 * noiseOfRelief(cells, relief), least_noise, tolerance);
