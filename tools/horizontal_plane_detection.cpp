@@ -79,6 +79,23 @@ turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
+/** @brief Whether another axis than z seems to be up although there are rooms along z,
+ * a sentence; empty if not. */
+std::string
+doubtOf(const Planes& planes, const ToolCloud& cloud)
+{
+  double ceilings = 0;
+  double floors = 0;
+  for (const auto& plane : planes) {
+    ceilings += plane.kind == LevelKind::Ceiling ? plane.area : 0;
+    floors += plane.kind == LevelKind::Floor ? plane.area : 0;
+  }
+  const std::string problem =
+      pcl::sedr::upProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud),
+                           RoomsAlongZ::Found, std::min(ceilings, floors));
+  return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
+}
+
 /** @brief Refuses what is no scan of rooms in metres with z up. */
 void
 checkScan(const Settings& settings, const ToolCloud& cloud)
@@ -208,7 +225,7 @@ run(const Settings& settings, Detection& detection)
     const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
     throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
   }
-  const std::string doubt = turned(settings, cloud, RoomsAlongZ::Found);
+  const std::string doubt = settings.trust_up ? "" : doubtOf(planes, cloud);
   if (!doubt.empty())
     throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
   apply(settings, planes, cloud);

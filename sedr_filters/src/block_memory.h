@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/large_memory.h>
 #include "voxel_block.h"
+#include <pcl/sedr_filters/large_memory.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -54,13 +54,15 @@ findLargerSlab(const PointView& points,
   constexpr double least_spread = 0.15;  // of a plane across a step, of the tolerance
   constexpr double least_contrast = 2.5; // of its spread and that of one surface
   constexpr double most_turned = 0.01;   // radians, of one surface to the other
-  const PlanSlab wide = findSlab(points, indices, tolerance, maximum_tilt, seed, threads);
+  const PlanSlab wide =
+      findSlab(points, indices, tolerance, maximum_tilt, seed, threads);
   if (wide.residual < least_spread * tolerance)
     return wide;
   const double thickness = tolerance / 3;
   const auto findThin = [&](const std::vector<int>& among) {
     // A leaning plane comes close to two surfaces within half of it.
-    const PlanSlab found = findSlab(points, among, thickness / 2, maximum_tilt, seed, threads);
+    const PlanSlab found =
+        findSlab(points, among, thickness / 2, maximum_tilt, seed, threads);
     const PlanSlab refined = fitSlabRobustly(points, among, found, thickness);
     return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
   };

@@ -101,8 +101,11 @@ atRim(const std::vector<Eigen::Vector2d>& points,
       const CellMask& cells,
       const CellGrid& grid)
 {
-  constexpr double reach = 4; // cells
-  const CellMask rim = subtract(dilated(cells, reach), eroded(cells, reach));
+  constexpr int reach = 4; // cells
+  if (cells.count() == 0)
+    return {};
+  const CellMask near = cropped(cells, grown(boxOf(cells.toSet()), reach + 1));
+  const CellMask rim = subtract(dilated(near, reach), eroded(near, reach));
   std::vector<Eigen::Vector2d> own;
   for (const Eigen::Vector2d& p : points)
     if (rim.at(grid.at(p.x(), p.y())))
@@ -172,12 +175,16 @@ fitDetails(const PointView& points,
   for (const auto& column : room.columns)
     appendElements(column, others);
 
+  constexpr double point_cell = 0.1; // metres
+  const PlanPoints of_all(edges, point_cell);
   std::vector<PlanDetail> details;
   for (const std::int32_t label : widestFirst(map)) {
     const CellMask own = cellsOf(map, label, details, grid);
-    const PlanPoints risers(evidence.is_floor ? edges : atRim(edges, own, grid), 0.1);
     PlanDetail detail =
-        fitDetail(map, own, evidence.is_floor, label, risers, others, parameters);
+        evidence.is_floor ? fitDetail(map, own, true, label, of_all, others, parameters)
+                          : fitDetail(map, own, false, label,
+                                      PlanPoints(atRim(edges, own, grid), point_cell),
+                                      others, parameters);
     if (detail.boundary.elements.empty())
       continue;
     appendElements(detail.boundary, others);

@@ -75,7 +75,7 @@ hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
         scene.columns.share(cell, scene.sliceAt(cell, 0.5), top - 0.1, 6, 2) >= 0.8 ? 1
                                                                                     : 0;
   }
-  return 5 * walled >= 4 * edge.count();
+  return walled > 0 && 5 * walled >= 4 * edge.count();
 }
 
 /** @brief Whether a region is a soffit above furniture that hides the floor: at least

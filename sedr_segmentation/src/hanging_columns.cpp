@@ -29,6 +29,8 @@ HangingColumns::frontAt(Cell cell) const
   for (const ColumnRun& run : columns_.runs(cell, gap_in_run)) {
     if (run.low > topAt(cell))
       break;
+    if (run.high < floor - 0.1) // of a storey below
+      continue;
     const double edge = run.low - floor;
     if (run.high - run.low < least_hanging_run) {
       if (edge > 0.1 && run.high - run.low > gap_in_run)
@@ -49,7 +51,7 @@ HangingColumns::backAt(Cell cell) const
   const double top = topAt(cell);
   for (const ColumnRun& run : columns_.runs(cell, gap_in_run)) {
     const double edge = run.high - floor;
-    if (run.high - run.low < least_hanging_run)
+    if (run.high - run.low < least_hanging_run || run.high < floor - 0.1)
       continue;
     if (edge < least_edge - least_hanging_run || edge > most_edge + gap_in_run ||
         columns_.share(cell, run.high + gap_in_run, top - 0.1, 6, 0) > 0.2)

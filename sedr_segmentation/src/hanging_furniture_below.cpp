@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 
+#include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -45,6 +45,37 @@ floorBelow(const CellMask& cells,
   return best;
 }
 
+/** @brief The points in or near each of some boxes of cells; those of large boxes far
+ * apart all. O(points). */
+std::vector<std::vector<int>>
+sharesOf(const std::vector<CellBox>& boxes,
+         const CellGrid& grid,
+         const PointView& points)
+{
+  constexpr double table_cell = 1; // metres
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(grid.size());
+  CellTable near(table_cell);
+  std::vector<CellTable::Entry> entries;
+  for (std::size_t c = 0; c < boxes.size(); ++c)
+    entries.push_back({near.boxAround(grid.centre(boxes[c].low) - margin,
+                                      grid.centre(boxes[c].high) + margin),
+                       static_cast<std::uint32_t>(c)});
+  const bool has_table = near.fill(entries).empty();
+  std::vector<std::vector<int>> shares(boxes.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points.isFinite(i))
+      continue;
+    const Eigen::Vector2d place = points[i].head<2>().cast<double>();
+    if (has_table)
+      for (const std::uint32_t c : near.at(place))
+        shares[c].push_back(static_cast<int>(i));
+    else
+      for (auto& share : shares)
+        share.push_back(static_cast<int>(i));
+  }
+  return shares;
+}
+
 } // namespace
 
 HangingFurniture
@@ -73,13 +104,14 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
       boxes.push_back(boxOf(ceilings.back().second));
     }
   }
-  std::vector<int> all(points.size());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<CellBox> clusters = clusterBoxes(boxes, reach);
+  const std::vector<std::vector<int>> shares = sharesOf(clusters, grid, points);
   HangingFurniture found;
-  for (const CellBox& box : clusterBoxes(boxes, reach)) {
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const CellBox& box = clusters[c];
     if (!maskProblem(box).empty())
       continue;
-    const ColumnTable columns(grid, box, points, all);
+    const ColumnTable columns(grid, box, points, shares[c]);
     for (const auto& [level, cells] : ceilings) {
       const CellMask seen(cells, grown(boxOf(cells), reach));
       if (overlapOf(box, seen.box()).count() != seen.box().count())
@@ -96,6 +128,12 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
   std::sort(found.points.begin(), found.points.end());
   found.points.erase(std::unique(found.points.begin(), found.points.end()),
                      found.points.end());
+  // A ceiling and the soffit beside it may both continue a wall.
+  std::sort(found.behind.begin(), found.behind.end(), [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  found.behind.erase(std::unique(found.behind.begin(), found.behind.end()),
+                     found.behind.end());
   return found;
 }
 

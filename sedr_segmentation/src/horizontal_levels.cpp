@@ -250,12 +250,19 @@ withRim(const CellSet& all, const CellSet& cells)
 /** @brief A level that was parted from earlier ones has no points in the cells of
  * these, nor in those of their walls. */
 void
-keepApart(const CellSet& all, const std::vector<Level>& earlier, Level& level)
+keepApart(const CellSet& all,
+          const std::vector<Level>& earlier,
+          std::vector<CellSet>& with_rims,
+          Level& level)
 {
-  for (const Level& other : earlier)
-    if (2 * intersect(level.cells, other.without).size() > level.cells.size())
-      level.without =
-          unite(level.without, subtract(withRim(all, other.cells), level.cells));
+  with_rims.resize(earlier.size());
+  for (std::size_t l = 0; l < earlier.size(); ++l) {
+    if (2 * intersect(level.cells, earlier[l].without).size() <= level.cells.size())
+      continue;
+    if (with_rims[l].empty())
+      with_rims[l] = withRim(all, earlier[l].cells);
+    level.without = unite(level.without, subtract(with_rims[l], level.cells));
+  }
 }
 
 } // namespace
@@ -293,6 +300,7 @@ findLevels(const LevelColumns& columns,
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
+  std::vector<CellSet> with_rims; // those of the levels that were needed
   while (true) {
     const Window window =
         densestWindow(candidates, 2 * parameters.tolerance, cells.size());
@@ -321,7 +329,7 @@ findLevels(const LevelColumns& columns,
       level.cells = markedCells(cells, draft.cells);
       own = withTails(candidates, cells, draft, level.slab, parameters.tolerance);
       level.without = markedCells(cells, draft.apart);
-      keepApart(cells, levels, level);
+      keepApart(cells, levels, with_rims, level);
       levels.push_back(std::move(level));
     }
     else { // no plane there after all: the window's points are clutter

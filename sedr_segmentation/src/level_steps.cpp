@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -89,11 +90,15 @@ setStepsApart(const std::vector<Candidate>& candidates,
               LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
-  const std::vector<double> relief =
-      reliefOf(candidates, cells.size(), draft.slab, tolerance);
-  const std::vector<double> offsets = smoothRelief(cells, relief, threads);
+  const double reach = 2 * tolerance;
+  std::vector<double> relief = reliefOf(candidates, cells.size(), draft.slab, reach);
   const double noise =
-      std::clamp(2 * noiseOfRelief(cells, relief), least_noise, tolerance);
+      std::min(tolerance, std::max(2 * noiseOfRelief(cells, relief), least_noise));
+  // Of what is about as far as that, the noise alone is within reach.
+  for (double& height : relief)
+    if (std::abs(height) > reach - noise)
+      height = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> offsets = smoothRelief(cells, relief, threads);
   std::vector<CellKey> off;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (std::abs(offsets[i]) > noise)

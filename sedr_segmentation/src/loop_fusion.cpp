@@ -88,9 +88,9 @@ dependenciesOf(const LoopChain& chain, const Window& window)
     const LoopLink& link = chain.links[i];
     const PlanCurve& curve = link.curve;
     const Eigen::Vector2d& corner = chain.corners[i];
-    all.insert(all.end(), {curve.point.x(), curve.point.y(), curve.direction.x(),
-                           curve.direction.y(), curve.radius,
-                           link.counter_clockwise ? 1.0 : 0.0});
+    all.insert(all.end(),
+               {curve.point.x(), curve.point.y(), curve.direction.x(),
+                curve.direction.y(), curve.radius, link.counter_clockwise ? 1.0 : 0.0});
     if (i != window.before)
       all.insert(all.end(), {corner.x(), corner.y()});
   };

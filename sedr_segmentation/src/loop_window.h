@@ -60,8 +60,8 @@ bool tryDetour(LoopChain& chain,
                const Guides& guides,
                const LoopParameters& parameters);
 
-/** @brief The lines and arcs that were fitted to links, by all that they depend on: most
- * windows are tried again and again while the chain changes elsewhere. */
+/** @brief The lines and arcs that were fitted to links, by all that they depend on:
+ * most windows are tried again and again while the chain changes elsewhere. */
 using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
 
 /** @brief Tries one line or arc in place of a window's inner links; whether it found

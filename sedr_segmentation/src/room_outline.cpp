@@ -65,6 +65,12 @@ public:
     room = withoutFalseProtrusions(room);
     room = withoutSights(room);
     result.room = largestRegion(room);
+    const auto isOutside = [&](const CellMask& column) {
+      return 2 * intersect(column, result.room).count() < column.count();
+    };
+    result.columns.erase(
+        std::remove_if(result.columns.begin(), result.columns.end(), isOutside),
+        result.columns.end());
     result.lost_area = static_cast<double>(room.count() - result.room.count()) *
                        grid_.size() * grid_.size();
     return result;
@@ -252,6 +258,8 @@ private:
   CellMask columnBeforeWall(const CellMask& notch, const CellMask& closed) const
   {
     const CellMask nothing(notch.box());
+    if (!isLargeEnough(notch))
+      return nothing;
     const CellMask outside = inverted(closed);
     const CellMask outer = intersect(notch, dilated(outside, 1));
     if (outer.count() == 0 || wallBehind(notch, outer, outside) < 0.6)

@@ -139,7 +139,10 @@ scanProblem(const PointView& points, const std::vector<int>& indices)
 }
 
 std::string
-upProblem(const PointView& points, const std::vector<int>& indices, RoomsAlongZ rooms)
+upProblem(const PointView& points,
+          const std::vector<int>& indices,
+          RoomsAlongZ rooms,
+          double found_area)
 {
   constexpr double times = 1.5;
   constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
@@ -148,10 +151,10 @@ upProblem(const PointView& points, const std::vector<int>& indices, RoomsAlongZ 
   const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
   if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
     return {};
-  const double least =
-      rooms == RoomsAlongZ::Found
-          ? std::max(times_of_rooms * up.area(), times * up.largestArea())
-          : times * up.area();
+  const double least = rooms == RoomsAlongZ::Found
+                           ? std::max(times_of_rooms * std::max(up.area(), found_area),
+                                      times * std::max(up.largestArea(), found_area))
+                           : times * up.area();
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   const SidePair side = bestSidePair(points, indices, z, least);
   return side.axis ? sideProblem(side, z, up) : std::string();

@@ -181,14 +181,16 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
   const ScanLean lean = leanOf(points, indices);
   if (!(lean.angle > 0))
     return {};
-  // A scan whose y is up, turned about it: what stands at an angle to z are walls.
+  // A scan whose y is up, turned about it: what stands at an angle to z are walls. But
+  // those of a corridor are larger than its floor, too.
   constexpr double times = 1.5;
+  constexpr double times_of_rooms = 4;
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
   const SidePair side = bestSidePair(points, indices, lean.up, pair.area() / times);
-  if (side.area() > times * pair.area())
+  if (side.area() > times_of_rooms * pair.area())
     return sideProblem(side, lean.up, pair);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   std::array<char, 400> text{};

@@ -34,6 +34,8 @@ StructureChain::StructureChain()
 void
 StructureChain::setGridSize(double size)
 {
+  if (enlarged_from_ > 0)
+    restoreSupportedCells();
   plane_detection.setGridSize(size);
   outlier_removal.setGridSize(size);
   room_segmentation.cell_size = size;
@@ -42,6 +44,13 @@ StructureChain::setGridSize(double size)
   floorplan_fitting.setGridSize(size);
   hole_repair.setGridSize(size);
   enlarged_from_ = 0;
+}
+
+void
+StructureChain::restoreSupportedCells()
+{
+  if (outlier_removal.getMinimumSupportedCells() == scaled_cells_)
+    outlier_removal.setMinimumSupportedCells(supported_cells_);
 }
 
 /** @brief Larger cells for what looks at the scan; repaired points stay as dense. */
@@ -54,8 +63,9 @@ StructureChain::enlargeCells(double size)
   hole_repair.setGridSize(repaired);
   // As many square metres as before.
   supported_cells_ = outlier_removal.getMinimumSupportedCells();
-  outlier_removal.setMinimumSupportedCells(static_cast<std::size_t>(std::lround(
-      static_cast<double>(supported_cells_) * least * least / (size * size))));
+  scaled_cells_ = static_cast<std::size_t>(std::lround(
+      static_cast<double>(supported_cells_) * least * least / (size * size)));
+  outlier_removal.setMinimumSupportedCells(scaled_cells_);
   wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
                                     2 * (size - least));
   enlarged_from_ = least;
@@ -65,8 +75,9 @@ void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
   if (enlarged_from_ > 0) {
-    const std::size_t supported = supported_cells_;
-    enlargeCells(enlarged_from_);
+    restoreSupportedCells();
+    const std::size_t supported = outlier_removal.getMinimumSupportedCells();
+    enlargeCells(enlarged_from_); // smaller ones, in truth
     outlier_removal.setMinimumSupportedCells(supported);
   }
   enlarged_from_ = 0;

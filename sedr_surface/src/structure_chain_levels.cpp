@@ -34,6 +34,20 @@ kindName(LevelKind kind)
                                     : "other";
 }
 
+/** @brief Area of the ceilings or of the floors, of which there is less, square metres.
+ */
+double
+areaOfRooms(const std::vector<pcl::HorizontalPlane>& planes)
+{
+  double ceilings = 0;
+  double floors = 0;
+  for (const auto& plane : planes) {
+    ceilings += plane.kind == LevelKind::Ceiling ? plane.area : 0;
+    floors += plane.kind == LevelKind::Floor ? plane.area : 0;
+  }
+  return std::min(ceilings, floors);
+}
+
 /** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the
  * largest six. */
 std::string
@@ -99,7 +113,10 @@ StructureChain::removePoints(const pcl::Indices& indices)
     else
       rest->push_back((*cloud)[i]);
   cloud = rest;
-  scanned_points_ = cloud->size();
+  scanned_points_ -= static_cast<std::size_t>(
+      std::count_if(indices.begin(), indices.end(), [&](int i) {
+        return static_cast<std::size_t>(i) < scanned_points_;
+      }));
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
 }
@@ -136,6 +153,12 @@ StructureChain::leaveOutHangingFurniture()
     cloud->push_back({p.x(), p.y(), p.z()});
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%zu thinned points of what hangs before walls up to the ceiling, as "
+                "cupboards do, were left out, and the walls behind continued by %zu",
+                hanging.points.size(), hanging.behind.size());
+  warnings.push_back(text);
   return true;
 }
 
@@ -187,7 +210,7 @@ StructureChain::findPlanes(StageReport& report)
     const std::string doubt =
         trust_up ? std::string()
                  : upProblem(PointView(*cloud), *allIndices(cloud->size()),
-                             RoomsAlongZ::Found);
+                             RoomsAlongZ::Found, areaOfRooms(planes));
     return doubt.empty() || fail(doubt);
   }
   char text[160];

@@ -61,9 +61,10 @@ readFile(const std::string& path, const ReadSettings& settings)
     result.solid_names = solidNames(path);
     const std::string problem =
         loadMesh(path, result.solid_names.empty() ? result.mesh : result.solid);
-    if (!problem.empty())
-      throw ToolError(problem);
-    return result;
+    if (problem.empty())
+      return result;
+    result.solid_names.clear();
+    result.notes.push_back(problem + ": its vertices are shown");
   }
   DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.most_points);
   const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();

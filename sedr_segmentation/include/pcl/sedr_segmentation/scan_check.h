@@ -84,10 +84,13 @@ enum class RoomsAlongZ {
  * turn that mends it, else empty. Then across another axis there are two planes at the
  * distance of a floor and a ceiling that are half as large again as across z, where z
  * gives rooms higher than 4.5 m or none; where there are rooms, they are four times as
- * large as across z, and half as large again as any level of z. For thinned points. */
+ * large as across z, and half as large again as any level of z. For thinned points.
+ * @param found_area of the rooms that were found along z, the smaller one of all floors
+ * and all ceilings, square metres: these may lean */
 std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
-                      RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor);
+                      RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
+                      double found_area = 0);
 
 /** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
  * Then there are three rooms or more, all of them 7 to 12 high, and half of them or

@@ -153,6 +153,9 @@ private:
 
   double cellSizeThatFills() const;
   void enlargeCells(double size);
+
+  /** @brief Gives outlier removal its minimum back, unless another was set since. */
+  void restoreSupportedCells();
   bool findPlanes(StageReport& report);
   bool removeOutliers(StageReport& report);
   bool partRooms(StageReport& report);
@@ -227,6 +230,7 @@ private:
 
   double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
   std::size_t supported_cells_ = 0; ///< minimum of outlier removal at that size
+  std::size_t scaled_cells_ = 0;    ///< the same at the size that is used
   std::vector<Level> levels_;
   std::vector<RoomRegion> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
