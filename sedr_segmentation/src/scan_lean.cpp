@@ -190,17 +190,25 @@ leanProblem(const PointView& points, const std::vector<int>& indices)
           .toRotationMatrix();
   const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
   const SidePair side = bestSidePair(points, indices, lean.up, pair.area() / times);
-  if (side.area() > times_of_rooms * pair.area())
-    return sideProblem(side, lean.up, pair);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const double degrees = lean.angle * 180 / M_PI;
+  std::array<char, 120> upright{};
+  std::snprintf(upright.data(), upright.size(), "%.4f,%.4f,0,%.4f", axis.x(), axis.y(),
+                lean.angle);
   std::array<char, 400> text{};
+  if (side.area() > times * pair.area()) {
+    std::string problem = sideProblem(side, lean.up, pair);
+    std::snprintf(text.data(), text.size(),
+                  "; or, if z is up and leans by %.1f degrees, %s", degrees,
+                  upright.data());
+    return side.area() > times_of_rooms * pair.area() ? problem : problem + text.data();
+  }
   std::snprintf(
       text.data(), text.size(),
       "the scan leans: its floors and ceilings, %.0f square metres of planes, "
       "stand at %.1f degrees to z, and its walls with them; turn it, for "
-      "instance by pcl_transform_point_cloud IN OUT -axisangle "
-      "%.4f,%.4f,0,%.4f",
-      lean.area, lean.angle * 180 / M_PI, axis.x(), axis.y(), lean.angle);
+      "instance by pcl_transform_point_cloud IN OUT -axisangle %s",
+      lean.area, degrees, upright.data());
   std::string problem = text.data();
   if (side.axis)
     problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
