@@ -50,6 +50,16 @@ TEST(LevelSteps, NoiseAloneHasNone)
   }
 }
 
+TEST(LevelSteps, LowOnesPartRegionsThatTheyBoundButNotRoomsBeyondAWall)
+{
+  // 3 cm within a room, and between two rooms: no two slabs are quite alike.
+  EXPECT_EQ(levelsOfAStep(0.03, 3.0, 0.002).size(), 3u);
+  RoomPoints points(0.025, 0.002);
+  points.room(rectangle(0, 0, 4, 4), 0, 2.7);
+  points.room(rectangle(4.2, 0, 8.2, 4), 0, 2.73);
+  EXPECT_EQ(levelsOf(points).size(), 2u);
+}
+
 TEST(LevelSteps, WhatNoiseBringsNearALevelStaysWithItsOwn)
 {
   // Beyond a partition, ten centimetres above: half of its points within the tolerance.

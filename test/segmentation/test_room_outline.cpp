@@ -280,6 +280,19 @@ TEST(OutlineRoom, WhatWasSeenThroughAnOpeningIsCutOff)
   EXPECT_NEAR(areaOf(room), 12, 0.08) << "but for its mouth";
 }
 
+TEST(OutlineRoom, AColumnInWhatIsCutOffGoesWithIt)
+{
+  Scene scene;
+  const auto beyond = scene.points.slab(
+      rectangle(1.61, 3.01, 2.43, 5.01), height,
+      [](double x, double y) { return !within(x, y, 1.86, 4.0, 2.18, 4.32); });
+  scene.ceiling = joined(scene.ceiling, beyond);
+  scene.box(1.86, 4.0, 2.18, 4.32, 0, height);
+  const RoomOutline outline = scene.outline();
+  EXPECT_EQ(outline.room.at(CellGrid(0.05).at(1.7, 4.5)), 0);
+  EXPECT_TRUE(outline.columns.empty());
+}
+
 TEST(OutlineRoom, WhatWasSeenInAMirrorIsCutOff)
 {
   Scene scene;

@@ -162,6 +162,21 @@ TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
   EXPECT_TRUE(mentions(x, "x seems to be up")) << x;
 }
 
+TEST(UpProblem, WhereTheFloorThatWasFoundLeansItsAreaCounts)
+{
+  // A corridor that leans along its length: its floor is in many levels of a decimetre.
+  RoomPoints corridor;
+  corridor.room(rectangle(0, 0, 30, 2), 0, 2.7);
+  RoomPoints points;
+  const Eigen::AngleAxisd lean(2 * M_PI / 180, Eigen::Vector3d::UnitY());
+  for (const int i : corridor.all()) {
+    const Eigen::Vector3d p = lean * corridor[i].cast<double>().eval();
+    points.point(p.x(), p.y(), p.z());
+  }
+  EXPECT_NE(upProblem(points.view(), points.all(), RoomsAlongZ::Found), "");
+  EXPECT_EQ(upProblem(points.view(), points.all(), RoomsAlongZ::Found, 60), "");
+}
+
 TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
 {
   // On its side, with 4 m between the walls that now are floor and ceiling: z might be
