@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "weighted_values.h"
+
 #include <pcl/sedr_segmentation/cell_fill.h>
 
 #include <algorithm>
@@ -48,21 +50,21 @@ countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares
   }
 }
 
-/** @brief The shares of all squares, increasing. */
-std::vector<double>
+/** @brief The share of each square that is occupied; its occupied cells are the weight. */
+std::vector<Weighted>
 sharesOf(const std::vector<CellSet>& ceilings)
 {
-  std::vector<double> shares;
+  std::vector<Weighted> shares;
   for (const CellSet& cells : ceilings) {
     std::map<CellKey, Between> squares;
     countBetween(cells, {1, 0}, squares);
     countBetween(cells, {0, 1}, squares);
     for (const auto& [key, square] : squares)
-      if (square.all >= least_of_square)
-        shares.push_back(static_cast<double>(square.occupied) /
-                         static_cast<double>(square.all));
+      if (square.all >= least_of_square) {
+        const auto occupied = static_cast<double>(square.occupied);
+        shares.push_back({occupied / static_cast<double>(square.all), occupied});
+      }
   }
-  std::sort(shares.begin(), shares.end());
   return shares;
 }
 
@@ -71,10 +73,10 @@ sharesOf(const std::vector<CellSet>& ceilings)
 double
 cellSizeFor(const std::vector<CellSet>& ceilings, double size)
 {
-  const std::vector<double> shares = sharesOf(ceilings);
-  if (shares.empty() || shares[shares.size() / 2] >= fill_enough)
+  const std::vector<Weighted> shares = sharesOf(ceilings);
+  if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
     return size;
-  const double fill = std::max(shares[shares.size() / 10], 0.01);
+  const double fill = std::max(quantileOf(shares, 0.1), 0.01);
   const double enlargement = std::sqrt(std::log(1 - fill_wanted) / std::log(1 - fill));
   const double wanted = size * std::clamp(enlargement, 1.0, most_enlargement);
   return std::max(size, std::round(wanted * 100) / 100);

@@ -188,16 +188,31 @@ private:
     return walls;
   }
 
+  /** @brief The cells of partitions with those between them in which the ceiling was
+   * seen: a stray point within one is no way through. Where most of a piece was seen,
+   * scattered points in the air look like a wall. */
+  CellMask withStraysOfTheCeiling(const CellMask& walls, double gap) const
+  {
+    const CellMask closed = eroded(dilated(walls, gap), gap);
+    const CellMask whole = unite(walls, partitionsAmong(subtract(closed, walls)));
+    const MaskRegions regions = labelRegions(whole, true);
+    CellMask result = walls;
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      const CellMask piece = regionMask(whole, regions, static_cast<std::int32_t>(r));
+      if (2 * intersect(piece, walls).count() >= piece.count())
+        result = unite(result, piece);
+    }
+    return result;
+  }
+
   /** @brief Those of the bridged cells that are a partition: a wall up to the ceiling
    * that reaches well into the room. What is near the room's edge is the edge's, what
    * is near a hole a column's. */
   CellMask thinPartitions(const CellMask& bridged, const CellMask& room) const
   {
     CellMask walls = partitionsAmong(bridged);
-    // A stray point of the ceiling within one is no way through.
     const double gap = cellsFor(gap_radius, grid_.size());
-    const CellMask whole = eroded(dilated(walls, gap), gap);
-    walls = unite(walls, partitionsAmong(subtract(whole, walls)));
+    walls = withStraysOfTheCeiling(walls, gap);
     // Where a partition is wider it was not bridged.
     const double reach = cellsFor(partition_reach, grid_.size());
     const CellMask filled = eroded(dilated(room, reach), reach);

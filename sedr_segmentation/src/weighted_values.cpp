@@ -2,6 +2,7 @@
 #include "weighted_values.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -30,7 +31,7 @@ shortestHalf(std::vector<Weighted> values)
 }
 
 double
-medianOf(std::vector<Weighted> values)
+quantileOf(std::vector<Weighted> values, double share)
 {
   std::sort(values.begin(), values.end());
   double all = 0;
@@ -39,10 +40,16 @@ medianOf(std::vector<Weighted> values)
   double sum = 0;
   for (const auto& v : values) {
     sum += v.weight;
-    if (2 * sum >= all)
+    if (sum >= share * all)
       return v.value;
   }
   return 0;
+}
+
+double
+medianOf(std::vector<Weighted> values)
+{
+  return quantileOf(std::move(values), 0.5);
 }
 
 } // namespace sedr

@@ -76,9 +76,16 @@ TEST(CellSize, IsThatOfTheScanNotOfOnePlace)
   EXPECT_EQ(0.05, cellSizeFor({full(300, 200), ghost}, 0.05));
 }
 
+TEST(CellSize, IsNotChangedByGhostsLargerThanTheCeiling)
+{
+  const std::vector<CellSet> ceilings{full(100, 80), scattered(100, 0.05, 20, 1),
+                                      scattered(100, 0.05, 30, 1)};
+  EXPECT_EQ(0.05, cellSizeFor(ceilings, 0.05));
+}
+
 TEST(CellSize, GrowsForASparseThirdOfAScanThatHardlyFillsTheRest)
 {
-  const std::vector<CellSet> ceilings{scattered(1500, 0.05), scattered(1500, 0.05, 20),
+  const std::vector<CellSet> ceilings{scattered(1300, 0.05), scattered(1300, 0.05, 20),
                                       scattered(400, 0.05, 40)};
   EXPECT_NEAR(0.09, cellSizeFor(ceilings, 0.05), 0.02);
 }

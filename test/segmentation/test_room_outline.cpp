@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -345,6 +348,28 @@ TEST(OutlineRoom, AThinPartitionShortOfTheCeilingIsNone)
   Scene scene([](double x, double y) { return !within(x, y, 2.02, 1, 2.12, 4); });
   scene.box(2.02, 1, 2.12, 3.01, 0, 2);
   EXPECT_NEAR(areaOf(scene.outline().room), 12, 0.03);
+}
+
+TEST(OutlineRoom, PointsScatteredInTheAirBelowASeenCeilingAreNoColumn)
+{
+  // A ceiling of which every third cell each way was not hit, over a cloud of strays.
+  const auto isInCloud = [](double x, double y) {
+    return within(x, y, 1.5, 1, 2.5, 2);
+  };
+  Scene scene([&](double x, double y) {
+    return !isInCloud(x, y) || std::lround(x * 20) % 3 != 0 ||
+           std::lround(y * 20) % 3 != 0;
+  });
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> along(0, 1);
+  for (int i = 0; i < 4000; ++i) {
+    const double x = 1.5 + along(random);
+    const double y = 1 + along(random);
+    scene.points.point(x, y, height * along(random));
+  }
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
 }
 
 TEST(OutlineRoom, OnlyTheLargestPartIsTheRoom)

@@ -17,7 +17,8 @@ namespace sedr {
  * over. Points scattered independently fill 1 - exp(-density * size^2) of the cells.
  * Where the median share is below 98 %, cells are enlarged so that at the share that a
  * tenth of the squares stay below, 97 % would be filled; at most to 2.5 times `size`,
- * and to whole centimetres.
+ * and to whole centimetres. Squares count by their occupied cells: the ghosts that a
+ * window shows of a ceiling may be larger than it, but few points make them.
  * @param ceilings their cells of `size` that hold points
  * O(n log n) for n cells. */
 double cellSizeFor(const std::vector<CellSet>& ceilings, double size);
