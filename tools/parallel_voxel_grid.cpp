@@ -19,6 +19,7 @@ struct Settings {
   std::string output;
   float leaf = 0;
   unsigned int minimum_points = 0;
+  bool keep_strays = false;
   unsigned int threads = 0;
   std::string field;
   double low = 0;
@@ -36,6 +37,7 @@ compute(const Settings& settings, const ScanFile& scan)
   pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
   grid.setLeafSize(settings.leaf, settings.leaf, settings.leaf);
   grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
+  grid.setRemoveStrays(!settings.keep_strays);
   grid.setNumberOfThreads(settings.threads);
   grid.setFilterFieldName(settings.field);
   grid.setFilterLimits(settings.low, settings.high);
@@ -105,6 +107,8 @@ main(int argc, char** argv)
   options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
   options.number("min-points", settings.minimum_points, "",
                  "voxels with fewer points give none");
+  options.flag("keep-strays", settings.keep_strays,
+               "keep voxels that points scattered in the air explain");
   options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
   options.text("field", settings.field,
                "use only points whose field of this name is in limits");

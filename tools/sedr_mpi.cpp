@@ -114,9 +114,11 @@ makeModelTogether(const std::string& tool,
       auto thin_orders =
           thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));
       chain.setThinning([&orders, &chain, thin_orders]() mutable {
-        for (ThinOrder& order : thin_orders)
+        for (ThinOrder& order : thin_orders) {
           order.inverse_leaf =
               Eigen::Array3f::Ones() / chain.getVoxelGrid().getLeafSize().array();
+          order.removes_strays = chain.getVoxelGrid().getRemoveStrays();
+        }
         return orders.thin(thin_orders);
       });
       return rowsOf(inputs);

@@ -90,6 +90,7 @@ VoxelGridSettings::clearLayout()
 {
   min_box_.setZero();
   max_box_.setZero();
+  stray_limit_ = 0;
   layout_.clear();
 }
 
@@ -97,7 +98,10 @@ std::size_t
 VoxelGridSettings::finish(VoxelSums& sums)
 {
   clearLayout();
-  const std::size_t size = sums.arrange(min_points_per_voxel_, threads_);
+  if (removes_strays_)
+    stray_limit_ = sums.census().leastPoints();
+  const std::size_t size =
+      sums.arrange(std::max(min_points_per_voxel_, stray_limit_), threads_);
   if (size == 0 && sums.size() == 0)
     return 0;
   min_box_ = voxelAt(sums.box().low);

@@ -126,6 +126,18 @@ VoxelSums::size() const
   return size;
 }
 
+VoxelCensus
+VoxelSums::census() const
+{
+  VoxelCensus census;
+  state_->blocks->forEach([&](const VoxelBlock& block) {
+    const BlockSum* const sums = block.sums.load(std::memory_order_relaxed);
+    for (std::size_t s = 0; s < block.size; ++s)
+      census.add(block.codeOf(sums[s].local), sums[s].count);
+  });
+  return census;
+}
+
 std::size_t
 VoxelSums::arrange(std::uint32_t least_points, unsigned threads)
 {

@@ -143,6 +143,10 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
   if (!thinned)
     return fail("no cloud was given");
   reset(thinned);
+  if (stray_limit > 0)
+    warnings.push_back(
+        "points are scattered all over the air of the scan: voxels of fewer than " +
+        std::to_string(stray_limit) + " points were left out");
   const std::size_t n = cloud->size();
   return checkScan() &&
          runStage("HorizontalPlaneDetection", n,

@@ -235,6 +235,40 @@ TEST(ParallelVoxelGrid, RoomsOfStructurePointsAreTakenByMajority)
   EXPECT_FLOAT_EQ(output[0].normal_z, 1.f);
 }
 
+TEST(ParallelVoxelGrid, StraysInTheAirOfADenseScanAreLeftOutIfAskedFor)
+{
+  // A box of 2 m: 100 points a voxel on its faces, one in five voxels of the air.
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> along(0, 2);
+  constexpr std::size_t on_faces = 6 * 40 * 40 * 100;
+  for (std::size_t i = 0; i < on_faces; ++i) {
+    Eigen::Vector3f p(along(random), along(random), along(random));
+    p[static_cast<int>(i % 3)] = i % 2 == 0 ? 0.02f : 1.98f;
+    cloud->emplace_back(p.x(), p.y(), p.z());
+  }
+  for (std::size_t i = 0; i < 40 * 40 * 40 / 5; ++i)
+    cloud->emplace_back(along(random), along(random), along(random));
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid(true);
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZ> all;
+  grid.filter(all);
+  EXPECT_GT(all.size(), 18000u);
+  EXPECT_EQ(grid.getStrayLimit(), 0u) << "not asked for";
+  EXPECT_TRUE(grid.getRemovedIndices()->empty());
+  grid.setRemoveStrays(true);
+  pcl::PointCloud<pcl::PointXYZ> kept;
+  grid.filter(kept);
+  EXPECT_EQ(grid.getStrayLimit(), 3u);
+  EXPECT_NEAR(static_cast<double>(kept.size()), 9130, 100) << "voxels of the faces";
+  EXPECT_GT(grid.getRemovedIndices()->size(), 9000u);
+  for (const auto i : *grid.getRemovedIndices())
+    ASSERT_GE(static_cast<std::size_t>(i), on_faces);
+  grid.setMinimumPointsNumberPerVoxel(1000);
+  grid.filter(kept);
+  EXPECT_TRUE(kept.empty()) << "the larger of both limits";
+}
+
 TEST(ParallelVoxelGrid, UnknownFilterFieldIsRefused)
 {
   pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;

@@ -84,7 +84,7 @@ protected:
       writeFile(in(name), bytes);
   }
 
-  ThinnedScan thin(const std::vector<std::string>& names)
+  ThinnedScan thin(const std::vector<std::string>& names, bool removes_strays = false)
   {
     mail_.fromFirst("written");
     std::vector<std::string> paths;
@@ -98,6 +98,7 @@ protected:
     order.rows = rowsOf(inputs);
     order.excerpt_step = excerpt_step;
     order.inverse_leaf.setConstant(20);
+    order.removes_strays = removes_strays;
     return thinTogether(mail_, order, 1);
   }
 
@@ -106,9 +107,10 @@ protected:
     pcl::PointCloud<pcl::PointXYZ> points;
     pcl::PointCloud<pcl::PointXYZ>::ConstPtr excerpt;
     std::string problem;
+    unsigned stray_limit = 0;
   };
 
-  Whole thinAlone(const std::string& name) const
+  Whole thinAlone(const std::string& name, bool removes_strays = false) const
   {
     const ScanFile file(in(name));
     const std::size_t most = (file.size() + excerpt_step - 1) / excerpt_step;
@@ -116,8 +118,10 @@ protected:
     const ScanExcerpt scan(file, most, 1);
     pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
     grid.setDownsampleAllData(false);
+    grid.setRemoveStrays(removes_strays);
     Whole whole;
     grid.filter(scan, whole.points);
+    whole.stray_limit = grid.getStrayLimit();
     whole.excerpt = scan.points();
     whole.problem = scan.problem();
     return whole;
@@ -157,6 +161,23 @@ TEST_F(JointThinningTest, OfSeveralFilesGivesTheBytesOfOneProcess)
   const Whole whole = thinAlone("all.pcd");
   expectSame(*scan.points, whole.points);
   expectSame(*scan.excerpt, *whole.excerpt);
+}
+
+TEST_F(JointThinningTest, StraysAreThoseOfTheWholeScan)
+{
+  Points points = roomPoints(20000, 5); // in the air of a dense floor and ceiling
+  for (auto& p : roomPoints(800000, 6)) {
+    p[2] = p[2] < 0 ? -1.01f : 1.01f;
+    points.push_back(p);
+  }
+  write("air.pcd", pcdBytes(points));
+  const ThinnedScan scan = thin({"air.pcd"}, true);
+  if (!mail_.isFirst())
+    return;
+  const Whole whole = thinAlone("air.pcd", true);
+  EXPECT_GT(whole.stray_limit, 0u);
+  EXPECT_EQ(scan.stray_limit, whole.stray_limit);
+  expectSame(*scan.points, whole.points);
 }
 
 TEST_F(JointThinningTest, RefusesAScanInAnotherUnitWithTheSentenceOfOneProcess)

@@ -63,7 +63,9 @@ public:
         part_.thin(false);
       voxels_ = part_.takeVoxels();
     });
-    collect(meansOfShare(), *scan.points);
+    addUpShare();
+    scan.stray_limit = order_.removes_strays ? strayLimit() : 0;
+    collect(meansOfShare(scan.stray_limit), *scan.points);
     collect(coordinatesOf(part_.excerpt()), *scan.excerpt);
     return scan;
   }
@@ -107,9 +109,8 @@ private:
     return listOf<VoxelKey>(mail_.fromFirst(bytesOf(bordersOf(keys, ranks))));
   }
 
-  /** @brief Adds up the voxels that this rank is in charge of: their means, three
-   * floats each. */
-  std::vector<float> meansOfShare()
+  /** @brief Adds up the voxels that this rank is in charge of. */
+  void addUpShare()
   {
     std::vector<std::size_t> begins = sharesOf(voxels_, borders());
     begins.resize(static_cast<std::size_t>(mail_.size()) + 1, voxels_.size());
@@ -122,7 +123,6 @@ private:
     voxels_.resize(begins[rank + 1]);
     voxels_.erase(voxels_.begin(),
                   voxels_.begin() + static_cast<std::ptrdiff_t>(begins[rank]));
-    std::vector<float> means;
     together(mail_, held_, [&] {
       VoxelSums sums(order_.inverse_leaf.array());
       sums.add(voxels_);
@@ -131,13 +131,39 @@ private:
         sums.add(listOf<VoxelSum>(some));
         std::string().swap(some);
       }
-      const std::vector<VoxelSum> share = sums.take(threads_);
-      means.reserve(3 * share.size());
-      for (const VoxelSum& voxel : share) {
-        const Eigen::Vector3f mean = sums.frame().mean(voxel);
-        means.insert(means.end(), mean.data(), mean.data() + 3);
-      }
+      voxels_ = sums.take(threads_);
     });
+  }
+
+  /** @brief What VoxelCensus says of the voxels of all ranks, at every rank. */
+  std::uint32_t strayLimit()
+  {
+    VoxelCensus mine;
+    for (const VoxelSum& voxel : voxels_)
+      mine.add(voxel.code, voxel.count);
+    const std::vector<std::string> cubes = mail_.gather(bytesOf(mine.cubes()));
+    const std::vector<std::string> points = mail_.gather(bytesOf(mine.pointsByCount()));
+    VoxelCensus all;
+    for (std::size_t r = 0; r < cubes.size(); ++r)
+      all.join({listOf<VoxelCensus::Cube>(cubes[r]), listOf<std::uint64_t>(points[r])});
+    const std::vector<std::uint32_t> least{all.leastPoints()};
+    return listOf<std::uint32_t>(mail_.fromFirst(bytesOf(least))).front();
+  }
+
+  /** @brief The means of this rank's voxels that hold so many points or more, three
+   * floats each. */
+  std::vector<float> meansOfShare(std::uint32_t least_points)
+  {
+    const VoxelFrame frame(order_.inverse_leaf.array());
+    std::vector<float> means;
+    means.reserve(3 * voxels_.size());
+    for (const VoxelSum& voxel : voxels_) {
+      if (voxel.count < least_points)
+        continue;
+      const Eigen::Vector3f mean = frame.mean(voxel);
+      means.insert(means.end(), mean.data(), mean.data() + 3);
+    }
+    std::vector<VoxelSum>().swap(voxels_);
     return means;
   }
 

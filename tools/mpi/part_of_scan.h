@@ -24,6 +24,7 @@ struct ThinOrder {
   std::size_t excerpt_step = 1; ///< every so many rows are kept as they are
   double unit = 1;              ///< metres
   Eigen::Vector3f inverse_leaf = Eigen::Vector3f::Ones(); ///< per metre
+  bool removes_strays = false; ///< see ParallelVoxelGrid::setRemoveStrays()
 };
 
 /** @brief A part of a scan, and what is made of it in one pass. */

@@ -44,7 +44,7 @@ void
 serialize(Archive& archive, pcl::sedr::tools::ThinOrder& order, unsigned)
 {
   archive& order.ranges& order.rows& order.excerpt_step& order.unit;
-  archive& order.inverse_leaf;
+  archive& order.inverse_leaf& order.removes_strays;
 }
 
 template <typename Archive>

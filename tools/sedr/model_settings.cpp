@@ -27,6 +27,8 @@ addModelOptions(Options& options, ModelSettings& s)
 {
   options.number("voxel-size", s.voxel, "m", "edge of a voxel in down-sampling",
                  Range::between(0.005, 1));
+  options.flag("keep-strays", s.keep_strays,
+               "keep voxels that points scattered in the air explain");
   options.number("plane-tolerance", s.plane_tolerance, "m",
                  "tolerance of the planes of ceiling and floor",
                  Range::between(0.001, 1));
@@ -69,6 +71,7 @@ void
 apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setVoxelSize(static_cast<float>(s.voxel));
+  chain.getVoxelGrid().setRemoveStrays(!s.keep_strays);
   chain.setPlaneTolerance(s.plane_tolerance);
   chain.setGridSize(s.grid);
   chain.setAdaptiveGrid(!s.fixed_grid);

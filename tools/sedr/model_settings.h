@@ -22,6 +22,7 @@ struct ModelSettings {
   std::string input; ///< as report.json names it
   std::string folder;
   double voxel;
+  bool keep_strays = false;
   double plane_tolerance;
   double grid;
   double angle; ///< degrees

@@ -48,6 +48,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
+          {"remove_strays", chain.getVoxelGrid().getRemoveStrays()},
           {"plane_tolerance", chain.getPlaneTolerance()},
           {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
           {"minimum_plane_area", c.plane_detection.getMinimumArea()},

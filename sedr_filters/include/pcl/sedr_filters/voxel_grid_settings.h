@@ -43,6 +43,16 @@ public:
 
   unsigned int getMinimumPointsNumberPerVoxel() const { return min_points_per_voxel_; }
 
+  /** @brief Whether voxels that points scattered in the air explain give none (default
+   * false). Only a dense scan tells them from surfaces, see sedr::VoxelCensus; others
+   * keep all. */
+  void setRemoveStrays(bool remove_strays) { removes_strays_ = remove_strays; }
+
+  bool getRemoveStrays() const { return removes_strays_; }
+
+  /** @brief Voxels of fewer points were taken for strays in the last run; 0: none. */
+  unsigned int getStrayLimit() const { return stray_limit_; }
+
   /** @brief Whether to keep which voxel became which point (default false): 12 bytes a
    * voxel. */
   void setSaveLeafLayout(bool save_leaf_layout)
@@ -170,12 +180,14 @@ private:
   bool downsample_all_data_ = true;
   bool save_leaf_layout_ = false;
   unsigned int min_points_per_voxel_ = 0;
+  bool removes_strays_ = false;
   unsigned int threads_ = 0;
   std::string filter_field_name_;
   double filter_limit_min_ = std::numeric_limits<float>::lowest();
   double filter_limit_max_ = std::numeric_limits<float>::max();
   bool filter_limit_negative_ = false;
 
+  unsigned int stray_limit_ = 0;
   Eigen::Vector3i min_box_ = Eigen::Vector3i::Zero();
   Eigen::Vector3i max_box_ = Eigen::Vector3i::Zero();
   std::vector<Eigen::Vector3i> layout_; ///< voxel of each output point, in their order

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/voxel_census.h>
 #include <pcl/sedr_filters/voxel_frame.h>
 #include <pcl/sedr_filters/voxel_hash.h>
 #include <pcl/types.h>
@@ -64,6 +65,9 @@ public:
 
   /** @brief Voxels so far. */
   std::size_t size() const;
+
+  /** @brief What tells strays from surfaces, of all voxels so far. */
+  VoxelCensus census() const;
 
   /** @brief Some voxels and the places that they have among all, sorted by z, then y,
    * then x. */

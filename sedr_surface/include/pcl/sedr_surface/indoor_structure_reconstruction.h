@@ -23,6 +23,7 @@ struct ThinnedScan {
   std::size_t size = 0; ///< points of the scan
   /** The means of the voxels, as ParallelVoxelGrid gives them. */
   CloudPtr points{new StructureChain::Cloud};
+  unsigned stray_limit = 0; ///< its getStrayLimit()
   /** Every k-th point of the scan, where k is its rawStep(). */
   CloudPtr excerpt{new StructureChain::Cloud};
   std::string problem; ///< what ScanSample finds wrong with the scan, or empty
@@ -143,6 +144,7 @@ public:
   std::uint64_t getSeed() const { return chain_.plane_detection.getSeed(); }
 
   ParallelVoxelGrid<PointT>& getVoxelGrid() { return voxel_grid_; }
+  const ParallelVoxelGrid<PointT>& getVoxelGrid() const { return voxel_grid_; }
 
   /** @brief The stages after thinning, and what the last run left of each. */
   sedr::StructureChain& getChain() { return chain_; }

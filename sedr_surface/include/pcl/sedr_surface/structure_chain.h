@@ -79,6 +79,10 @@ public:
    */
   bool adapts_grid = true;
 
+  /** @brief Voxels of fewer points were taken for strays when the scan was thinned, as
+   * ParallelVoxelGrid::getStrayLimit() says; a warning tells it. */
+  unsigned stray_limit = 0;
+
   /** @brief Whether the mesh is made of samples of the plan instead of the repaired
    * points: its edges round off less. */
   bool mesh_from_plan = false;

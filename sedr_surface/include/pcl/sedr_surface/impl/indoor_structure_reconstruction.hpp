@@ -17,6 +17,7 @@ template <typename PointT>
 IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
 {
   voxel_grid_.setDownsampleAllData(false);
+  voxel_grid_.setRemoveStrays(true);
   setNumberOfThreads(threads_);
   this->check_tree_ = false;
 }
@@ -146,6 +147,7 @@ IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& 
     return refuseInput(scan.problem);
   thinned.swap(*scan.points);
   scan_size_ = scan.size;
+  chain_.stray_limit = scan.stray_limit;
   chain_.floorplan_fitting.template setRawCloud<pcl::PointXYZ>(scan.excerpt);
   return true;
 }
@@ -164,6 +166,7 @@ IndoorStructureReconstruction<PointT>::thinHere(sedr::StructureChain::Cloud& thi
   }
   pcl::copyPointCloud(means, thinned);
   scan_size_ = source_ ? source_->size() : indices_->size();
+  chain_.stray_limit = voxel_grid_.getStrayLimit();
   return true;
 }
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/voxel_census.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+
+constexpr std::int32_t edge = 80; ///< voxels of a room of 4 m, at 5 cm
+
+/** A room of 80 x 80 x 60 voxels with so many points in each voxel of its shell, and in
+ * those within so many of strays on average. */
+VoxelCensus
+room(std::uint32_t on_surfaces, double in_air)
+{
+  constexpr std::int32_t height = 60;
+  std::mt19937 random(1);
+  std::poisson_distribution<std::uint32_t> strays(std::max(in_air, 1e-12));
+  VoxelCensus census;
+  for (std::int32_t x = 0; x < edge; ++x)
+    for (std::int32_t y = 0; y < edge; ++y)
+      for (std::int32_t z = 0; z < height; ++z) {
+        const bool is_shell = x == 0 || y == 0 || z == 0 || x == edge - 1 ||
+                              y == edge - 1 || z == height - 1;
+        const std::uint32_t points = (is_shell ? on_surfaces : 0) + strays(random);
+        if (points > 0)
+          census.add({x, y, z}, points);
+      }
+  return census;
+}
+
+TEST(VoxelCensus, AirThatIsEmptyHoldsNoStrays)
+{
+  EXPECT_EQ(VoxelCensus().leastPoints(), 0u);
+  EXPECT_EQ(room(1, 0).leastPoints(), 0u);
+  EXPECT_EQ(room(1000, 0).leastPoints(), 0u);
+}
+
+TEST(VoxelCensus, AFewStraysAreNotWorthAVoxelOfASurface)
+{
+  EXPECT_EQ(room(100, 0.005).leastPoints(), 0u);
+}
+
+TEST(VoxelCensus, MoreThanStraysPutInAVoxelIsASurface)
+{
+  for (const double density : {0.05, 0.1, 0.3, 1., 4.}) {
+    SCOPED_TRACE(density);
+    const std::uint32_t least = room(400, density).leastPoints();
+    double below = 0;
+    double term = std::exp(-density);
+    for (std::uint32_t k = 0; k < least; ++k, term *= density / k)
+      below += term;
+    EXPECT_GT(below, 0.98) << "of the voxels with strays alone";
+    EXPECT_LT(least, 3 + density + 5 * std::sqrt(density)) << "and little more";
+  }
+}
+
+TEST(VoxelCensus, SurfacesHardlyDenserThanStraysAreKept)
+{
+  EXPECT_EQ(room(10, 0.3).leastPoints(), 0u);
+  EXPECT_EQ(room(10, 8).leastPoints(), 0u);
+}
+
+TEST(VoxelCensus, ACupboardFullOfSurfacesIsNoAir)
+{
+  VoxelCensus census; // boards in every layer of cubes
+  for (std::int32_t x = 0; x < 20; ++x)
+    for (std::int32_t y = 0; y < 20; ++y)
+      for (std::int32_t z = 0; z < 40; z += 4)
+        census.add({x, y, z}, 200);
+  EXPECT_EQ(census.leastPoints(), 0u);
+}
+
+TEST(VoxelCensus, MayBeTakenInParts)
+{
+  const VoxelCensus whole = room(400, 0.3);
+  VoxelCensus left;
+  VoxelCensus right;
+  for (const auto& cube : whole.cubes()) { // of every cube a part here, a part there
+    left.join({{{cube.corner, cube.points / 3}}, {}});
+    right.join({{{cube.corner, cube.points - cube.points / 3}}, {}});
+  }
+  VoxelCensus parts({}, whole.pointsByCount());
+  parts.join(right);
+  parts.join(left);
+  EXPECT_EQ(parts.leastPoints(), whole.leastPoints());
+  EXPECT_EQ(whole.leastPoints(), 3u);
+}
+
+TEST(VoxelCensus, WorksAtAnyExtent)
+{
+  VoxelCensus census = room(400, 0.3);
+  const std::uint32_t least = census.leastPoints();
+  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+  census.add({far, far, far}, 1);
+  census.add({10, 10, far}, 1);
+  census.add({10, 10, -far}, 1);
+  census.add({-far, -far, -far}, std::numeric_limits<std::uint32_t>::max());
+  EXPECT_EQ(census.leastPoints(), least);
+}
+
+} // namespace
