@@ -191,18 +191,7 @@ joinedWith(const CellMask& ceiling, const CellMask& cells)
 {
   const CellMask both = unite(ceiling, cells);
   const CellMask bridged = eroded(dilated(both, 2), 1);
-  const MaskRegions regions = labelRegions(bridged, true);
-  std::vector<std::uint8_t> has_ceiling(regions.sizes.size(), 0);
-  for (std::size_t i = 0; i < ceiling.values().size(); ++i)
-    if (ceiling.values()[i] && regions.label[i] >= 0)
-      has_ceiling[static_cast<std::size_t>(regions.label[i])] = 1;
-  CellMask joined(cells.box());
-  for (std::size_t i = 0; i < joined.values().size(); ++i)
-    joined.values()[i] = cells.values()[i] && regions.label[i] >= 0 &&
-                                 has_ceiling[static_cast<std::size_t>(regions.label[i])]
-                             ? 1
-                             : 0;
-  return joined;
+  return intersect(cells, markedRegions(bridged, ceiling, true));
 }
 
 /** @brief The risers that join a kept underside: they do not reach below it and the
