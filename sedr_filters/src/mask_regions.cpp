@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/cell_mask.h>
 
+#include <algorithm>
+
 namespace pcl {
 namespace sedr {
 
@@ -63,6 +65,17 @@ markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected)
     if (regions.label[i] >= 0)
       result.values()[i] = is_marked[static_cast<std::size_t>(regions.label[i])];
   return result;
+}
+
+CellMask
+largestRegion(const CellMask& mask)
+{
+  const MaskRegions regions = labelRegions(mask, false);
+  if (regions.sizes.empty())
+    return mask;
+  const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end());
+  return regionMask(mask, regions,
+                    static_cast<std::int32_t>(largest - regions.sizes.begin()));
 }
 
 void

@@ -57,6 +57,17 @@ TEST(MarkedRegions, AreThoseOfWhichACellIsMarked)
   EXPECT_EQ(markedRegions(mask, CellMask(mask.box()), true).count(), 0u);
 }
 
+TEST(LargestRegion, IsFourConnectedAndTheFirstOfSeveralAsLarge)
+{
+  const CellMask mask = drawn({"##.###", //
+                               "##....", //
+                               "..####"});
+  EXPECT_EQ(largestRegion(mask).toSet().keys(),
+            (std::vector<CellKey>{keyOf({2, 0}), keyOf({3, 0}), keyOf({4, 0}),
+                                  keyOf({5, 0})}));
+  EXPECT_EQ(largestRegion(CellMask(mask.box())).count(), 0u);
+}
+
 TEST(GrowLabels, GoesAroundWhatIsNotDomainAndStopsAfterTheSteps)
 {
   const CellMask domain = drawn({"#####", //
