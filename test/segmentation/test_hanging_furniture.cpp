@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -141,17 +142,63 @@ TEST(HangingFurniture, IsNotTheLowHeadOfANiche)
   EXPECT_TRUE(kitchen.find().points.empty());
 }
 
+TEST(HangingFurniture, IsWhatItIsAboveAnotherStorey)
+{
+  Kitchen kitchen;
+  const HangingFurniture expected = kitchen.find();
+  for (const double y : {0.01, 0.37})
+    kitchen.points.wall(segment({0.01, y}, {4.01, y}), -2.8, -0.3);
+  const HangingFurniture found = kitchen.find();
+  EXPECT_FALSE(found.points.empty());
+  EXPECT_EQ(found.points, expected.points);
+  EXPECT_EQ(found.behind, expected.behind);
+}
+
+/** A plane seen in the cells of some points. */
+Level
+levelOf(LevelKind kind,
+        double z,
+        const RoomPoints& points,
+        const std::vector<int>& seen)
+{
+  Level level;
+  level.kind = kind;
+  level.slab = slabAt(z);
+  level.cells = CellSet(CellGrid(cell), points.view(), seen);
+  return level;
+}
+
+TEST(HangingFurnitureBelow, IsFoundInEveryBuildingOfAScan)
+{
+  // Each has a table of columns of its own; a point is nowhere.
+  Kitchen kitchen;
+  RoomPoints both = kitchen.points;
+  std::vector<int> ceilings = kitchen.ceiling;
+  const auto size = static_cast<int>(both.size());
+  for (int i = 0; i < size; ++i)
+    both.point(both[i].x() + 64.0, both[i].y(), both[i].z());
+  for (const int i : kitchen.ceiling)
+    ceilings.push_back(i + size);
+  both.point(std::numeric_limits<double>::quiet_NaN(), 0, 1);
+  const Level floor = levelOf(LevelKind::Floor, 0, both, ceilings);
+  const Level ceiling = levelOf(LevelKind::Ceiling, height, both, ceilings);
+  const HangingFurniture found =
+      hangingFurnitureBelow({floor, ceiling}, both.view(), cell, 1.5);
+  const auto first_of_second =
+      std::lower_bound(found.points.begin(), found.points.end(), size);
+  const std::vector<int> first(found.points.begin(), first_of_second);
+  EXPECT_EQ(first, kitchen.find().points);
+  EXPECT_NEAR(static_cast<double>(found.points.end() - first_of_second),
+              static_cast<double>(first.size()), 0.05 * static_cast<double>(first.size()))
+      << "coordinates are rounded there";
+}
+
 TEST(HangingFurnitureBelow, IsFoundBelowTheCeilingsOfAScan)
 {
   const Kitchen kitchen;
-  Level floor;
-  floor.kind = LevelKind::Floor;
-  floor.slab = slabAt(0);
-  Level ceiling;
-  ceiling.kind = LevelKind::Ceiling;
-  ceiling.slab = slabAt(height);
-  ceiling.cells = CellSet(CellGrid(cell), kitchen.points.view(), kitchen.ceiling);
-  floor.cells = ceiling.cells;
+  const Level floor = levelOf(LevelKind::Floor, 0, kitchen.points, kitchen.ceiling);
+  const Level ceiling =
+      levelOf(LevelKind::Ceiling, height, kitchen.points, kitchen.ceiling);
   const HangingFurniture expected = kitchen.find();
   const HangingFurniture found =
       hangingFurnitureBelow({floor, ceiling}, kitchen.points.view(), cell, 1.5);
