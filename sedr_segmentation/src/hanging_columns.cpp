@@ -61,13 +61,24 @@ HangingColumns::backAt(Cell cell) const
   return {};
 }
 
+double
+HangingColumns::edgeAround(Cell cell) const
+{
+  double edge = topAt(cell);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (const auto front = frontAt({cell.x + dx, cell.y + dy}))
+        edge = std::min<double>(edge, front->low);
+  return edge;
+}
+
 bool
 HangingColumns::hasLevelEdges(const std::vector<Cell>& region) const
 {
   constexpr double tolerance = 0.05;
   std::vector<double> edges;
   for (const Cell cell : region)
-    edges.push_back(frontAt(cell)->low - room_.floorAt(cell));
+    edges.push_back(edgeAround(cell) - room_.floorAt(cell));
   std::sort(edges.begin(), edges.end());
   const auto least = static_cast<std::ptrdiff_t>(
       std::max(static_cast<std::size_t>(cellsFor(least_hanging_front, grid_.size())),

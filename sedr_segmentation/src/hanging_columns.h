@@ -61,6 +61,10 @@ public:
   void continueUpwards(Cell cell, std::vector<Eigen::Vector3f>& points) const;
 
 private:
+  /** @brief Where the front in and around a column begins: of a column that holds a few
+   * points only, to which noise took them, it is the edge of the one beside it. */
+  double edgeAround(Cell cell) const;
+
   /** @brief Height of what is seen next above a place in and around a column. */
   double nextAbove(Cell cell, double z) const;
 

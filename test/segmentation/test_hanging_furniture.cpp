@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace {
@@ -29,7 +31,9 @@ public:
   explicit Kitchen(
       double top = height,
       const std::function<double(double)>& edge = [](double) { return 1.4; },
-      bool has_wall = true)
+      bool has_wall = true,
+      double spacing = 0.05)
+      : points(spacing)
   {
     const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
     points.slab(loop, 0, [](double, double y) { return y > 0.61; });
@@ -62,6 +66,55 @@ public:
   std::vector<int> front;
   std::vector<int> ceiling;
 };
+
+/** A kitchen of dense points as a scanner shows it: moved by `shift` in x and y, with
+ * noise, and thinned. */
+Kitchen
+scanned(const Kitchen& dense, double shift, double deviation)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, static_cast<float>(deviation));
+  const Eigen::Vector3f by(static_cast<float>(shift), static_cast<float>(shift), 0);
+  const auto cloud = dense.points.cloud();
+  for (auto& p : *cloud)
+    p.getVector3fMap() +=
+        by + Eigen::Vector3f(noise(random), noise(random), noise(random));
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  grid.filter(thinned);
+  Kitchen kitchen = dense;
+  kitchen.points = RoomPoints();
+  kitchen.ceiling.clear();
+  for (const auto& p : thinned) {
+    const int i = kitchen.points.point(p.x, p.y, p.z);
+    if (p.z > height - 0.06F)
+      kitchen.ceiling.push_back(i);
+  }
+  return kitchen;
+}
+
+TEST(HangingFurniture, IsFoundWhereverTheGridLiesAndWithNoise)
+{
+  const Kitchen dense(
+      height, [](double) { return 1.4; }, true, 0.0125);
+  for (const double deviation : {0.0, 0.01, 0.02})
+    for (const double shift : {0.0, 0.00625, 0.0125, 0.01875, 0.025, 0.03125, 0.0375}) {
+      SCOPED_TRACE(testing::Message() << deviation << " m, " << shift << " m");
+      const Kitchen kitchen = scanned(dense, shift, deviation);
+      const HangingFurniture found = kitchen.find();
+      const auto front = static_cast<float>(0.37 + shift);
+      for (int i = 0; i < static_cast<int>(kitchen.points.size()); ++i) {
+        const Eigen::Vector3f& p = kitchen.points[i];
+        if (std::abs(p.y() - front) < 0.03F && std::abs(p.x() - 2) < 1.8F &&
+            p.z() > 1.45F && p.z() < height - 0.1F) {
+          EXPECT_TRUE(std::binary_search(found.points.begin(), found.points.end(), i))
+              << p.transpose();
+        }
+      }
+      EXPECT_GT(found.behind.size(), 1500U);
+    }
+}
 
 TEST(HangingFurniture, IsACupboardBelowWhichTheWallIsSeenBehindIt)
 {
@@ -189,7 +242,8 @@ TEST(HangingFurnitureBelow, IsFoundInEveryBuildingOfAScan)
   const std::vector<int> first(found.points.begin(), first_of_second);
   EXPECT_EQ(first, kitchen.find().points);
   EXPECT_NEAR(static_cast<double>(found.points.end() - first_of_second),
-              static_cast<double>(first.size()), 0.05 * static_cast<double>(first.size()))
+              static_cast<double>(first.size()),
+              0.05 * static_cast<double>(first.size()))
       << "coordinates are rounded there";
 }
 
