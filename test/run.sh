@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds everything and runs all tests. SEDR_JOBS sets how many compilers
-# and tests run at a time (2), SEDR_DATA where real scans lie; tests on them are skipped without.
+# and tests run at a time (as many as there are processors), SEDR_DATA where real scans lie; tests on them are skipped without.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-jobs=${SEDR_JOBS:-2}
+jobs=${SEDR_JOBS:-$(nproc)}
 export SEDR_DATA=${SEDR_DATA:-$PWD/../shared/data}
 [ -d "$SEDR_DATA" ] || echo "No folder $SEDR_DATA: tests on real scans will be skipped."
 

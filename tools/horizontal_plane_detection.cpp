@@ -8,7 +8,7 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
-#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/plane_list.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_segmentation/scan_lean.h>
 
@@ -21,6 +21,7 @@
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
+using pcl::sedr::nameOf;
 using pcl::sedr::RoomsAlongZ;
 using pcl::sedr::StructureLabel;
 
@@ -41,14 +42,6 @@ struct Settings {
   bool keep_rooms = false;
   bool compress = false;
 };
-
-const char*
-nameOf(LevelKind kind)
-{
-  return kind == LevelKind::Ceiling ? "ceiling"
-         : kind == LevelKind::Floor ? "floor"
-                                    : "other";
-}
 
 double
 tiltOf(const pcl::HorizontalPlane& plane)
@@ -84,15 +77,9 @@ turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
 std::string
 doubtOf(const Planes& planes, const ToolCloud& cloud)
 {
-  double ceilings = 0;
-  double floors = 0;
-  for (const auto& plane : planes) {
-    ceilings += plane.kind == LevelKind::Ceiling ? plane.area : 0;
-    floors += plane.kind == LevelKind::Floor ? plane.area : 0;
-  }
   const std::string problem =
       pcl::sedr::upProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud),
-                           RoomsAlongZ::Found, std::min(ceilings, floors));
+                           RoomsAlongZ::Found, pcl::sedr::areaOfRooms(planes));
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
@@ -106,41 +93,6 @@ checkScan(const Settings& settings, const ToolCloud& cloud)
     problem = turned(settings, cloud, RoomsAlongZ::NotLookedFor);
   if (!problem.empty())
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
-}
-
-/** @brief What is missing where there is no ceiling or no floor, and the largest six
- * planes; empty if there are both. */
-std::string
-missingKind(const Planes& planes, double room_height)
-{
-  const auto count = [&](LevelKind kind) {
-    return std::count_if(planes.begin(), planes.end(),
-                         [&](const auto& plane) { return plane.kind == kind; });
-  };
-  const auto ceilings = count(LevelKind::Ceiling);
-  const auto floors = count(LevelKind::Floor);
-  if (ceilings > 0 && floors > 0)
-    return "";
-  std::vector<const pcl::HorizontalPlane*> largest;
-  for (const auto& plane : planes)
-    largest.push_back(&plane);
-  std::stable_sort(largest.begin(), largest.end(),
-                   [](const auto* a, const auto* b) { return a->area > b->area; });
-  largest.resize(std::min<std::size_t>(largest.size(), 6));
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "of %zu horizontal planes %td are ceilings and %td floors; a ceiling needs a "
-      "floor at least %.2f m below it; found:",
-      planes.size(), ceilings, floors, room_height);
-  std::string sentence = text;
-  for (const auto* plane : largest) {
-    std::snprintf(text, sizeof text, "%s %.2f m %s %.1f m2",
-                  plane == largest.front() ? "" : ",", plane->height,
-                  nameOf(plane->kind), plane->area);
-    sentence += text;
-  }
-  return sentence;
 }
 
 /** @brief Planes whose inliers cover less than the smallest plane are neither: the ends
@@ -220,7 +172,8 @@ run(const Settings& settings, Detection& detection)
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
   dropSmall(planes, detection.getMinimumArea());
-  const std::string missing = missingKind(planes, detection.getMinimumRoomHeight());
+  const std::string missing =
+      pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
   if (!missing.empty()) {
     const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
     throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-jobs=${SEDR_JOBS:-2}
+jobs=${SEDR_JOBS:-$(nproc)}
 bin=build/release/bin
 scene=build/quickstart/bls_room
 

@@ -94,27 +94,6 @@ isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& regi
          isFloorHiddenBefore(scene, region) && hasWallBehind(scene, tops, region);
 }
 
-/** @brief Whether a wall stands on the strip's line beyond one of its ends. */
-bool
-goesOnAsWall(const SliceScene& scene, const Strip& strip, double top)
-{
-  for (const double side : {-1.0, 1.0}) {
-    int walls = 0;
-    for (const double beyond : {0.15, 0.2, 0.25, 0.3}) {
-      const Eigen::Vector2d p =
-          strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
-      const Cell cell = scene.grid.at(p.x(), p.y());
-      walls +=
-          scene.columns.share(cell, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6
-              ? 1
-              : 0;
-    }
-    if (walls >= 3)
-      return true;
-  }
-  return false;
-}
-
 /** @brief Whether a region is the head of a door or a window rather than a soffit:
  * shallow, it meets the rest of the ceiling along one straight line, on which the wall
  * goes on beside it; or that line is as short as a door is wide. */
@@ -138,8 +117,11 @@ isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
   for (std::size_t i = 0; i < region.values().size(); ++i)
     if (region.values()[i])
       top += tops.height[tops.undersides.indexOf(region.cellAt(i))] / count;
+  const auto isWall = [&](Cell at) {
+    return scene.columns.share(at, scene.floor_height + 0.2, top - 0.1, 8, 2) >= 0.6;
+  };
   return strip.length < scene.parameters.widest_niche ||
-         (depth < deepest && goesOnAsWall(scene, strip, top));
+         (depth < deepest && wallGoesOn(strip, scene.grid, isWall));
 }
 
 /** @brief Whether the rim of an island is closed up to the ceiling: then it is built,
@@ -191,18 +173,7 @@ joinedWith(const CellMask& ceiling, const CellMask& cells)
 {
   const CellMask both = unite(ceiling, cells);
   const CellMask bridged = eroded(dilated(both, 2), 1);
-  const MaskRegions regions = labelRegions(bridged, true);
-  std::vector<std::uint8_t> has_ceiling(regions.sizes.size(), 0);
-  for (std::size_t i = 0; i < ceiling.values().size(); ++i)
-    if (ceiling.values()[i] && regions.label[i] >= 0)
-      has_ceiling[static_cast<std::size_t>(regions.label[i])] = 1;
-  CellMask joined(cells.box());
-  for (std::size_t i = 0; i < joined.values().size(); ++i)
-    joined.values()[i] = cells.values()[i] && regions.label[i] >= 0 &&
-                                 has_ceiling[static_cast<std::size_t>(regions.label[i])]
-                             ? 1
-                             : 0;
-  return joined;
+  return intersect(cells, markedRegions(bridged, ceiling, true));
 }
 
 /** @brief The risers that join a kept underside: they do not reach below it and the

@@ -200,13 +200,8 @@ platformCells(const Level& level,
   const CellGrid grid(cell_size);
   const auto least =
       static_cast<std::size_t>(cellsFor(platform.minimum_area / cell_size, cell_size));
-  const CellRegions pieces = labelRegions(level.cells);
-  std::vector<std::vector<CellKey>> keys(pieces.sizes.size());
-  for (std::size_t i = 0; i < level.cells.size(); ++i)
-    keys[pieces.label[i]].push_back(level.cells.keys()[i]);
   CellSet found;
-  for (auto& k : keys) {
-    const CellSet cells = CellSet::fromSorted(std::move(k));
+  for (const CellSet& cells : connectedRegions(level.cells)) {
     if (cells.size() < least / 2)
       continue;
     const CellBox box = grown(boxOf(cells), cellsFor(0.7, cell_size));

@@ -25,7 +25,7 @@ constexpr double gap_in_run = 0.15;
 std::optional<ColumnRun>
 HangingColumns::frontAt(Cell cell) const
 {
-  const double floor = floorAt(cell);
+  const double floor = room_.floorAt(cell);
   for (const ColumnRun& run : columns_.runs(cell, gap_in_run)) {
     if (run.low > topAt(cell))
       break;
@@ -47,7 +47,7 @@ HangingColumns::frontAt(Cell cell) const
 std::optional<ColumnRun>
 HangingColumns::backAt(Cell cell) const
 {
-  const double floor = floorAt(cell);
+  const double floor = room_.floorAt(cell);
   const double top = topAt(cell);
   for (const ColumnRun& run : columns_.runs(cell, gap_in_run)) {
     const double edge = run.high - floor;
@@ -61,13 +61,24 @@ HangingColumns::backAt(Cell cell) const
   return {};
 }
 
+double
+HangingColumns::edgeAround(Cell cell) const
+{
+  double edge = topAt(cell);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (const auto front = frontAt({cell.x + dx, cell.y + dy}))
+        edge = std::min<double>(edge, front->low);
+  return edge;
+}
+
 bool
 HangingColumns::hasLevelEdges(const std::vector<Cell>& region) const
 {
   constexpr double tolerance = 0.05;
   std::vector<double> edges;
   for (const Cell cell : region)
-    edges.push_back(frontAt(cell)->low - floorAt(cell));
+    edges.push_back(edgeAround(cell) - room_.floorAt(cell));
   std::sort(edges.begin(), edges.end());
   const auto least = static_cast<std::ptrdiff_t>(
       std::max(static_cast<std::size_t>(cellsFor(least_hanging_front, grid_.size())),
@@ -91,19 +102,10 @@ HangingColumns::isHead(const std::vector<Cell>& region) const
   const Strip strip = stripOf(cells, grid_);
   if (strip.width > 4 * grid_.size())
     return false;
-  for (const double side : {-1.0, 1.0}) {
-    int walls = 0;
-    for (const double beyond : {0.15, 0.2, 0.25, 0.3}) {
-      const Eigen::Vector2d p =
-          strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
-      const Cell cell = grid_.at(p.x(), p.y());
-      const double floor = floorAt(cell);
-      walls += columns_.share(cell, floor + 0.2, floor + least_edge, 4, 1) >= 0.75;
-    }
-    if (walls >= 3)
-      return true;
-  }
-  return false;
+  return wallGoesOn(strip, grid_, [this](Cell cell) {
+    const double floor = room_.floorAt(cell);
+    return columns_.share(cell, floor + 0.2, floor + least_edge, 4, 1) >= 0.75;
+  });
 }
 
 double

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_mask.h>
-#include <pcl/sedr_filters/floorplan.h>
+#include "room_columns.h"
+
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_segmentation/column_table.h>
 
 #include <Eigen/Core>
 
@@ -28,14 +27,13 @@ public:
                  const ColumnTable& columns,
                  const PlanSlab& ceiling,
                  const PlanSlab& floor)
-      : grid_(grid)
+      : room_(grid, columns, ceiling, floor)
+      , grid_(grid)
       , points_(points)
       , columns_(columns)
-      , ceiling_(ceiling)
-      , floor_(floor)
   {}
 
-  double topAt(Cell cell) const { return ceiling_.heightAt(grid_.centre(cell)); }
+  double topAt(Cell cell) const { return room_.ceilingAt(cell); }
 
   /** @brief What hangs in a column: something upright without anything upright below.
    */
@@ -63,16 +61,17 @@ public:
   void continueUpwards(Cell cell, std::vector<Eigen::Vector3f>& points) const;
 
 private:
-  double floorAt(Cell cell) const { return floor_.heightAt(grid_.centre(cell)); }
+  /** @brief Where the front in and around a column begins: of a column that holds a few
+   * points only, to which noise took them, it is the edge of the one beside it. */
+  double edgeAround(Cell cell) const;
 
   /** @brief Height of what is seen next above a place in and around a column. */
   double nextAbove(Cell cell, double z) const;
 
+  RoomColumns room_;
   const CellGrid& grid_;
   const PointView& points_;
   const ColumnTable& columns_;
-  const PlanSlab& ceiling_;
-  const PlanSlab& floor_;
 };
 
 } // namespace sedr

@@ -164,17 +164,7 @@ private:
   {
     const CellMask near =
         intersect(dilated(hanging, cellsFor(most_depth, grid_.size())), backs_);
-    const MaskRegions regions = labelRegions(near, true);
-    std::vector<std::uint8_t> is_behind(regions.sizes.size(), 0);
-    for (std::size_t i = 0; i < nearest.values().size(); ++i)
-      if (nearest.values()[i] && regions.label[i] >= 0)
-        is_behind[static_cast<std::size_t>(regions.label[i])] = 1;
-    CellMask walls(near.box());
-    for (std::size_t i = 0; i < near.values().size(); ++i)
-      walls.values()[i] =
-          near.values()[i] && is_behind[static_cast<std::size_t>(regions.label[i])] ? 1
-                                                                                    : 0;
-    return walls;
+    return markedRegions(near, nearest, true);
   }
 
   /** @brief The points above an edge of a column and of those beside it, to which noise

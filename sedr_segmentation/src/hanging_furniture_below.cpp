@@ -93,15 +93,11 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
   for (const Level& level : levels) {
     if (level.kind != LevelKind::Ceiling)
       continue;
-    const CellRegions regions = labelRegions(level.cells);
-    std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-    for (std::size_t i = 0; i < level.cells.size(); ++i)
-      keys[regions.label[i]].push_back(level.cells.keys()[i]);
-    for (auto& k : keys) {
-      if (static_cast<double>(k.size()) * cell_size * cell_size < least_area)
+    for (CellSet& cells : connectedRegions(level.cells)) {
+      if (static_cast<double>(cells.size()) * cell_size * cell_size < least_area)
         continue;
-      ceilings.emplace_back(&level, CellSet::fromSorted(std::move(k)));
-      boxes.push_back(boxOf(ceilings.back().second));
+      boxes.push_back(boxOf(cells));
+      ceilings.emplace_back(&level, std::move(cells));
     }
   }
   const std::vector<CellBox> clusters = clusterBoxes(boxes, reach);

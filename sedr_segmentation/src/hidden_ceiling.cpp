@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "room_columns.h"
+
 #include <pcl/sedr_segmentation/hidden_ceiling.h>
 
 #include <pcl/sedr_segmentation/cell_count.h>
@@ -25,10 +27,9 @@ public:
                const ColumnTable& columns,
                const PlanSlab& ceiling,
                const PlanSlab& floor)
-      : grid_(grid)
+      : room_(grid, columns, ceiling, floor)
+      , grid_(grid)
       , columns_(columns)
-      , ceiling_(ceiling)
-      , floor_(floor)
   {}
 
   CellMask find(const CellMask& room, const CellMask& others) const
@@ -127,9 +128,8 @@ private:
 
   std::pair<double, double> upperHalf(Cell cell) const
   {
-    const Eigen::Vector2d place = grid_.centre(cell);
-    const double top = ceiling_.heightAt(place);
-    return {(floor_.heightAt(place) + top) / 2, top};
+    const double top = room_.ceilingAt(cell);
+    return {room_.middleBelow(cell, top), top};
   }
 
   /** @brief The cells to which a way of cells without walls leads from the room. */
@@ -159,10 +159,9 @@ private:
     return walls;
   }
 
+  RoomColumns room_;
   const CellGrid& grid_;
   const ColumnTable& columns_;
-  const PlanSlab& ceiling_;
-  const PlanSlab& floor_;
 };
 
 } // namespace

@@ -114,18 +114,11 @@ ceilingsWithin(const std::vector<Level>& levels,
                std::size_t level,
                const LevelParameters& parameters)
 {
-  const CellSet& cells = levels[level].cells;
   const double cell_area = parameters.cell_size * parameters.cell_size;
-  const CellRegions regions = labelRegions(cells);
-  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    keys[regions.label[i]].push_back(cells.keys()[i]);
   CellSet found;
-  for (auto& k : keys) {
-    if (static_cast<double>(k.size()) * cell_area < parameters.minimum_area)
-      continue;
-    const CellSet region = CellSet::fromSorted(std::move(k));
-    if (isOpenAbove(levels, level, region, parameters) &&
+  for (const CellSet& region : connectedRegions(levels[level].cells)) {
+    if (static_cast<double>(region.size()) * cell_area >= parameters.minimum_area &&
+        isOpenAbove(levels, level, region, parameters) &&
         isHigh(levels, coarse, level, coarsened(region, parameters.cell_size),
                parameters))
       found = unite(found, region);
@@ -147,17 +140,11 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
   for (const auto& level : levels)
     if (level.kind == LevelKind::Ceiling)
       all = unite(all, level.cells);
-  const CellRegions regions = labelRegions(all);
-  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    keys[regions.label[i]].push_back(all.keys()[i]);
-
   const double cell_area = parameters.cell_size * parameters.cell_size;
   std::vector<CeilingRegion> result;
-  for (auto& k : keys) {
-    if (static_cast<double>(k.size()) * cell_area < parameters.minimum_area)
+  for (const CellSet& cells : connectedRegions(all)) {
+    if (static_cast<double>(cells.size()) * cell_area < parameters.minimum_area)
       continue;
-    const CellSet cells(std::move(k));
     CeilingRegion region;
     region.coarse = coarsened(cells, parameters.cell_size);
     std::size_t most = 0;

@@ -31,13 +31,10 @@ boxesOfCeilings(const std::vector<Level>& levels, const RoomParameters& paramete
   for (const auto& level : levels) {
     if (level.kind != LevelKind::Ceiling)
       continue;
-    const CellRegions regions = labelRegions(level.cells);
-    std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-    for (std::size_t i = 0; i < level.cells.size(); ++i)
-      keys[regions.label[i]].push_back(level.cells.keys()[i]);
-    for (auto& k : keys)
-      if (static_cast<double>(k.size()) * cell_area >= 0.1 * parameters.minimum_area)
-        boxes.push_back(boxOf(CellSet(std::move(k))));
+    for (const CellSet& cells : connectedRegions(level.cells))
+      if (static_cast<double>(cells.size()) * cell_area >=
+          0.1 * parameters.minimum_area)
+        boxes.push_back(boxOf(cells));
   }
   return clusterBoxes(boxes, cellsFor(margin, parameters.cell_size));
 }

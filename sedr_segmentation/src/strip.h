@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace pcl {
 namespace sedr {
 
@@ -19,6 +21,13 @@ struct Strip {
 /** @brief The straight strip that cells spread along: one of length l has the variance
  * l^2 / 12. No cells give one of length 0. O(cells of the box). */
 Strip stripOf(const CellMask& cells, const CellGrid& grid);
+
+/** @brief Whether a wall goes on in line with a strip, 0.15 to 0.3 m beyond one of its
+ * ends.
+ * @param is_wall says it of a cell */
+bool wallGoesOn(const Strip& strip,
+                const CellGrid& grid,
+                const std::function<bool(Cell)>& is_wall);
 
 } // namespace sedr
 } // namespace pcl

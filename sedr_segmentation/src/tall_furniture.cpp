@@ -1,48 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "room_columns.h"
+
 #include <pcl/sedr_segmentation/tall_furniture.h>
 
 #include <pcl/sedr_segmentation/cell_count.h>
-
-#include <algorithm>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
 
-/** @brief The highest point within some cells, no higher than the ceiling: there may be
- * a soffit. */
-double
-topAround(Cell cell,
-          int reach,
-          const CellGrid& grid,
-          const ColumnTable& columns,
-          const PlanSlab& ceiling)
-{
-  const double highest = ceiling.heightAt(grid.centre(cell));
-  double top = -1e9;
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const Cell near{cell.x + dx, cell.y + dy};
-      if (columns.begin(near) != columns.end(near))
-        top = std::max<double>(top, (columns.end(near) - 1)->z);
-    }
-  return std::min(top, highest);
-}
-
 /** @brief Whether something stands, or hangs, in the upper half of a column. */
 bool
-isUpright(Cell cell,
-          const CellGrid& grid,
-          const ColumnTable& columns,
-          const PlanSlab& ceiling,
-          const PlanSlab& floor)
+isUpright(Cell cell, const RoomColumns& room)
 {
-  if (columns.begin(cell) == columns.end(cell))
-    return false;
-  const double top = topAround(cell, 2, grid, columns, ceiling);
-  const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
-  return columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5;
+  const ColumnTable& columns = room.table();
+  return columns.begin(cell) != columns.end(cell) &&
+         room.upperShare(cell, room.topAround(cell, 2), 0.25, 0) >= 0.5;
 }
 
 } // namespace
@@ -55,14 +29,13 @@ tallFurniture(const CellMask& seen,
               const PlanSlab& floor,
               const CeilingGap& gap)
 {
+  const RoomColumns room(grid, columns, ceiling, floor);
   CellMask low(seen.box());
   for (std::size_t i = 0; i < low.values().size(); ++i) {
     const Cell cell = low.cellAt(i);
-    if (!isUpright(cell, grid, columns, ceiling, floor))
-      continue;
-    const double top = topAround(cell, 2, grid, columns, ceiling);
     low.values()[i] =
-        columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1 ? 1 : 0;
+        isUpright(cell, room) && !room.reaches(cell, room.topAround(cell, 2), gap) ? 1
+                                                                                   : 0;
   }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
   const MaskRegions regions = labelRegions(low, true);
@@ -90,10 +63,10 @@ aroundSeenCeiling(const CellMask& seen,
   constexpr double least_seen = 0.3;
   constexpr std::size_t least_cells = 6;
   const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
+  const RoomColumns room(grid, columns, ceiling, floor);
   CellMask upright(seen.box());
   for (std::size_t i = 0; i < upright.values().size(); ++i)
-    upright.values()[i] =
-        isUpright(upright.cellAt(i), grid, columns, ceiling, floor) ? 1 : 0;
+    upright.values()[i] = isUpright(upright.cellAt(i), room) ? 1 : 0;
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());

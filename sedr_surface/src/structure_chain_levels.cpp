@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_segmentation/cell_fill.h>
 #include <pcl/sedr_segmentation/hanging_furniture.h>
+#include <pcl/sedr_segmentation/plane_list.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_segmentation/scan_lean.h>
@@ -26,43 +27,16 @@ allIndices(std::size_t n)
   return indices;
 }
 
-const char*
-kindName(LevelKind kind)
+/** @brief A plane as a level without cells. */
+Level
+levelOf(const pcl::HorizontalPlane& plane)
 {
-  return kind == LevelKind::Ceiling ? "ceiling"
-         : kind == LevelKind::Floor ? "floor"
-                                    : "other";
-}
-
-/** @brief Area of the ceilings or of the floors, of which there is less, square metres.
- */
-double
-areaOfRooms(const std::vector<pcl::HorizontalPlane>& planes)
-{
-  double ceilings = 0;
-  double floors = 0;
-  for (const auto& plane : planes) {
-    ceilings += plane.kind == LevelKind::Ceiling ? plane.area : 0;
-    floors += plane.kind == LevelKind::Floor ? plane.area : 0;
-  }
-  return std::min(ceilings, floors);
-}
-
-/** @brief The planes in words: "0.00 m floor 30.1 m2, 2.40 m ceiling 29.8 m2"; the
- * largest six. */
-std::string
-listOf(std::vector<pcl::HorizontalPlane> planes)
-{
-  std::stable_sort(planes.begin(), planes.end(),
-                   [](const auto& a, const auto& b) { return a.area > b.area; });
-  std::string list;
-  for (std::size_t i = 0; i < planes.size() && i < 6; ++i) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%s%.2f m %s %.1f m2", i == 0 ? "" : ", ",
-                  planes[i].height, kindName(planes[i].kind), planes[i].area);
-    list += text;
-  }
-  return list;
+  Level level;
+  level.slab = plane.slab;
+  level.height = plane.height;
+  level.kind = plane.kind;
+  level.inliers = plane.inliers.indices;
+  return level;
 }
 
 } // namespace
@@ -128,11 +102,7 @@ StructureChain::levelsOfPlanes(double cell_size) const
   const PointView points(*cloud);
   std::vector<Level> levels;
   for (const auto& plane : planes) {
-    Level level;
-    level.slab = plane.slab;
-    level.height = plane.height;
-    level.kind = plane.kind;
-    level.inliers = plane.inliers.indices;
+    Level level = levelOf(plane);
     if (level.kind != LevelKind::Other)
       level.cells = CellSet(grid, points, level.inliers);
     levels.push_back(std::move(level));
@@ -198,31 +168,21 @@ StructureChain::findPlanes(StageReport& report)
   if (leaveOutHangingFurniture() && !detectPlanes())
     return false;
   tellResult("HorizontalPlaneDetection");
-  std::size_t ceilings = 0;
-  std::size_t floors = 0;
-  for (const auto& plane : planes) {
-    ceilings += plane.kind == LevelKind::Ceiling ? 1 : 0;
-    floors += plane.kind == LevelKind::Floor ? 1 : 0;
+  for (const auto& plane : planes)
     if (plane.kind != LevelKind::Other)
       report.points_out += plane.inliers.indices.size();
-  }
-  if (ceilings > 0 && floors > 0) {
+  const std::string missing =
+      missingKind(planes, plane_detection.getMinimumRoomHeight());
+  if (missing.empty()) {
     const std::string doubt =
         trust_up ? std::string()
                  : upProblem(PointView(*cloud), *allIndices(cloud->size()),
                              RoomsAlongZ::Found, areaOfRooms(planes));
     return doubt.empty() || fail(doubt);
   }
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "of %zu horizontal planes %zu are ceilings and %zu floors; a ceiling "
-                "needs a floor "
-                "at least %.2f m below it; found: ",
-                planes.size(), ceilings, floors,
-                plane_detection.getMinimumRoomHeight());
   const std::string turned =
       upProblem(PointView(*cloud), *allIndices(cloud->size()), RoomsAlongZ::None);
-  return fail(text + listOf(planes) + (turned.empty() ? "" : "; " + turned));
+  return fail(missing + (turned.empty() ? "" : "; " + turned));
 }
 
 bool
@@ -238,11 +198,7 @@ StructureChain::removeOutliers(StageReport& report)
   const CellGrid grid(outlier_removal.getGridSize());
   const PointView points(*cloud);
   for (const auto& plane : planes) {
-    Level level;
-    level.slab = plane.slab;
-    level.height = plane.height;
-    level.kind = plane.kind;
-    level.inliers = plane.inliers.indices;
+    Level level = levelOf(plane);
     if (level.kind == LevelKind::Ceiling) {
       outlier_removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(level.inliers)));
       outlier_removal.filter(level.inliers);

@@ -179,6 +179,17 @@ TEST(CellRegions, AreLargestFirst)
   EXPECT_EQ(regions.label[cells.find({1, 1})], 2u);
 }
 
+TEST(ConnectedRegions, HoldTheCellsOfEachRegionLargestFirst)
+{
+  const std::vector<Cell> small = block(0, 0, 2, 2);
+  const std::vector<Cell> large = block(10, 0, 5, 5);
+  const std::vector<CellSet> regions = connectedRegions(setOf(joined(small, large)));
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].keys(), setOf(large).keys());
+  EXPECT_EQ(regions[1].keys(), setOf(small).keys());
+  EXPECT_TRUE(connectedRegions(CellSet()).empty());
+}
+
 TEST(CellRegions, OfOneSizeComeInTheOrderOfTheKeys)
 {
   const CellSet cells =

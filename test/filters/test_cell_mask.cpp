@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/cell_mask.h>
+#include "masks.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <random>
-#include <string>
 
 namespace {
 
 using namespace pcl::sedr;
-
-constexpr CellBox box{{-7, 3}, {16, 20}}; // 24 x 18 cells
-
-/** Cells of `where`, each set with the given chance. */
-CellMask
-randomMask(const CellBox& where, double chance, unsigned seed)
-{
-  std::mt19937 random(seed);
-  CellMask mask(where);
-  for (auto& value : mask.values())
-    value = static_cast<double>(random()) < chance * 4294967296.0 ? 1 : 0;
-  return mask;
-}
-
-/** A mask from rows of characters, the first row at the top; '#' is set. */
-CellMask
-drawn(const std::vector<std::string>& rows)
-{
-  const int height = static_cast<int>(rows.size());
-  CellMask mask(CellBox{{0, 0}, {static_cast<int>(rows[0].size()) - 1, height - 1}});
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < mask.width(); ++x)
-      mask.set(
-          {x, y},
-          rows[static_cast<std::size_t>(height - 1 - y)][static_cast<std::size_t>(x)] ==
-                  '#'
-              ? 1
-              : 0);
-  return mask;
-}
 
 /** Squared distance of a cell from the nearest one that is set (or, with `outside`,
  * that is not set or not in the box), found by looking at all. */
@@ -200,92 +168,6 @@ TEST(Erosion, CountsTheEdgeOfTheBoxAsTheOutside)
   EXPECT_EQ(eroded(full, 2).count(), 20u * 14u);
 }
 
-TEST(MaskRegions, FourConnectedOnesArePartedByACorner)
-{
-  const CellMask mask = drawn({"##....", //
-                               "##....", //
-                               "..##..", //
-                               "..##.#"});
-  const MaskRegions eight = labelRegions(mask, true);
-  EXPECT_EQ(eight.sizes, (std::vector<std::size_t>{8, 1}));
-  const MaskRegions four = labelRegions(mask, false);
-  EXPECT_EQ(four.sizes, (std::vector<std::size_t>{4, 1, 4})) << "row by row from below";
-  EXPECT_EQ(four.label[mask.indexOf({2, 0})], 0);
-  EXPECT_EQ(four.label[mask.indexOf({5, 0})], 1);
-  EXPECT_EQ(four.label[mask.indexOf({0, 2})], 2);
-  EXPECT_EQ(four.label[mask.indexOf({4, 0})], -1);
-  EXPECT_EQ(regionMask(mask, four, 2).toSet().keys(),
-            (std::vector<CellKey>{keyOf({0, 2}), keyOf({1, 2}), keyOf({0, 3}),
-                                  keyOf({1, 3})}));
-}
-
-TEST(MaskRegions, SayWhichReachTheEdgeOfTheBox)
-{
-  const MaskRegions regions = labelRegions(drawn({"......", //
-                                                  ".##..#", //
-                                                  ".##...", //
-                                                  "....#.", //
-                                                  "......"}),
-                                           false);
-  EXPECT_EQ(regions.sizes, (std::vector<std::size_t>{1, 4, 1}));
-  EXPECT_EQ(regions.touches_border, (std::vector<std::uint8_t>{0, 0, 1}));
-}
-
-TEST(GrowLabels, GoesAroundWhatIsNotDomainAndStopsAfterTheSteps)
-{
-  const CellMask domain = drawn({"#####", //
-                                 "#.#.#", //
-                                 "#.###"});
-  std::vector<std::int32_t> label(15, -1);
-  label[domain.indexOf({0, 0})] = 7;
-  growLabels(domain, 4, label);
-  EXPECT_EQ(label[domain.indexOf({0, 2})], 7) << "two steps up";
-  EXPECT_EQ(label[domain.indexOf({2, 2})], 7) << "four steps";
-  EXPECT_EQ(label[domain.indexOf({2, 1})], -1) << "five steps";
-  EXPECT_EQ(label[domain.indexOf({1, 1})], -1) << "not domain";
-}
-
-TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
-{
-  const CellMask domain = inverted(CellMask(box));
-  std::vector<std::int32_t> label(domain.values().size(), -1);
-  const std::vector<Cell> seeds{{-5, 5}, {10, 18}, {14, 4}};
-  for (std::size_t s = 0; s < seeds.size(); ++s)
-    label[domain.indexOf(seeds[s])] = static_cast<std::int32_t>(s);
-  const std::vector<std::size_t> parent =
-      growLabelsWithParents(domain, std::numeric_limits<int>::max(), label);
-  const auto steps = [&](Cell c, std::size_t s) {
-    return std::abs(c.x - seeds[s].x) + std::abs(c.y - seeds[s].y);
-  };
-  for (std::size_t i = 0; i < label.size(); ++i) {
-    const Cell c = domain.cellAt(i);
-    ASSERT_GE(label[i], 0);
-    const int own = steps(c, static_cast<std::size_t>(label[i]));
-    for (std::size_t s = 0; s < seeds.size(); ++s)
-      ASSERT_LE(own, steps(c, s));
-    if (own == 0) {
-      ASSERT_EQ(parent[i], CellSet::npos);
-      continue;
-    }
-    ASSERT_NE(parent[i], CellSet::npos);
-    ASSERT_EQ(label[parent[i]], label[i]);
-    ASSERT_EQ(steps(domain.cellAt(parent[i]), static_cast<std::size_t>(label[i])),
-              own - 1);
-  }
-}
-
-TEST(GrowLabels, GivesTheSameLabelsWithAndWithoutParents)
-{
-  const CellMask domain = randomMask(box, 0.7, 31);
-  std::vector<std::int32_t> label(domain.values().size(), -1);
-  label[0] = 1;
-  label[label.size() / 2] = 2;
-  std::vector<std::int32_t> other = label;
-  growLabels(domain, 9, label);
-  growLabelsWithParents(domain, 9, other);
-  EXPECT_EQ(label, other);
-}
-
 TEST(CellMask, ItsSetIsTheOneOfItsCellsInAnyOrder)
 {
   const CellMask mask = randomMask(box, 0.4, 32);
@@ -294,26 +176,6 @@ TEST(CellMask, ItsSetIsTheOneOfItsCellsInAnyOrder)
     if (mask.values()[i])
       keys.push_back(keyOf(mask.cellAt(i)));
   EXPECT_EQ(mask.toSet().keys(), CellSet(keys).keys());
-}
-
-TEST(EnclosedCells, AreThoseWithoutAFourConnectedWayOut)
-{
-  const CellMask mask = drawn({".#####.", //
-                               ".#...#.", //
-                               ".#.#.##", //
-                               ".#...#.", //
-                               "..####.", //
-                               "......."});
-  const CellMask enclosed = enclosedCells(mask);
-  EXPECT_EQ(enclosed.count(), 8u) << "out by the corner does not count";
-  EXPECT_EQ(enclosed.at({2, 4}), 1);
-  EXPECT_EQ(enclosed.at({3, 3}), 0) << "set itself";
-  EXPECT_EQ(enclosed.at({0, 0}), 0);
-  EXPECT_EQ(enclosed.at({1, 1}), 0);
-
-  CellMask open = mask;
-  open.set({1, 3}, 0);
-  EXPECT_EQ(enclosedCells(open).count(), 0u);
 }
 
 TEST(MaskSets, KeepTheBoxOfTheFirst)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
+#include <random>
 #include <vector>
 
 namespace {
@@ -28,7 +31,9 @@ public:
   explicit Kitchen(
       double top = height,
       const std::function<double(double)>& edge = [](double) { return 1.4; },
-      bool has_wall = true)
+      bool has_wall = true,
+      double spacing = 0.05)
+      : points(spacing)
   {
     const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
     points.slab(loop, 0, [](double, double y) { return y > 0.61; });
@@ -61,6 +66,55 @@ public:
   std::vector<int> front;
   std::vector<int> ceiling;
 };
+
+/** A kitchen of dense points as a scanner shows it: moved by `shift` in x and y, with
+ * noise, and thinned. */
+Kitchen
+scanned(const Kitchen& dense, double shift, double deviation)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, static_cast<float>(deviation));
+  const Eigen::Vector3f by(static_cast<float>(shift), static_cast<float>(shift), 0);
+  const auto cloud = dense.points.cloud();
+  for (auto& p : *cloud)
+    p.getVector3fMap() +=
+        by + Eigen::Vector3f(noise(random), noise(random), noise(random));
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  grid.filter(thinned);
+  Kitchen kitchen = dense;
+  kitchen.points = RoomPoints();
+  kitchen.ceiling.clear();
+  for (const auto& p : thinned) {
+    const int i = kitchen.points.point(p.x, p.y, p.z);
+    if (p.z > height - 0.06F)
+      kitchen.ceiling.push_back(i);
+  }
+  return kitchen;
+}
+
+TEST(HangingFurniture, IsFoundWhereverTheGridLiesAndWithNoise)
+{
+  const Kitchen dense(
+      height, [](double) { return 1.4; }, true, 0.0125);
+  for (const double deviation : {0.0, 0.01, 0.02})
+    for (const double shift : {0.0, 0.00625, 0.0125, 0.01875, 0.025, 0.03125, 0.0375}) {
+      SCOPED_TRACE(testing::Message() << deviation << " m, " << shift << " m");
+      const Kitchen kitchen = scanned(dense, shift, deviation);
+      const HangingFurniture found = kitchen.find();
+      const auto front = static_cast<float>(0.37 + shift);
+      for (int i = 0; i < static_cast<int>(kitchen.points.size()); ++i) {
+        const Eigen::Vector3f& p = kitchen.points[i];
+        if (std::abs(p.y() - front) < 0.03F && std::abs(p.x() - 2) < 1.8F &&
+            p.z() > 1.45F && p.z() < height - 0.1F) {
+          EXPECT_TRUE(std::binary_search(found.points.begin(), found.points.end(), i))
+              << p.transpose();
+        }
+      }
+      EXPECT_GT(found.behind.size(), 1500U);
+    }
+}
 
 TEST(HangingFurniture, IsACupboardBelowWhichTheWallIsSeenBehindIt)
 {
@@ -141,17 +195,64 @@ TEST(HangingFurniture, IsNotTheLowHeadOfANiche)
   EXPECT_TRUE(kitchen.find().points.empty());
 }
 
+TEST(HangingFurniture, IsWhatItIsAboveAnotherStorey)
+{
+  Kitchen kitchen;
+  const HangingFurniture expected = kitchen.find();
+  for (const double y : {0.01, 0.37})
+    kitchen.points.wall(segment({0.01, y}, {4.01, y}), -2.8, -0.3);
+  const HangingFurniture found = kitchen.find();
+  EXPECT_FALSE(found.points.empty());
+  EXPECT_EQ(found.points, expected.points);
+  EXPECT_EQ(found.behind, expected.behind);
+}
+
+/** A plane seen in the cells of some points. */
+Level
+levelOf(LevelKind kind,
+        double z,
+        const RoomPoints& points,
+        const std::vector<int>& seen)
+{
+  Level level;
+  level.kind = kind;
+  level.slab = slabAt(z);
+  level.cells = CellSet(CellGrid(cell), points.view(), seen);
+  return level;
+}
+
+TEST(HangingFurnitureBelow, IsFoundInEveryBuildingOfAScan)
+{
+  // Each has a table of columns of its own; a point is nowhere.
+  Kitchen kitchen;
+  RoomPoints both = kitchen.points;
+  std::vector<int> ceilings = kitchen.ceiling;
+  const auto size = static_cast<int>(both.size());
+  for (int i = 0; i < size; ++i)
+    both.point(both[i].x() + 64.0, both[i].y(), both[i].z());
+  for (const int i : kitchen.ceiling)
+    ceilings.push_back(i + size);
+  both.point(std::numeric_limits<double>::quiet_NaN(), 0, 1);
+  const Level floor = levelOf(LevelKind::Floor, 0, both, ceilings);
+  const Level ceiling = levelOf(LevelKind::Ceiling, height, both, ceilings);
+  const HangingFurniture found =
+      hangingFurnitureBelow({floor, ceiling}, both.view(), cell, 1.5);
+  const auto first_of_second =
+      std::lower_bound(found.points.begin(), found.points.end(), size);
+  const std::vector<int> first(found.points.begin(), first_of_second);
+  EXPECT_EQ(first, kitchen.find().points);
+  EXPECT_NEAR(static_cast<double>(found.points.end() - first_of_second),
+              static_cast<double>(first.size()),
+              0.05 * static_cast<double>(first.size()))
+      << "coordinates are rounded there";
+}
+
 TEST(HangingFurnitureBelow, IsFoundBelowTheCeilingsOfAScan)
 {
   const Kitchen kitchen;
-  Level floor;
-  floor.kind = LevelKind::Floor;
-  floor.slab = slabAt(0);
-  Level ceiling;
-  ceiling.kind = LevelKind::Ceiling;
-  ceiling.slab = slabAt(height);
-  ceiling.cells = CellSet(CellGrid(cell), kitchen.points.view(), kitchen.ceiling);
-  floor.cells = ceiling.cells;
+  const Level floor = levelOf(LevelKind::Floor, 0, kitchen.points, kitchen.ceiling);
+  const Level ceiling =
+      levelOf(LevelKind::Ceiling, height, kitchen.points, kitchen.ceiling);
   const HangingFurniture expected = kitchen.find();
   const HangingFurniture found =
       hangingFurnitureBelow({floor, ceiling}, kitchen.points.view(), cell, 1.5);

@@ -97,6 +97,22 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
   EXPECT_TRUE(chain.warnings.empty());
 }
 
+TEST(StructureChain, CountsTheCellsBelowACeilingAsTheyWereSetAfterASparseScan)
+{
+  StructureChain chain;
+  chain.outlier_removal.setMinimumSupportedCells(200);
+  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
+  ASSERT_LT(chain.outlier_removal.getMinimumSupportedCells(), 60U);
+  chain.setGridSize(0.06);
+  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 200U);
+
+  chain.setGridSize(0.05);
+  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
+  chain.outlier_removal.setMinimumSupportedCells(77); // set in between: it stays
+  chain.setGridSize(0.06);
+  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 77U);
+}
+
 TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
 {
   // Three rooms of one size and one of 4 square metres.

@@ -162,5 +162,8 @@ struct CellRegions {
  * O(n log n). */
 CellRegions labelRegions(const CellSet& cells);
 
+/** @brief The cells of each region, largest first. O(n) beyond labelRegions(). */
+std::vector<CellSet> connectedRegions(const CellSet& cells);
+
 } // namespace sedr
 } // namespace pcl

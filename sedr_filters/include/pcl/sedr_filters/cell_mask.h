@@ -135,6 +135,14 @@ MaskRegions labelRegions(const CellMask& mask, bool eight_connected);
 CellMask
 regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region);
 
+/** @brief The regions of `mask`, four- or eight-connected, of which a cell is set in
+ * `marks`, a mask of the same box. O(cells). */
+CellMask
+markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected);
+
+/** @brief The largest four-connected region, the first of several as large. O(cells). */
+CellMask largestRegion(const CellMask& mask);
+
 /** @brief Gives `number` to those of some cells that have no label (-1) yet; labels are
  * of the cells of `frame`. O(the cells' box). */
 void labelCells(const CellMask& cells,

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing: CMake compiles precompiled headers for targets with a source only.

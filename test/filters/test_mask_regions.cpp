@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "masks.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+
+TEST(MaskRegions, FourConnectedOnesArePartedByACorner)
+{
+  const CellMask mask = drawn({"##....", //
+                               "##....", //
+                               "..##..", //
+                               "..##.#"});
+  const MaskRegions eight = labelRegions(mask, true);
+  EXPECT_EQ(eight.sizes, (std::vector<std::size_t>{8, 1}));
+  const MaskRegions four = labelRegions(mask, false);
+  EXPECT_EQ(four.sizes, (std::vector<std::size_t>{4, 1, 4})) << "row by row from below";
+  EXPECT_EQ(four.label[mask.indexOf({2, 0})], 0);
+  EXPECT_EQ(four.label[mask.indexOf({5, 0})], 1);
+  EXPECT_EQ(four.label[mask.indexOf({0, 2})], 2);
+  EXPECT_EQ(four.label[mask.indexOf({4, 0})], -1);
+  EXPECT_EQ(regionMask(mask, four, 2).toSet().keys(),
+            (std::vector<CellKey>{keyOf({0, 2}), keyOf({1, 2}), keyOf({0, 3}),
+                                  keyOf({1, 3})}));
+}
+
+TEST(MaskRegions, SayWhichReachTheEdgeOfTheBox)
+{
+  const MaskRegions regions = labelRegions(drawn({"......", //
+                                                  ".##..#", //
+                                                  ".##...", //
+                                                  "....#.", //
+                                                  "......"}),
+                                           false);
+  EXPECT_EQ(regions.sizes, (std::vector<std::size_t>{1, 4, 1}));
+  EXPECT_EQ(regions.touches_border, (std::vector<std::uint8_t>{0, 0, 1}));
+}
+
+TEST(MarkedRegions, AreThoseOfWhichACellIsMarked)
+{
+  const CellMask mask = drawn({"##...#", //
+                               "##...#", //
+                               "..##..", //
+                               "..##.."});
+  CellMask marks(mask.box());
+  marks.set({0, 3}, 1);
+  marks.set({4, 0}, 1); // of no region
+  EXPECT_EQ(markedRegions(mask, marks, false).toSet().keys(),
+            (std::vector<CellKey>{keyOf({0, 2}), keyOf({1, 2}), keyOf({0, 3}),
+                                  keyOf({1, 3})}));
+  EXPECT_EQ(markedRegions(mask, marks, true).count(), 8u) << "joined by a corner";
+  EXPECT_EQ(markedRegions(mask, CellMask(mask.box()), true).count(), 0u);
+}
+
+TEST(LargestRegion, IsFourConnectedAndTheFirstOfSeveralAsLarge)
+{
+  const CellMask mask = drawn({"##.###", //
+                               "##....", //
+                               "..####"});
+  EXPECT_EQ(largestRegion(mask).toSet().keys(),
+            (std::vector<CellKey>{keyOf({2, 0}), keyOf({3, 0}), keyOf({4, 0}),
+                                  keyOf({5, 0})}));
+  EXPECT_EQ(largestRegion(CellMask(mask.box())).count(), 0u);
+}
+
+TEST(GrowLabels, GoesAroundWhatIsNotDomainAndStopsAfterTheSteps)
+{
+  const CellMask domain = drawn({"#####", //
+                                 "#.#.#", //
+                                 "#.###"});
+  std::vector<std::int32_t> label(15, -1);
+  label[domain.indexOf({0, 0})] = 7;
+  growLabels(domain, 4, label);
+  EXPECT_EQ(label[domain.indexOf({0, 2})], 7) << "two steps up";
+  EXPECT_EQ(label[domain.indexOf({2, 2})], 7) << "four steps";
+  EXPECT_EQ(label[domain.indexOf({2, 1})], -1) << "five steps";
+  EXPECT_EQ(label[domain.indexOf({1, 1})], -1) << "not domain";
+}
+
+TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
+{
+  const CellMask domain = inverted(CellMask(box));
+  std::vector<std::int32_t> label(domain.values().size(), -1);
+  const std::vector<Cell> seeds{{-5, 5}, {10, 18}, {14, 4}};
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+    label[domain.indexOf(seeds[s])] = static_cast<std::int32_t>(s);
+  const std::vector<std::size_t> parent =
+      growLabelsWithParents(domain, std::numeric_limits<int>::max(), label);
+  const auto steps = [&](Cell c, std::size_t s) {
+    return std::abs(c.x - seeds[s].x) + std::abs(c.y - seeds[s].y);
+  };
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    const Cell c = domain.cellAt(i);
+    ASSERT_GE(label[i], 0);
+    const int own = steps(c, static_cast<std::size_t>(label[i]));
+    for (std::size_t s = 0; s < seeds.size(); ++s)
+      ASSERT_LE(own, steps(c, s));
+    if (own == 0) {
+      ASSERT_EQ(parent[i], CellSet::npos);
+      continue;
+    }
+    ASSERT_NE(parent[i], CellSet::npos);
+    ASSERT_EQ(label[parent[i]], label[i]);
+    ASSERT_EQ(steps(domain.cellAt(parent[i]), static_cast<std::size_t>(label[i])),
+              own - 1);
+  }
+}
+
+TEST(GrowLabels, GivesTheSameLabelsWithAndWithoutParents)
+{
+  const CellMask domain = randomMask(box, 0.7, 31);
+  std::vector<std::int32_t> label(domain.values().size(), -1);
+  label[0] = 1;
+  label[label.size() / 2] = 2;
+  std::vector<std::int32_t> other = label;
+  growLabels(domain, 9, label);
+  growLabelsWithParents(domain, 9, other);
+  EXPECT_EQ(label, other);
+}
+
+TEST(EnclosedCells, AreThoseWithoutAFourConnectedWayOut)
+{
+  const CellMask mask = drawn({".#####.", //
+                               ".#...#.", //
+                               ".#.#.##", //
+                               ".#...#.", //
+                               "..####.", //
+                               "......."});
+  const CellMask enclosed = enclosedCells(mask);
+  EXPECT_EQ(enclosed.count(), 8u) << "out by the corner does not count";
+  EXPECT_EQ(enclosed.at({2, 4}), 1);
+  EXPECT_EQ(enclosed.at({3, 3}), 0) << "set itself";
+  EXPECT_EQ(enclosed.at({0, 0}), 0);
+  EXPECT_EQ(enclosed.at({1, 1}), 0);
+
+  CellMask open = mask;
+  open.set({1, 3}, 0);
+  EXPECT_EQ(enclosedCells(open).count(), 0u);
+}
+
+} // namespace
