@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "edge_link.h"
 #include "mesh_edges.h"
 
 #include <pcl/sedr_surface/mesh_repair.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace pcl {
 namespace sedr {
@@ -51,30 +51,12 @@ private:
     return triangle[0] == v || triangle[1] == v || triangle[2] == v;
   }
 
-  std::vector<std::uint32_t> neighbours(std::uint32_t v) const
-  {
-    std::vector<std::uint32_t> found;
-    for (const auto t : around_[v])
-      for (const auto other : mesh_.triangles[t])
-        if (other != v)
-          found.push_back(other);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-  }
-
-  // The link condition of a closed surface: just two common neighbours, each with a
-  // neighbour left to spare.
   bool keepsTopology(std::uint32_t a, std::uint32_t b) const
   {
-    const auto of_a = neighbours(a);
-    const auto of_b = neighbours(b);
-    std::vector<std::uint32_t> common;
-    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                          std::back_inserter(common));
-    return common.size() == 2 && around_[common[0]].size() > 3 &&
-           around_[common[1]].size() > 3 && of_a.size() == around_[a].size() &&
-           of_b.size() == around_[b].size();
+    const EdgeLink link = linkOf(mesh_, a, around_[a], b, around_[b]);
+    return link.common.size() == 2 && around_[link.common[0]].size() > 3 &&
+           around_[link.common[1]].size() > 3 && link.of_a == around_[a].size() &&
+           link.of_b == around_[b].size();
   }
 
   // A triangle at `v` that does not use `other` would face the other way with `v` at

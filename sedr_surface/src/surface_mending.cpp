@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_mending.h"
 
+#include "edge_link.h"
+
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace pcl {
 namespace sedr {
@@ -141,27 +142,14 @@ private:
 
   std::vector<std::uint32_t> neighbours(std::uint32_t v)
   {
-    std::vector<std::uint32_t> found;
-    for (const auto t : around(v))
-      for (const auto other : mesh_.triangles[t])
-        if (other != v)
-          found.push_back(other);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return neighboursOf(mesh_, v, around(v));
   }
 
-  // The link condition of a closed surface: just two common neighbours, each with a
-  // neighbour left to spare.
   bool keepsTopology(std::uint32_t a, std::uint32_t b)
   {
-    const auto of_a = neighbours(a);
-    const auto of_b = neighbours(b);
-    std::vector<std::uint32_t> common;
-    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                          std::back_inserter(common));
-    return common.size() == 2 && around(common[0]).size() > 3 &&
-           around(common[1]).size() > 3;
+    const EdgeLink link = linkOf(mesh_, a, around(a), b, around(b));
+    return link.common.size() == 2 && around(link.common[0]).size() > 3 &&
+           around(link.common[1]).size() > 3;
   }
 
   // Whether `v` stays on the surface on its way to `other`: on its face, or its edge.
