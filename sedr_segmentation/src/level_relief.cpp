@@ -83,17 +83,16 @@ public:
   double step(bool along_x) const
   {
     constexpr std::size_t least = 8;
-    constexpr int half_width = 2;
-    Window before;
-    Window behind;
-    for (int along = 1; along <= reach; ++along)
-      for (int across = -half_width; across <= half_width; ++across) {
-        before.add(along_x ? at(-along, across) : at(across, -along));
-        behind.add(along_x ? at(along, across) : at(across, along));
-      }
-    if (before.size() < least || behind.size() < least)
-      return 0;
-    return std::abs(behind.middleMean() - before.middleMean());
+    return difference(along_x, reach, 2, least);
+  }
+
+  /** @brief Whether a step is there at once: of what slopes, the two cells on either
+   * side of the middle differ by no more than three fifths of the whole. */
+  bool isSharp(bool along_x) const
+  {
+    constexpr double least_share = 0.8;
+    constexpr std::size_t least = 3;
+    return difference(along_x, 2, 1, least) / step(along_x) >= least_share;
   }
 
 private:
@@ -103,6 +102,22 @@ private:
   }
 
   double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
+
+  /** @brief How much higher what is behind the cell lies than what is before it; 0
+   * where fewer than `least` cells were seen on a side. */
+  double difference(bool along_x, int length, int half_width, std::size_t least) const
+  {
+    Window before;
+    Window behind;
+    for (int along = 1; along <= length; ++along)
+      for (int across = -half_width; across <= half_width; ++across) {
+        before.add(along_x ? at(-along, across) : at(across, -along));
+        behind.add(along_x ? at(along, across) : at(across, along));
+      }
+    if (before.size() < least || behind.size() < least)
+      return 0;
+    return behind.middleMean() - before.middleMean();
+  }
 
   std::array<double, (2 * reach + 1) * (2 * reach + 1)> values_{};
 };
@@ -144,6 +159,29 @@ unevenCells(const CellSet& cells, const std::vector<double>& relief, double step
   for (std::size_t i = 0; i < cells.size(); ++i)
     uneven[i] = square_of[i] != CellSet::npos ? is_uneven[square_of[i]] : 0;
   return uneven;
+}
+
+/** @brief What a cell is of a step. */
+enum : std::uint8_t { none = 0, edge = 1, sharp_edge = 2 };
+
+/** @brief Whether one in ten of the edge cells about a cell is sharp. A slope has edge
+ * cells alone, and noise makes few of them sharp. */
+bool
+isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_t at)
+{
+  constexpr int reach = 6;
+  constexpr int least_share = 10; // one in so many
+  std::array<int, 3> count{};
+  const Cell middle = cells[at];
+  for (int dy = -reach; dy <= reach; ++dy) {
+    const CellKey first = keyOf({middle.x - reach, middle.y + dy});
+    const CellKey last = keyOf({middle.x + reach, middle.y + dy});
+    const auto& keys = cells.keys();
+    const auto from = std::lower_bound(keys.begin(), keys.end(), first);
+    for (auto k = from; k != keys.end() && *k <= last; ++k)
+      ++count[kind[static_cast<std::size_t>(k - keys.begin())]];
+  }
+  return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
 }
 
 } // namespace
@@ -206,15 +244,24 @@ stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned thre
   // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
   const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
   const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
-  std::vector<std::uint8_t> edges(relief.size(), 0);
+  std::vector<std::uint8_t> kind(relief.size(), none);
   parallelBlocks(relief.size(), cells_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
                      if (!uneven[i])
                        continue;
                      const Surroundings around(cells, relief, i);
-                     edges[i] = around.step(true) >= step || around.step(false) >= step;
+                     for (const bool along_x : {true, false})
+                       if (std::abs(around.step(along_x)) >= step)
+                         kind[i] = std::max<std::uint8_t>(
+                             kind[i], around.isSharp(along_x) ? sharp_edge : edge);
                    }
+                 });
+  std::vector<std::uint8_t> edges(relief.size(), 0);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     edges[i] = kind[i] != none && isOfStep(cells, kind, i) ? 1 : 0;
                  });
   return edges;
 }

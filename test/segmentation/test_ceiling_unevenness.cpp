@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_checks.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -38,6 +41,31 @@ TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)
     return 0.03 * (1 + std::cos(M_PI * r));
   }));
   EXPECT_EQ(levels.size(), 2u);
+}
+
+TEST(LevelSteps, WhatSlopesOrBendsHasNoStepHoweverSteepItIs)
+{
+  // Scallops 13 cm deep, which slope by a fifth; 6 cm that are lost over 60 cm.
+  const auto levels = levelsOf(
+      roomWithCeiling([](double x, double) { return 0.065 * std::cos(M_PI * x); }));
+  EXPECT_EQ(levels.size(), 2u);
+  const auto of_ramp = levelsOf(roomWithCeiling(
+      [](double x, double) { return std::clamp(0.1 * (x - 4), 0.0, 0.06); }));
+  EXPECT_EQ(of_ramp.size(), 2u);
+}
+
+TEST(LevelSteps, PartALevelInWhateverDirectionTheyRun)
+{
+  for (const double degrees : {20.0, 45.0}) {
+    const double c = std::cos(degrees * M_PI / 180);
+    const double s = std::sin(degrees * M_PI / 180);
+    const auto levels = levelsOf(roomWithCeiling([&](double x, double y) {
+      return c * (x - 4.31) + s * (y - 3.31) > 0 ? 0.03 : 0;
+    }));
+    ASSERT_EQ(levels.size(), 3u) << degrees;
+    EXPECT_NEAR(levels[1].height, 2.47, 0.002) << degrees;
+    EXPECT_NEAR(levels[2].height, 2.5, 0.002) << degrees;
+  }
 }
 
 } // namespace
