@@ -15,12 +15,13 @@ namespace {
 /** @brief Cells around a region that its judgement looks at. */
 constexpr int region_margin = 6;
 
-/** @brief The cells between two stretches of ceiling four cells apart or less: on both
- * sides of a narrow beam, on one of a wall above a window. */
+/** @brief The cells between two stretches of ceiling eight cells apart or less, two of a
+ * narrow beam and on each side three that its riser may be spread over by noise; beside
+ * the wall above a window, ceiling is on one side only. */
 CellMask
 betweenCeilings(const SliceScene& scene)
 {
-  constexpr double half_of_beam = 2; // cells
+  constexpr double half_of_beam = 4; // cells
   return eroded(dilated(scene.ceiling, half_of_beam), half_of_beam);
 }
 

@@ -36,6 +36,7 @@ judgeMeeting(const Storey& storey,
              const Piece& a,
              const Piece& b,
              const std::vector<Cell>& way,
+             const CellMask& passages,
              Frontier& frontier)
 {
   const double top = std::min(storey.heightOf(a.level, way.front()),
@@ -50,6 +51,11 @@ judgeMeeting(const Storey& storey,
     }
     has_lintel = has_lintel || storey.columns.hasWithin(cell, top - 0.5, top - 0.12);
   }
+  if (std::any_of(way.begin(), way.end(),
+                  [&](Cell cell) { return passages.at(cell) != 0; })) {
+    frontier.passage.push_back(keyOf(way.front()));
+    return;
+  }
   // One walks below a beam: the floor goes on there, as it does not in a window. What
   // furniture hides of it says neither.
   const bool has_floor =
@@ -62,13 +68,15 @@ judgeMeeting(const Storey& storey,
     ++(has_sill ? frontier.wall : frontier.hidden);
   }
   else if (isSameHeight(storey, a, b, way.front()))
-    frontier.below_lintel.push_back(keyOf(way.front()));
+    frontier.passage.push_back(keyOf(way.front()));
 }
 
 } // namespace
 
 Frontiers
-frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
+frontiersOf(const Storey& storey,
+            const std::vector<Piece>& pieces,
+            const CellMask& passages)
 {
   const int steps = cellsFor(0.4, storey.grid.size());
   CellMask everywhere(storey.box);
@@ -94,7 +102,7 @@ frontiersOf(const Storey& storey, const std::vector<Piece>& pieces)
       std::vector<Cell> way = wayBack(i, everywhere, parent);
       const std::vector<Cell> other = wayBack(j, everywhere, parent);
       way.insert(way.end(), other.begin(), other.end());
-      judgeMeeting(storey, pieces[a], pieces[b], way, frontiers[{a, b}]);
+      judgeMeeting(storey, pieces[a], pieces[b], way, passages, frontiers[{a, b}]);
     }
   }
   return frontiers;

@@ -16,8 +16,7 @@ namespace {
 std::size_t
 lengthOf(const Frontier& frontier)
 {
-  return frontier.wall + frontier.plain + frontier.below_lintel.size() +
-         frontier.hidden;
+  return frontier.wall + frontier.plain + frontier.passage.size() + frontier.hidden;
 }
 
 /** @brief Number of cell edges around a piece. */
@@ -73,12 +72,12 @@ perimetersOf(const std::vector<Outline>& outlines,
   return all;
 }
 
-/** @brief The longest stretch of a frontier below a lintel, in cells; a gap of a cell
- * ends none. */
+/** @brief The longest stretch of a frontier that may be a doorway, in cells; a gap of a
+ * cell ends none. */
 std::size_t
-widestSpan(const std::vector<CellKey>& below_lintel)
+widestSpan(const std::vector<CellKey>& passage)
 {
-  const CellSet cells(below_lintel);
+  const CellSet cells(passage);
   std::vector<CellKey> bridged;
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (int dy = -1; dy <= 1; ++dy)
@@ -98,7 +97,7 @@ widestSpan(const std::vector<CellKey>& below_lintel)
 bool
 isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& parameters)
 {
-  const std::size_t open = frontier.plain + frontier.below_lintel.size();
+  const std::size_t open = frontier.plain + frontier.passage.size();
   const std::size_t total = frontier.wall + open;
   // What furniture hides is as open as the rest.
   const double extent = static_cast<double>(open) *
@@ -109,7 +108,7 @@ isOpen(const Frontier& frontier, std::size_t around, const RoomParameters& param
   if (2 * frontier.plain >= total || 4 * open >= 3 * total)
     return true; // a door is a small part of what is wall else
   const double widest =
-      static_cast<double>(widestSpan(frontier.below_lintel)) * parameters.cell_size;
+      static_cast<double>(widestSpan(frontier.passage)) * parameters.cell_size;
   return widest > parameters.widest_door && 2 * open > total;
 }
 
@@ -127,8 +126,8 @@ betweenGroups(const Frontiers& frontiers, const std::vector<std::size_t>& group)
     sum.wall += frontier.wall;
     sum.plain += frontier.plain;
     sum.hidden += frontier.hidden;
-    sum.below_lintel.insert(sum.below_lintel.end(), frontier.below_lintel.begin(),
-                            frontier.below_lintel.end());
+    sum.passage.insert(sum.passage.end(), frontier.passage.begin(),
+                       frontier.passage.end());
   }
   return merged;
 }
@@ -150,7 +149,7 @@ joinGroups(const std::vector<Outline>& outlines,
     for (const auto& [pair, frontier] : betweenGroups(frontiers, group)) {
       const std::size_t smaller = std::min(edges[pair.first], edges[pair.second]);
       const double share =
-          static_cast<double>(frontier.plain + frontier.below_lintel.size()) /
+          static_cast<double>(frontier.plain + frontier.passage.size()) /
           static_cast<double>(std::max<std::size_t>(1, smaller));
       if (share <= most || !areOne(frontier, smaller))
         continue;
@@ -166,9 +165,11 @@ joinGroups(const std::vector<Outline>& outlines,
 } // namespace
 
 std::vector<std::size_t>
-groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
+groupPieces(const Storey& storey,
+            const std::vector<Piece>& pieces,
+            const CellMask& passages)
 {
-  const Frontiers frontiers = frontiersOf(storey, pieces);
+  const Frontiers frontiers = frontiersOf(storey, pieces, passages);
   std::vector<std::size_t> group(pieces.size());
   std::vector<Outline> outlines;
   for (const auto& piece : pieces)
@@ -176,7 +177,7 @@ groupPieces(const Storey& storey, const std::vector<Piece>& pieces)
   std::iota(group.begin(), group.end(), std::size_t{0});
   const auto isOpenAbove = [&](const Frontier& frontier, std::size_t around) {
     return 2 * frontier.plain >=
-               frontier.wall + frontier.plain + frontier.below_lintel.size() &&
+               frontier.wall + frontier.plain + frontier.passage.size() &&
            isOpen(frontier, around, storey.parameters);
   };
   const auto isOpenBelow = [&](const Frontier& frontier, std::size_t around) {

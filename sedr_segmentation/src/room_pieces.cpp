@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_pieces.h"
 
+#include "room_passages.h"
+
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <utility>
@@ -28,10 +30,36 @@ masksOf(const CellMask& frame, const MaskRegions& regions)
   return masks;
 }
 
+/** @brief Gives passages that lead from a region to itself its label. */
+void
+fillWithin(const CellMask& passages, std::vector<std::int32_t>& label)
+{
+  constexpr std::int32_t none = -1;
+  constexpr std::int32_t several = -2;
+  const MaskRegions regions = labelRegions(passages, true);
+  std::vector<std::int32_t> beside(regions.sizes.size(), none);
+  const auto forEachCell = [&](const auto& visit) {
+    for (std::size_t i = 0; i < label.size(); ++i)
+      if (regions.label[i] >= 0)
+        visit(i, beside[static_cast<std::size_t>(regions.label[i])]);
+  };
+  forEachCell([&](std::size_t i, std::int32_t& found) {
+    const Cell cell = passages.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      if (!passages.isInside(to) || label[passages.indexOf(to)] < 0)
+        continue;
+      const std::int32_t other = label[passages.indexOf(to)];
+      found = found == none || found == other ? other : several;
+    }
+  });
+  forEachCell([&](std::size_t i, std::int32_t& found) { label[i] = found; });
+}
+
 } // namespace
 
 std::vector<Piece>
-piecesOf(const Storey& storey, std::size_t level)
+piecesOf(const Storey& storey, std::size_t level, CellMask& passages)
 {
   const CellMask seen(storey.levels[level].cells, storey.box);
   // Closing bridges what was not hit; walls and lintels stay out.
@@ -47,8 +75,13 @@ piecesOf(const Storey& storey, std::size_t level)
     }
   const double neck = 1.5 * cellsFor(0.05, size);
   const CellMask core = eroded(closed, neck);
-  MaskRegions regions = labelRegions(core, true);
+  const CeilingPassages gaps = passagesThrough(core, storey.grid, neck);
+  MaskRegions regions = labelRegions(subtract(core, gaps.closed), true);
   growLabels(closed, static_cast<int>(2 * neck), regions.label);
+  fillWithin(gaps.cells, regions.label);
+  for (std::size_t i = 0; i < regions.label.size(); ++i)
+    if (gaps.cells.values()[i] && regions.label[i] < 0)
+      passages.values()[i] = 1;
 
   const double cell_area = size * size;
   std::vector<CellMask> masks = masksOf(closed, regions);

@@ -61,8 +61,10 @@ struct Storey {
   }
 };
 
-/** @brief The pieces of one ceiling level. */
-std::vector<Piece> piecesOf(const Storey& storey, std::size_t level);
+/** @brief The pieces of one ceiling level.
+ * @param[in,out] passages cells between pieces, in openings as high as the rooms */
+std::vector<Piece>
+piecesOf(const Storey& storey, std::size_t level, CellMask& passages);
 
 /** @brief The lowest floor with enough of the piece; false where there is none. */
 bool findFloor(const Storey& storey, Piece& piece);

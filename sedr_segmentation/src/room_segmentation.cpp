@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -82,9 +83,9 @@ makeRoom(const Storey& storey,
   if (area < storey.parameters.minimum_area)
     return false;
   const CellMask solid = solidOf(storey, scope);
+  room.enclosure = enclosureOf(storey, solid, members, main.floor);
   if (hasWallsBelow(storey, solid, main) ||
-      (enclosureOf(storey, solid, members, main.floor) <
-           storey.parameters.minimum_enclosure &&
+      (room.enclosure < storey.parameters.minimum_enclosure &&
        !isFramed(storey, solid, main)))
     return false;
   if (members.size() > 1) {
@@ -129,12 +130,13 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
 {
   const std::size_t first = rooms.size();
   std::vector<Piece> pieces;
+  CellMask passages(storey.box);
   for (std::size_t l = 0; l < storey.levels.size(); ++l)
     if (storey.levels[l].kind == LevelKind::Ceiling)
-      for (auto& piece : piecesOf(storey, l))
+      for (auto& piece : piecesOf(storey, l, passages))
         if (findFloor(storey, piece))
           pieces.push_back(std::move(piece));
-  const std::vector<std::size_t> group = groupPieces(storey, pieces);
+  const std::vector<std::size_t> group = groupPieces(storey, pieces, passages);
   std::vector<std::vector<const Piece*>> members(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p)
     members[group[p]].push_back(&pieces[p]);
@@ -148,6 +150,35 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
     if (is_room[g])
       rooms.push_back(std::move(made[g]));
   addHiddenCeilings(storey, first, rooms);
+}
+
+/** @brief Whether a room is next to one of `others`: no more than a wall is between
+ * their ceilings. */
+bool
+isNextTo(const RoomRegion& room, const std::vector<RoomRegion>& others, double cell)
+{
+  constexpr double thickest_wall = 0.5; // metres
+  const int reach = cellsFor(thickest_wall, cell);
+  const CellBox box = grown(boxOf(room.scope), reach);
+  const CellMask near = dilated(CellMask(room.scope, box), reach);
+  return std::any_of(others.begin(), others.end(), [&](const RoomRegion& other) {
+    return &other != &room && intersect(CellMask(other.scope, box), near).count() > 0;
+  });
+}
+
+/** @brief Drops what was seen of other rooms through doors. The ceiling of one that was
+ * scanned from within goes up to the walls around it; through a door, one sees it from
+ * some way behind that wall only, and nothing of the wall.
+ * @param rooms largest first */
+void
+dropLobbies(const RoomParameters& parameters, std::vector<RoomRegion>& rooms)
+{
+  std::vector<RoomRegion> kept;
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    if (r == 0 || rooms[r].enclosure >= parameters.minimum_apart_enclosure ||
+        isNextTo(rooms[r], rooms, parameters.cell_size))
+      kept.push_back(rooms[r]);
+  rooms = std::move(kept);
 }
 
 } // namespace
@@ -174,6 +205,7 @@ segmentRooms(const PointView& points,
                    [](const RoomRegion& a, const RoomRegion& b) {
                      return a.scope.size() > b.scope.size();
                    });
+  dropLobbies(parameters, rooms);
   return rooms;
 }
 

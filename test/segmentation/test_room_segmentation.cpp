@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
+#include "segmented_rooms.h"
 
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <random>
 
 namespace {
@@ -13,46 +13,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
-
-/** The levels of a scan and the rooms that they are parted into. */
-struct Rooms {
-  std::vector<Level> levels;
-  std::vector<RoomRegion> regions;
-  std::string problem;
-
-  explicit Rooms(const RoomPoints& points, const RoomParameters& parameters = {})
-  {
-    const LevelParameters level_parameters;
-    levels = findLevels(points.view(), points.all(), level_parameters);
-    classifyLevels(levels, level_parameters);
-    collectInliers(levels, points.view(), points.all(), level_parameters);
-    regions = segmentRooms(points.view(), points.all(), levels, parameters, problem);
-  }
-
-  double area(std::size_t room) const
-  {
-    return static_cast<double>(regions.at(room).scope.size()) * 0.0025;
-  }
-
-  double ceilingOf(std::size_t room) const
-  {
-    return levels[regions.at(room).ceiling_level].slab.heightAt({0, 0});
-  }
-
-  double floorOf(std::size_t room) const
-  {
-    return levels[regions.at(room).floor_level].slab.heightAt({0, 0});
-  }
-
-  /** Position of the room above a place, -1 for none. */
-  int at(double x, double y) const
-  {
-    for (std::size_t r = 0; r < regions.size(); ++r)
-      if (regions[r].scope.contains(CellGrid(0.05).at(x, y)))
-        return static_cast<int>(r);
-    return -1;
-  }
-};
 
 /** Whether a point of the partition between x = 4 and 4.2 belongs to no opening of it,
  * from y = 1 to 1 + width, up to z = head. */
@@ -84,7 +44,7 @@ TEST(SegmentRooms, ABoxIsOneRoom)
   for (const double noise : {0.0, 0.02}) {
     RoomPoints points(0.05, noise);
     points.room(rectangle(0.01, 0.01, 4.01, 3.01), -0.2, 2.5);
-    const Rooms rooms(points);
+    const SegmentedRooms rooms(points);
     EXPECT_EQ(rooms.problem, "");
     ASSERT_EQ(rooms.regions.size(), 1u);
     EXPECT_NEAR(rooms.area(0), 12, 0.7) << "but for a row of cells at the walls";
@@ -96,7 +56,7 @@ TEST(SegmentRooms, ABoxIsOneRoom)
 TEST(SegmentRooms, AnOpenDoorInAThinPartitionDoesNotJoinTwoRooms)
 {
   for (const double noise : {0.0, 0.01}) {
-    const Rooms rooms(twoRooms(0.9, 2.0, noise));
+    const SegmentedRooms rooms(twoRooms(0.9, 2.0, noise));
     ASSERT_EQ(rooms.regions.size(), 2u);
     EXPECT_NEAR(rooms.area(0), 12, 0.9);
     EXPECT_NEAR(rooms.area(1), 9, 0.9);
@@ -109,7 +69,7 @@ TEST(SegmentRooms, NorDoesOneBelowALowLintel)
 {
   for (const double noise : {0.0, 0.01})
     for (const double head : {2.15, 2.3})
-      EXPECT_EQ(Rooms(twoRooms(0.9, head, noise)).regions.size(), 2u) << head;
+      EXPECT_EQ(SegmentedRooms(twoRooms(0.9, head, noise)).regions.size(), 2u) << head;
 }
 
 TEST(SegmentRooms, LargestFirst)
@@ -118,7 +78,7 @@ TEST(SegmentRooms, LargestFirst)
   points.room(rectangle(0.01, 0.01, 2.01, 2.01), 0, 2.5);
   points.room(rectangle(2.31, 0.01, 7.31, 4.01), 0, 2.5);
   points.room(rectangle(7.61, 0.01, 10.61, 3.01), 0, 2.5);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 3u);
   EXPECT_EQ(rooms.at(5, 2), 0);
   EXPECT_EQ(rooms.at(9, 1.5), 1);
@@ -127,7 +87,7 @@ TEST(SegmentRooms, LargestFirst)
 
 TEST(SegmentRooms, AWallThatIsOpenAlmostWhollyJoins)
 {
-  const Rooms rooms(twoRooms(1.9, 2.2)); // a pass, wider than a door
+  const SegmentedRooms rooms(twoRooms(1.9, 2.2)); // a pass, wider than a door
   EXPECT_EQ(rooms.regions.size(), 1u);
 }
 
@@ -137,7 +97,7 @@ TEST(SegmentRooms, AStepInTheCeilingIsOneRoom)
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
   room.details = {detailOf(rectangle(4.01, 0.01, 6.01, 4.01), 2.4)};
   points.room(room);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 1u);
   EXPECT_NEAR(rooms.ceilingOf(0), 2.7, 1e-4) << "the larger part is the main ceiling";
   EXPECT_NEAR(rooms.area(0), 24, 1.2);
@@ -166,7 +126,7 @@ TEST(SegmentRooms, ABeamAboveWhatHidesTheFloorDoesNotPartARoom)
     points.wall(side, 2.4, 2.7);
   for (const auto& wall : room.boundary.elements)
     points.wall(wall, 0, 2.7);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 1u);
   EXPECT_EQ(rooms.at(1, 2), rooms.at(7, 2));
 }
@@ -177,7 +137,7 @@ TEST(SegmentRooms, ABeamDoesNotPartARoom)
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
   room.details = {detailOf(rectangle(2.81, 0.01, 3.21, 4.01), 2.3)};
   points.room(room);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 1u);
   const CellGrid grid(0.05);
   EXPECT_TRUE(rooms.regions[0].ceiling.contains(grid.at(1, 2)));
@@ -189,7 +149,7 @@ TEST(SegmentRooms, RoomsOfOtherHeightsHaveTheirOwnCeilingAndFloor)
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   points.room(rectangle(4.11, 0.01, 7.11, 3.01), -0.4, 3.1);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 2u);
   EXPECT_NEAR(rooms.ceilingOf(0), 2.5, 1e-4);
   EXPECT_NEAR(rooms.floorOf(0), 0, 1e-4);
@@ -206,7 +166,7 @@ TEST(SegmentRooms, BelowAGalleryAWallGoesUpToThatOnly)
   points.room(hall, [](const Vector3d& p) {
     return p.y() > 0.1 || p.x() < 4 || p.z() < 0.8 || p.z() > 3.9;
   });
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 1u) << rooms.problem;
   EXPECT_NEAR(rooms.area(0), 72, 3);
 }
@@ -226,7 +186,7 @@ TEST(SegmentRooms, APassageWithALowerCeilingBelongsToOneOfTheTwoRoomsItJoins)
   points.slab(passage, 2.5);
   points.wall(passage.elements[0], 0, 2.5);
   points.wall(passage.elements[2], 0, 2.5);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 2u);
   EXPECT_NE(rooms.at(2, 2), rooms.at(6.6, 2));
   EXPECT_GE(rooms.at(4.3, 1.5), 0);
@@ -249,7 +209,7 @@ TEST(SegmentRooms, NorDoesItJoinARoomWhoseCeilingIsManyStrips)
     points.room(strips, isWall);
     points.room(roomOf(rectangle(6.01, 1, 7.01, 1 + width), 2.7),
                 [](const Vector3d& p) { return p.x() > 6.02 && p.x() < 7; });
-    const Rooms rooms(points);
+    const SegmentedRooms rooms(points);
     EXPECT_EQ(rooms.regions.size(), 2u) << width;
     EXPECT_NE(rooms.at(3, 3), rooms.at(9, 3)) << width;
   }
@@ -260,7 +220,7 @@ TEST(SegmentRooms, WithoutWallsAroundItIsNoRoom)
   RoomPoints points;
   points.slab(rectangle(0, 0, 4, 3), 0);
   points.slab(rectangle(0, 0, 4, 3), 2.5); // a canopy
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.levels.size(), 2u);
   EXPECT_EQ(rooms.levels[1].kind, LevelKind::Ceiling);
   EXPECT_EQ(rooms.problem, "");
@@ -276,7 +236,7 @@ TEST(SegmentRooms, WithoutAFloorBelowItIsNoRoom)
   points.slab(other, 2.5);
   for (const auto& e : other.elements)
     points.wall(e, 0, 2.5);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   ASSERT_EQ(rooms.regions.size(), 1u);
   EXPECT_EQ(rooms.at(2, 1.5), 0);
 }
@@ -290,7 +250,7 @@ TEST(SegmentRooms, AFloorThatWallsGoThroughIsATable)
     points.wall(e, 0, 2.7);
   points.slab(loop, 2.7);
   points.slab(loop, 0.7);
-  EXPECT_TRUE(Rooms(points).regions.empty());
+  EXPECT_TRUE(SegmentedRooms(points).regions.empty());
 }
 
 TEST(SegmentRooms, SmallerThanTheMinimumItIsNoRoom)
@@ -298,10 +258,10 @@ TEST(SegmentRooms, SmallerThanTheMinimumItIsNoRoom)
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   points.room(rectangle(4.31, 0.01, 5.51, 1.51), 0, 2.5); // 1.8 square metres
-  EXPECT_EQ(Rooms(points).regions.size(), 2u);
+  EXPECT_EQ(SegmentedRooms(points).regions.size(), 2u);
   RoomParameters parameters;
   parameters.minimum_area = 2;
-  EXPECT_EQ(Rooms(points, parameters).regions.size(), 1u);
+  EXPECT_EQ(SegmentedRooms(points, parameters).regions.size(), 1u);
 }
 
 TEST(SegmentRooms, WithoutCeilingsThereAreNone)
@@ -316,7 +276,7 @@ TEST(SegmentRooms, RoomsTenKilometresApartAreNoBurden)
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   points.room(rectangle(8192.01, -8192.01, 8196.01, -8189.01), 0, 2.5);
-  const Rooms rooms(points);
+  const SegmentedRooms rooms(points);
   EXPECT_EQ(rooms.problem, "");
   ASSERT_EQ(rooms.regions.size(), 2u);
   EXPECT_NEAR(rooms.area(0), 12, 0.9);
@@ -346,7 +306,7 @@ TEST(SegmentRooms, StraysBelowTheFloorAreNoWallsThatGoOn)
   std::uniform_real_distribution<double> share(0, 1);
   for (int i = 0; i < 900; ++i)
     points.point(5 * share(random), 4 * share(random), -0.15 - 0.25 * share(random));
-  EXPECT_EQ(Rooms(points).regions.size(), 1u);
+  EXPECT_EQ(SegmentedRooms(points).regions.size(), 1u);
 }
 
 /** A hall, and beyond its wall a ceiling of 3 m x 1.1 m above a floor that goes on all

@@ -186,6 +186,27 @@ TEST(SliceDetails, BeamsOfTwelveCentimetresAreFound)
   }
 }
 
+TEST(SliceDetails, SoAreNarrowOnesAcrossTheGridInNoise)
+{
+  for (const double x : {2.2, 2.213, 2.231, 2.247}) {
+    PlanRoom room = plainRoom();
+    room.details = {detailOf(rectangle(x, 0.01, x + 0.15, 4.01), height - 0.2)};
+    room.boundary = placed(room.boundary, 45, {0, 0});
+    room.details[0].boundary = placed(room.details[0].boundary, 45, {0, 0});
+    const Scene scene(room, 0.02);
+    const SliceDetails details = scene.find();
+    const std::set<int> found(details.indices.begin(), details.indices.end());
+    double seen = 0;
+    double all = 0;
+    for (const int i : scene.parts.details)
+      if (scene.points[i].z() < height - 0.14) {
+        seen += found.count(i) ? 1 : 0;
+        ++all;
+      }
+    EXPECT_GT(seen, 0.5 * all) << x;
+  }
+}
+
 TEST(SliceDetails, ARecessIsFoundThoughNoSliceEnclosesIt)
 {
   PlanRoom room = plainRoom();

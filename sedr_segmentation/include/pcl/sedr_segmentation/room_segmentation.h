@@ -17,9 +17,12 @@ struct RoomParameters {
   double minimum_height = 1.5;      ///< of a room, from floor to ceiling
   double minimum_floor_share = 0.1; ///< of a room's cells that have its floor below
   double minimum_enclosure = 0.4;   ///< of its outline walled less that left open
+  double minimum_apart_enclosure =
+      0.7; ///< the same of one whose ceiling is more than a wall away from all others
   double minimum_open_share =
       0.15; ///< of the outline of a piece that is open to what it belongs to
-  double widest_door = 1.6; ///< an opening below a lintel that is wider joins two rooms
+  double widest_door = 1.6; ///< a wider opening joins two rooms if most of what is
+                            ///< between them is open
   unsigned threads = 0;     ///< 0: as many as there are processors
 };
 
@@ -29,8 +32,9 @@ struct RoomRegion {
   std::size_t floor_level = 0;
   CellSet
       ceiling; ///< cells of the main ceiling on both sides of beams, small gaps closed
-  CellSet scope;  ///< cells of all its ceilings
-  CellSet hidden; ///< those of them along walls that something below hides
+  CellSet scope;        ///< cells of all its ceilings
+  CellSet hidden;       ///< those of them along walls that something below hides
+  double enclosure = 0; ///< share of its outline that is walled less that left open
 };
 
 /** @brief Parts the ceilings of a storey into rooms, largest first.
@@ -38,8 +42,9 @@ struct RoomRegion {
  * Within a level, rooms are the connected regions of ceiling without wall columns,
  * necks of the width of scan noise cut. Regions that face each other, of one level or
  * two, are one room where no wall stands between them: a step, a beam or a soffit is
- * open below, a doorway is narrow and has a lintel. Regions without floor below are
- * not rooms, nor are those without walls around, but for those that lintels frame.
+ * open below, a doorway has a lintel or, where it is as high as the rooms, jambs on
+ * both sides. Regions without floor below are not rooms, nor are those without walls
+ * around, but for those that lintels frame, nor is what was seen of one through a door.
  *
  * @param levels classified, with inliers
  * @param[out] problem why nothing could be done, a sentence; empty otherwise
