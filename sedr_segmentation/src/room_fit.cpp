@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "main_directions.h"
+#include "wall_boards.h"
 
 #include <pcl/sedr_segmentation/room_fit.h>
 
@@ -64,23 +65,33 @@ isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3
 
 /** @brief The places of those of some points that show walls or columns: upright things
  * in the upper half of the room, as furniture hides the lower. */
-PlanPoints
+std::vector<UprightPlace>
 uprightPlaces(const PointView& points,
               const std::vector<int>& indices,
               const PlanRoom& room,
               const ColumnTable& columns,
               const CellGrid& grid)
 {
-  std::vector<Eigen::Vector2d> upper;
+  std::vector<UprightPlace> upper;
   for (const int i : indices) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Eigen::Vector2d place = p.head<2>().cast<double>();
     const double top = room.ceiling.heightAt(place);
     const double middle = (room.floor.heightAt(place) + top) / 2;
     if (p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p))
-      upper.push_back(place);
+      upper.push_back({place, top - p.z()});
   }
-  return {std::move(upper), 0.1};
+  return upper;
+}
+
+PlanPoints
+inPlan(const std::vector<UprightPlace>& places)
+{
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(places.size());
+  for (const UprightPlace& upright : places)
+    points.push_back(upright.place);
+  return {std::move(points), 0.1};
 }
 
 /** @brief What may show the walls of a room: what the growing found, and what is at the
@@ -242,7 +253,7 @@ fitRoom(const PointView& points,
   const ColumnTable& columns = has_furniture ? *of_rest : all;
   const RoomOutline outline =
       outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
-  const PlanPoints walls =
+  std::vector<UprightPlace> walls =
       uprightPlaces(points,
                     besides(furniture, points,
                             wallEvidence(points, evidence, outline.room, grid,
@@ -252,7 +263,12 @@ fitRoom(const PointView& points,
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
-  room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters), &fitted.samples);
+  const LoopParameters loop = loopOnCells(parameters);
+  room.boundary = fitLoop(contour, inPlan(walls), {}, loop, &fitted.samples);
+  constexpr int most_rounds = 4; // the loop may run along parts of a board only
+  for (int round = 0; round < most_rounds && leaveOutBoards(room.boundary, walls);
+       ++round)
+    room.boundary = fitLoop(contour, inPlan(walls), {}, loop, &fitted.samples);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
@@ -273,8 +289,8 @@ fitRoom(const PointView& points,
     if (2 * intersect(column, open).count() >= column.count())
       return;
     // What the growing took for no wall may still be the column's.
-    const PlanPoints own = uprightPlaces(
-        points, pointsIn(column, points, standing, grid), room, columns, grid);
+    const PlanPoints own = inPlan(uprightPlaces(
+        points, pointsIn(column, points, standing, grid), room, columns, grid));
     of_columns[c].label = StructureLabel::Column;
     loops[c] =
         columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);

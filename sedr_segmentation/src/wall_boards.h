@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A place in plan of a point on something upright. */
+struct UprightPlace {
+  Eigen::Vector2d place;
+  double below = 0; ///< the ceiling, metres
+};
+
+/** @brief Takes out what hangs before walls and ends below the ceiling: boards, panels,
+ * screens.
+ *
+ * A board may cover so much of a wall that a line through most of the points is the
+ * board's. But the wall reaches the ceiling. Where the 40 cm below the ceiling show one
+ * straight surface behind the line, along most of it, and what is under them stands
+ * before that, it is no wall.
+ *
+ * @param[in,out] places within reach of walls and elsewhere; the order stays
+ * @return whether any were taken out. O(n m) for n places and m walls. */
+bool leaveOutBoards(const PlanLoop& boundary, std::vector<UprightPlace>& places);
+
+} // namespace sedr
+} // namespace pcl
