@@ -2,7 +2,7 @@
 # The headers of Eigen, PCL and GoogleTest take most of the time of most files: they are compiled
 # once for the libraries, once for the programs and once for the tests.
 
-# ccache does not keep what was compiled with them.
+# With its default settings ccache does not keep what was compiled with them.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(precompiled_by_default OFF)
 else()

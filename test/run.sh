@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds everything and runs all tests. SEDR_JOBS sets how many compilers
-# and tests run at a time (as many as there are processors), SEDR_DATA where real scans lie; tests on them are skipped without.
+# and tests run at a time (as many as there are processors), SEDR_DATA where real scans lie; tests
+# on them are skipped without.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
