@@ -21,6 +21,22 @@ constexpr double shallow_step = 0.06;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/** @brief The points of a cell, over the main slab, metres. */
+struct CellHeights {
+  double sum = 0;
+  double count = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double height)
+  {
+    sum += height;
+    count += 1;
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+};
+
 /** @brief Notes what was seen of a ceiling in the cells of its room.
  * @return marks those at steps */
 std::vector<std::uint8_t>
@@ -29,28 +45,28 @@ noteRelief(const PointView& points,
            const CellGrid& grid,
            HeightMap& map)
 {
+  constexpr double most_spread = 0.1; // more is a riser
   const CellMask& room = map.room;
-  std::vector<double> sum(room.values().size(), 0);
-  std::vector<double> count(sum.size(), 0);
+  std::vector<CellHeights> seen(room.values().size());
   for (const auto* indices : {&evidence.main, &evidence.details})
     for (const int i : *indices) {
       const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
       const Cell cell = grid.at(p.x(), p.y());
-      if (!room.at(cell))
-        continue;
-      sum[room.indexOf(cell)] += distanceAbove(map.main, p);
-      count[room.indexOf(cell)] += 1;
+      if (room.at(cell))
+        seen[room.indexOf(cell)].add(distanceAbove(map.main, p));
     }
   const CellSet cells = room.toSet();
   std::vector<double> heights;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const std::size_t i = room.indexOf(cells[k]);
-    heights.push_back(count[i] > 0 ? sum[i] / count[i] : unknown);
+    const CellHeights& of_cell = seen[room.indexOf(cells[k])];
+    heights.push_back(of_cell.high - of_cell.low <= most_spread
+                          ? of_cell.sum / of_cell.count
+                          : unknown);
   }
   const std::vector<std::uint8_t> edges = stepEdges(cells, heights, 1);
   const std::vector<double> smooth = smoothRelief(cells, heights, 1);
-  map.relief.assign(sum.size(), unknown);
-  std::vector<std::uint8_t> steps(sum.size(), 0);
+  map.relief.assign(seen.size(), unknown);
+  std::vector<std::uint8_t> steps(seen.size(), 0);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     map.relief[room.indexOf(cells[k])] = smooth[k];
     steps[room.indexOf(cells[k])] = edges[k];
