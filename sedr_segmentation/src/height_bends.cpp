@@ -21,6 +21,22 @@ constexpr double shallow_step = 0.06;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/** @brief The points of a cell, over the main slab, metres. */
+struct CellHeights {
+  double sum = 0;
+  double count = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double height)
+  {
+    sum += height;
+    count += 1;
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+};
+
 /** @brief Notes what was seen of a ceiling in the cells of its room.
  * @return marks those at steps */
 std::vector<std::uint8_t>
@@ -29,28 +45,28 @@ noteRelief(const PointView& points,
            const CellGrid& grid,
            HeightMap& map)
 {
+  constexpr double most_spread = 0.1; // more is a riser
   const CellMask& room = map.room;
-  std::vector<double> sum(room.values().size(), 0);
-  std::vector<double> count(sum.size(), 0);
+  std::vector<CellHeights> seen(room.values().size());
   for (const auto* indices : {&evidence.main, &evidence.details})
     for (const int i : *indices) {
       const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
       const Cell cell = grid.at(p.x(), p.y());
-      if (!room.at(cell))
-        continue;
-      sum[room.indexOf(cell)] += distanceAbove(map.main, p);
-      count[room.indexOf(cell)] += 1;
+      if (room.at(cell))
+        seen[room.indexOf(cell)].add(distanceAbove(map.main, p));
     }
   const CellSet cells = room.toSet();
   std::vector<double> heights;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const std::size_t i = room.indexOf(cells[k]);
-    heights.push_back(count[i] > 0 ? sum[i] / count[i] : unknown);
+    const CellHeights& of_cell = seen[room.indexOf(cells[k])];
+    heights.push_back(of_cell.high - of_cell.low <= most_spread
+                          ? of_cell.sum / of_cell.count
+                          : unknown);
   }
   const std::vector<std::uint8_t> edges = stepEdges(cells, heights, 1);
   const std::vector<double> smooth = smoothRelief(cells, heights, 1);
-  map.relief.assign(sum.size(), unknown);
-  std::vector<std::uint8_t> steps(sum.size(), 0);
+  map.relief.assign(seen.size(), unknown);
+  std::vector<std::uint8_t> steps(seen.size(), 0);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     map.relief[room.indexOf(cells[k])] = smooth[k];
     steps[room.indexOf(cells[k])] = edges[k];
@@ -272,6 +288,7 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
 {
   constexpr int reach = 2; // cells
   BentEdges edges{{}, CellMask(map.room.box())};
+  CellMask sharp(map.room.box()); // where a step is
   if (map.bends.empty())
     return edges;
   const auto isBent = [&](std::size_t i, std::size_t j) {
@@ -287,8 +304,13 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
     const Cell cell = map.room.cellAt(i);
     for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
       const Cell to{cell.x + d.x, cell.y + d.y};
-      if (!map.room.at(cell) || !map.room.at(to) || !isBent(i, map.room.indexOf(to)))
+      if (!map.room.at(cell) || !map.room.at(to))
         continue;
+      if (!isBent(i, map.room.indexOf(to))) {
+        if (map.label[i] != map.label[map.room.indexOf(to)])
+          sharp.set(cell, 1);
+        continue;
+      }
       const Eigen::Vector2d middle =
           grid.centre(cell) + shareOfWay(map, i, map.room.indexOf(to), grid) *
                                   (grid.centre(to) - grid.centre(cell));
@@ -299,7 +321,7 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
       edges.cells.set(to, 1);
     }
   }
-  edges.cells = dilated(edges.cells, reach);
+  edges.cells = subtract(dilated(edges.cells, reach), dilated(sharp, reach));
   return edges;
 }
 
