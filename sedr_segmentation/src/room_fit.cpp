@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "loop_recesses.h"
 #include "main_directions.h"
 #include "wall_boards.h"
 
@@ -269,6 +270,7 @@ fitRoom(const PointView& points,
   for (int round = 0; round < most_rounds && leaveOutBoards(room.boundary, walls);
        ++round)
     room.boundary = fitLoop(contour, inPlan(walls), {}, loop, &fitted.samples);
+  closeRecesses(room, points, evidence.around);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
