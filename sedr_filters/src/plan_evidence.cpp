@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/parallel_sort.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +37,8 @@ class PointCubes {
 public:
   PointCubes(const PointView& points,
              const std::vector<int>& indices,
-             const Eigen::AlignedBox3d& box)
+             const Eigen::AlignedBox3d& box,
+             unsigned threads)
       : origin_(box.min())
   {
     for (const int i : indices) {
@@ -47,8 +49,8 @@ public:
       if (box.contains(p))
         points_.emplace_back(keyOf(cubeOf(p)), p);
     }
-    std::stable_sort(points_.begin(), points_.end(),
-                     [](const Entry& a, const Entry& b) { return a.first < b.first; });
+    sortParallel(points_, threads,
+                 [](const Entry& a, const Entry& b) { return a.first < b.first; });
   }
 
   /** @brief Whether any point within a cube's size of `place` is one that is asked for.
@@ -254,14 +256,20 @@ void
 measureRoom(PlanRoom& room,
             const PointView& points,
             const std::vector<int>& indices,
-            double tolerance)
+            double tolerance,
+            unsigned threads)
 {
-  const PointCubes cubes(points, indices, boxOf(room));
+  const PointCubes cubes(points, indices, boxOf(room), threads);
   const RoomEvidence evidence(room, cubes, tolerance);
+  const std::vector<UprightSurface> surfaces = uprightSurfaces(room);
+  std::vector<ElementEvidence> count_of(surfaces.size());
+  parallelBlocks(surfaces.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    count_of[k] = evidence.countOf(surfaces[k]);
+  });
   Counts counts;
-  for (const UprightSurface& surface : uprightSurfaces(room)) {
-    ElementEvidence& sum = counts[surface.element];
-    sum = sumOf(sum, evidence.countOf(surface));
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    ElementEvidence& sum = counts[surfaces[k].element];
+    sum = sumOf(sum, count_of[k]);
   }
   note(counts, room.boundary);
   for (PlanLoop& column : room.columns)
@@ -314,7 +322,7 @@ measureEvidence(Floorplan& plan,
 {
   const std::vector<std::vector<int>> shares = shareOut(plan, points, indices);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    measureRoom(plan.rooms[r], points, shares[r], tolerance);
+    measureRoom(plan.rooms[r], points, shares[r], tolerance, threads);
   });
 }
 

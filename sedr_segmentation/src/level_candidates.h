@@ -29,6 +29,21 @@ private:
 /** @brief Positions of a cell and of the eight around it, those that are in the set. */
 CellBlock blockAround(const CellSet& cells, std::size_t at);
 
+/** @brief A stretch [first, last) of the points of a column, columns.all(). */
+struct ColumnStretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/** @brief The points of a cell's column that may lie between `low` and `high`, metres
+ * above a plane, all of them and few others: by height, as a plane hardly rises within
+ * a cell. */
+ColumnStretch stretchNear(const LevelColumns& columns,
+                          std::size_t cell,
+                          const PlanSlab& slab,
+                          double low,
+                          double high);
+
 /** @brief Marks, of the `asked` cells, the columns of walls: those that go on beyond a
  * plane, with points one and a half to four tolerances above it where `direction` is 1,
  * below it where it is -1, and right beside it, up to 2.25 tolerances, in a block of

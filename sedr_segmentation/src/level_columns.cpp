@@ -4,10 +4,12 @@
 #include "level_candidates.h"
 
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -55,24 +57,6 @@ isLower(const Candidate& a, const Candidate& b)
   return a.z != b.z ? a.z < b.z : a.index < b.index;
 }
 
-/** @brief Sorts candidates by height: parts side by side, which are merged then. */
-void
-sortByHeight(std::vector<Candidate>& candidates, unsigned threads)
-{
-  constexpr std::size_t parts = 8;
-  const std::size_t n = candidates.size();
-  const auto at = [&](std::size_t part) {
-    return candidates.begin() + static_cast<std::ptrdiff_t>(n * part / parts);
-  };
-  parallelBlocks(parts, 1, threads, [&](std::size_t part, std::size_t next) {
-    std::sort(at(part), at(next), isLower);
-  });
-  for (std::size_t width = 1; width < parts; width *= 2)
-    parallelBlocks(parts, 2 * width, threads, [&](std::size_t part, std::size_t next) {
-      std::inplace_merge(at(part), at(part + width), at(next), isLower);
-    });
-}
-
 } // namespace
 
 LevelColumns::LevelColumns(const PointView& points,
@@ -82,34 +66,46 @@ LevelColumns::LevelColumns(const PointView& points,
                            unsigned threads)
     : points_(points)
     , grid_(cell_size)
+    , threads_(threads)
     , cells_(grid_, points, indices)
 {
-  sortIntoColumns(indices, threads);
-  leaveOutWalls(tolerance, threads);
+  sortIntoColumns(indices);
+  leaveOutWalls(tolerance);
 }
 
 void
-LevelColumns::sortIntoColumns(const std::vector<int>& indices, unsigned threads)
+LevelColumns::sortIntoColumns(const std::vector<int>& indices)
 {
   constexpr std::size_t cells_a_block = 4096;
-  std::vector<Candidate> unsorted;
-  unsorted.reserve(indices.size());
+  constexpr std::size_t points_a_block = 16384;
+  constexpr auto nowhere = std::numeric_limits<std::uint32_t>::max();
+  std::vector<Candidate> unsorted(indices.size());
+  parallelBlocks(
+      indices.size(), points_a_block, threads_,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const int i = indices[k];
+          const Eigen::Vector3f p = points_[static_cast<std::size_t>(i)];
+          const bool is_held = std::isfinite(p.z()) && grid_.holds(p.x(), p.y());
+          const auto cell =
+              is_held ? static_cast<std::uint32_t>(cells_.find(grid_.at(p.x(), p.y())))
+                      : nowhere;
+          unsorted[k] = {i, cell, p.x(), p.y(), p.z()};
+        }
+      });
+  unsorted.erase(std::remove_if(unsorted.begin(), unsorted.end(),
+                                [&](const Candidate& c) { return c.cell == nowhere; }),
+                 unsorted.end());
   first_.assign(cells_.size() + 1, 0);
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points_[static_cast<std::size_t>(i)];
-    if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
-      continue;
-    const std::size_t cell = cells_.find(grid_.at(p.x(), p.y()));
-    unsorted.push_back({i, static_cast<std::uint32_t>(cell), p.x(), p.y(), p.z()});
-    ++first_[cell + 1];
-  }
+  for (const Candidate& c : unsorted)
+    ++first_[c.cell + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next(first_.begin(), first_.end());
   all_.resize(unsorted.size());
   for (const Candidate& c : unsorted)
     all_[next[c.cell]++] = c;
   parallelBlocks(
-      cells_.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
+      cells_.size(), cells_a_block, threads_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
           std::sort(all_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
                     all_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]), isLower);
@@ -117,7 +113,7 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices, unsigned threads)
 }
 
 void
-LevelColumns::leaveOutWalls(double tolerance, unsigned threads)
+LevelColumns::leaveOutWalls(double tolerance)
 {
   constexpr std::size_t cells_a_block = 4096;
   const auto near = static_cast<float>(tolerance);
@@ -137,10 +133,10 @@ LevelColumns::leaveOutWalls(double tolerance, unsigned threads)
     }
     blocks[begin / cells_a_block] = std::move(horizontal);
   };
-  parallelBlocks(cells_.size(), cells_a_block, threads, look);
+  parallelBlocks(cells_.size(), cells_a_block, threads_, look);
   for (const auto& block : blocks)
     without_walls_.insert(without_walls_.end(), block.begin(), block.end());
-  sortByHeight(without_walls_, threads);
+  sortParallel(without_walls_, threads_, isLower);
 }
 
 } // namespace sedr

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_contrast.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace sedr {
 
 namespace {
 
+constexpr std::size_t cells_a_block = 4096;
+
 /** @brief Points at a slab and beside it. */
 struct Contrast {
   std::size_t at_slab = 0;
@@ -19,55 +22,61 @@ struct Contrast {
   std::size_t below = 0;
 };
 
-/** @brief Counts the points of the columns, each as often as its cell weighs. */
+/** @brief Counts the points of some columns, each as often as its cell weighs. */
 Contrast
 contrastOf(const LevelColumns& columns,
            const std::vector<std::uint8_t>& weights,
            const PlanSlab& slab,
            double tolerance)
 {
-  Contrast contrast;
-  for (std::size_t cell = 0; cell < weights.size(); ++cell) {
-    const std::size_t weight = weights[cell];
-    if (weight == 0)
-      continue;
-    for (std::size_t k = columns.first(cell); k < columns.last(cell); ++k) {
-      const double d = distanceAbove(slab, columns.all()[k].position());
-      contrast.at_slab += std::abs(d) <= tolerance / 2 ? weight : 0;
-      contrast.above += d > tolerance && d <= 2 * tolerance ? weight : 0;
-      contrast.below += d < -tolerance && d >= -2 * tolerance ? weight : 0;
+  std::vector<Contrast> parts(weights.size() / cells_a_block + 1);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    Contrast& contrast = parts[begin / cells_a_block];
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const std::size_t weight = weights[cell];
+      if (weight == 0)
+        continue;
+      const ColumnStretch near =
+          stretchNear(columns, cell, slab, -2 * tolerance, 2 * tolerance);
+      for (std::size_t k = near.first; k < near.last; ++k) {
+        const double d = distanceAbove(slab, columns.all()[k].position());
+        contrast.at_slab += std::abs(d) <= tolerance / 2 ? weight : 0;
+        contrast.above += d > tolerance && d <= 2 * tolerance ? weight : 0;
+        contrast.below += d < -tolerance && d >= -2 * tolerance ? weight : 0;
+      }
     }
+  };
+  parallelBlocks(weights.size(), cells_a_block, columns.threads(), look);
+  Contrast contrast;
+  for (const Contrast& part : parts) {
+    contrast.at_slab += part.at_slab;
+    contrast.above += part.above;
+    contrast.below += part.below;
   }
   return contrast;
+}
+
+/** @brief For each cell the number of marked ones up to `reach` cells away, itself left
+ * out. */
+std::vector<std::uint8_t>
+markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked, int reach)
+{
+  std::vector<std::uint8_t> around(marked.size(), 0);
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i])
+      forEachAround(cells, cells[i], reach,
+                    [&](std::size_t k) { around[k] += k != i ? 1 : 0; });
+  return around;
 }
 
 /** @brief The marked cells and those around them. */
 std::vector<std::uint8_t>
 withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 {
-  std::vector<std::uint8_t> result(marked.size(), 0);
+  std::vector<std::uint8_t> result = markedAround(cells, marked, 1);
   for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i])
-      for (const std::size_t k : blockAround(cells, i))
-        result[k] = 1;
+    result[i] = marked[i] || result[i] > 0 ? 1 : 0;
   return result;
-}
-
-/** @brief For each cell the number of marked ones up to two cells away, itself left
- * out. */
-std::vector<std::uint8_t>
-markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked)
-{
-  std::vector<std::uint8_t> around(marked.size(), 0);
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i])
-      for (int k = 0; k < 25; ++k) {
-        const std::size_t at =
-            cells.find({cells[i].x + k % 5 - 2, cells[i].y + k / 5 - 2});
-        if (at != i && at != CellSet::npos)
-          ++around[at];
-      }
-  return around;
 }
 
 } // namespace
@@ -89,7 +98,7 @@ standsOut(const LevelColumns& columns,
   if (2 * count(marked) > count(about)) // cells side by side
     return true;
   const Contrast around =
-      contrastOf(columns, markedAround(cells, marked), slab, tolerance);
+      contrastOf(columns, markedAround(cells, marked, 2), slab, tolerance);
   return around.at_slab >= 2 * std::max(around.above, around.below);
 }
 

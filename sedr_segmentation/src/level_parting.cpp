@@ -105,18 +105,16 @@ edgesOf(const LevelColumns& columns,
     const double height = was.heightAt(place) + relief.heights[i];
     double least = std::numeric_limits<double>::infinity();
     const PlanSlab* nearest = nullptr;
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx) {
-        const std::size_t k = cells.find({cells[i].x + dx, cells[i].y + dy});
-        const PlanSlab* beside = k == CellSet::npos ? nullptr : slab_of[k];
-        if (!beside || beside == nearest)
-          continue;
-        const double d = std::abs(height - beside->heightAt(place));
-        if (d < least) {
-          least = d;
-          nearest = beside;
-        }
+    forEachAround(cells, cells[i], reach, [&](std::size_t k) {
+      const PlanSlab* beside = slab_of[k];
+      if (!beside || beside == nearest)
+        return;
+      const double d = std::abs(height - beside->heightAt(place));
+      if (d < least) {
+        least = d;
+        nearest = beside;
       }
+    });
     if (nearest && nearest != &slab)
       positions.push_back(i);
   }

@@ -51,21 +51,19 @@ raised(PlanSlab slab, double by)
 double
 unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSlab& slab)
 {
-  struct Patch {
-    double sum = 0;
-    double count = 0;
-  };
   const CellGrid grid(0.5);
-  std::map<CellKey, Patch> patches;
+  const CellSet patches(grid, points, own);
+  std::vector<double> sum(patches.size(), 0);
+  std::vector<double> count(patches.size(), 0);
   for (const int i : own) {
     const auto p = points[static_cast<std::size_t>(i)];
-    Patch& patch = patches[keyOf(grid.at(p.x(), p.y()))];
-    patch.sum += distanceAbove(slab, p);
-    patch.count += 1;
+    const std::size_t patch = patches.find(grid.at(p.x(), p.y()));
+    sum[patch] += distanceAbove(slab, p);
+    count[patch] += 1;
   }
   double squares = 0;
-  for (const auto& [key, patch] : patches)
-    squares += patch.sum * patch.sum / patch.count;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    squares += sum[k] * sum[k] / count[k];
   return squares / std::max(1.0, static_cast<double>(own.size()));
 }
 
@@ -77,14 +75,11 @@ numbersAround(const CellSet& cells,
 {
   constexpr int reach = 6;
   std::vector<std::size_t> numbers;
-  const Cell middle = cells[at];
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const std::size_t i = cells.find({middle.x + dx, middle.y + dy});
-      if (i != CellSet::npos && number_of[i] != CellSet::npos &&
-          std::find(numbers.begin(), numbers.end(), number_of[i]) == numbers.end())
-        numbers.push_back(number_of[i]);
-    }
+  forEachAround(cells, cells[at], reach, [&](std::size_t i) {
+    if (number_of[i] != CellSet::npos &&
+        std::find(numbers.begin(), numbers.end(), number_of[i]) == numbers.end())
+      numbers.push_back(number_of[i]);
+  });
   return numbers;
 }
 

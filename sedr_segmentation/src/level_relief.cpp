@@ -67,15 +67,9 @@ public:
   {
     values_.fill(unknown);
     const Cell middle = cells[at];
-    for (int dy = -reach; dy <= reach; ++dy) {
-      // Cells side by side follow one another in the set.
-      std::size_t i = CellSet::npos;
-      for (int dx = -reach; dx <= reach && i == CellSet::npos; ++dx)
-        i = cells.find({middle.x + dx, middle.y + dy});
-      const CellKey last = keyOf({middle.x + reach, middle.y + dy});
-      for (; i < cells.size() && cells.keys()[i] <= last; ++i)
-        values_[indexOf(cells[i].x - middle.x, dy)] = relief[i];
-    }
+    forEachAround(cells, middle, reach, [&](std::size_t i) {
+      values_[indexOf(cells[i].x - middle.x, cells[i].y - middle.y)] = relief[i];
+    });
   }
 
   /** @brief The step across the cell, from what is on one side of it to what is on the

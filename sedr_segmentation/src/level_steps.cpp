@@ -25,13 +25,8 @@ isNearPlane(const CellSet& cells,
             const std::vector<double>& offsets,
             double noise)
 {
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const std::size_t near = cells.find({cells[at].x + dx, cells[at].y + dy});
-      if (near != CellSet::npos && std::abs(offsets[near]) <= noise)
-        return true;
-    }
-  return false;
+  return anyAround(cells, cells[at], reach,
+                   [&](std::size_t near) { return std::abs(offsets[near]) <= noise; });
 }
 
 /** @brief Whether a region off a plane is a step: it is so at its border, too. */
@@ -67,19 +62,18 @@ noiseOf(const PlanSlab& slab, double tolerance)
 CellSet
 withoutFringes(const CellSet& cells)
 {
-  std::vector<CellKey> kept;
+  std::vector<std::uint8_t> is_kept(cells.size(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::vector<CellKey> block;
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        const Cell cell{cells[i].x + dx, cells[i].y + dy};
-        if (cells.contains(cell))
-          block.push_back(keyOf(cell));
-      }
-    if (block.size() > 10)
-      kept.insert(kept.end(), block.begin(), block.end());
+    std::size_t count = 0;
+    forEachAround(cells, cells[i], 2, [&](std::size_t) { ++count; });
+    if (count > 10)
+      forEachAround(cells, cells[i], 2, [&](std::size_t k) { is_kept[k] = 1; });
   }
-  return CellSet(std::move(kept));
+  std::vector<CellKey> kept;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (is_kept[i])
+      kept.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(kept));
 }
 
 bool

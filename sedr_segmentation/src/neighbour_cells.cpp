@@ -118,7 +118,10 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
       const Eigen::Vector3f way = places_[k] - place;
       if (way.squaredNorm() > within || (way.x() == 0 && way.y() == 0))
         continue;
-      seen |= DirectionSectors::bitOf(way.x(), way.y());
+      const std::uint64_t bit = DirectionSectors::bitOf(way.x(), way.y());
+      if ((seen & bit) != 0)
+        continue;
+      seen |= bit;
       is_close = sectors_.areClose(seen);
     }
   });

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 namespace pcl {
@@ -25,6 +26,14 @@ namespace {
 
 /** @brief How much more than the ceilings is looked at on each side, metres. */
 constexpr double margin = 0.7;
+
+/** @brief Does what does not depend on each other, on several threads. */
+void
+sideBySide(const std::vector<std::function<void()>>& tasks, unsigned threads)
+{
+  parallelBlocks(tasks.size(), 1, threads,
+                 [&](std::size_t k, std::size_t) { tasks[k](); });
+}
 
 /** @brief The parameters of a loop along an outline of cells: the wall runs half a cell
  * outside. */
@@ -58,10 +67,22 @@ isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3
 {
   constexpr double gap = 0.15;
   constexpr double least_length = 0.2;
-  const std::vector<ColumnRun> runs = columns.runs(grid.at(p.x(), p.y()), gap);
-  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
-    return p.z() >= run.low && p.z() <= run.high && run.high - run.low >= least_length;
-  });
+  const Cell cell = grid.at(p.x(), p.y());
+  const ColumnTable::Entry* const begin = columns.begin(cell);
+  const ColumnTable::Entry* const end = columns.end(cell);
+  const auto isAfterGap = [&](const ColumnTable::Entry* e) {
+    return e == begin || e->z - (e - 1)->z > gap;
+  };
+  const ColumnTable::Entry* low = std::lower_bound(
+      begin, end, p.z(), [](const ColumnTable::Entry& e, float z) { return e.z < z; });
+  if (low == end || (low->z > p.z() && isAfterGap(low)))
+    return false;
+  const ColumnTable::Entry* high = low + 1;
+  while (!isAfterGap(low))
+    --low;
+  while (high != end && !isAfterGap(high))
+    ++high;
+  return (high - 1)->z - low->z >= least_length;
 }
 
 /** @brief The places of those of some points that show walls or columns: upright things
@@ -71,17 +92,32 @@ uprightPlaces(const PointView& points,
               const std::vector<int>& indices,
               const PlanRoom& room,
               const ColumnTable& columns,
-              const CellGrid& grid)
+              const CellGrid& grid,
+              unsigned threads)
 {
-  std::vector<UprightPlace> upper;
-  for (const int i : indices) {
+  constexpr std::size_t points_a_block = 16384;
+  const auto placeOf = [&](int i) -> Eigen::Vector2d {
+    return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
+  };
+  const auto isWall = [&](int i) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    const Eigen::Vector2d place = p.head<2>().cast<double>();
-    const double top = room.ceiling.heightAt(place);
-    const double middle = (room.floor.heightAt(place) + top) / 2;
-    if (p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p))
-      upper.push_back({place, top - p.z()});
-  }
+    const double top = room.ceiling.heightAt(placeOf(i));
+    const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
+    return p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p);
+  };
+  std::vector<std::uint8_t> is_wall(indices.size(), 0);
+  parallelBlocks(indices.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     is_wall[k] = isWall(indices[k]);
+                 });
+  std::vector<UprightPlace> upper;
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (is_wall[k]) {
+      const Eigen::Vector2d place = placeOf(indices[k]);
+      const float z = points[static_cast<std::size_t>(indices[k])].z();
+      upper.push_back({place, room.ceiling.heightAt(place) - z});
+    }
   return upper;
 }
 
@@ -111,10 +147,17 @@ wallEvidence(const PointView& points,
   const auto place = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
   };
+  const auto own = static_cast<std::ptrdiff_t>(walls.size());
   for (const int i : evidence.around)
     if (edge.at(grid.at(place(i).x(), place(i).y())))
       walls.push_back(i);
-  std::sort(walls.begin(), walls.end());
+  const auto sortPart = [](auto begin, auto end) {
+    if (!std::is_sorted(begin, end)) // as indices mostly are
+      std::sort(begin, end);
+  };
+  sortPart(walls.begin(), walls.begin() + own);
+  sortPart(walls.begin() + own, walls.end());
+  std::inplace_merge(walls.begin(), walls.begin() + own, walls.end());
   walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
   const auto isOfOthers = [&](int i) {
     return std::any_of(
@@ -172,6 +215,21 @@ outerContour(const CellMask& mask, double cell_size)
     best = std::move(contour);
   }
   return best;
+}
+
+/** @brief The loop along the walls of a room, boards that hang before them left out. */
+PlanLoop
+boundaryOf(const Contour& contour,
+           std::vector<UprightPlace> walls,
+           const RoomFitParameters& parameters,
+           std::vector<ContourSample>* samples)
+{
+  constexpr int most_rounds = 4; // the loop may run along parts of a board only
+  const LoopParameters loop = loopOnCells(parameters);
+  PlanLoop boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
+  for (int round = 0; round < most_rounds && leaveOutBoards(boundary, walls); ++round)
+    boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
+  return boundary;
 }
 
 /** @brief The floor's points, those beyond the noise of the main plane apart. */
@@ -236,10 +294,18 @@ fitRoom(const PointView& points,
   if (!problem.empty())
     return room;
 
-  room.ceiling = slabOf(points, evidence.ceiling, parameters);
-  room.floor = slabOf(points, evidence.floor, parameters);
   const CellMask ceilings(seen, box);
-  const ColumnTable all(grid, box, points, evidence.around);
+  std::unique_ptr<const ColumnTable> of_all;
+  sideBySide({[&] {
+                room.ceiling = slabOf(points, evidence.ceiling, parameters);
+                room.floor = slabOf(points, evidence.floor, parameters);
+              },
+              [&] {
+                of_all =
+                    std::make_unique<ColumnTable>(grid, box, points, evidence.around);
+              }},
+             parameters.threads);
+  const ColumnTable& all = *of_all;
   const CeilingGap gap = gapBelow(room.ceiling);
   const CellMask furniture =
       tallFurniture(ceilings, grid, all, room.ceiling, room.floor, gap);
@@ -260,16 +326,21 @@ fitRoom(const PointView& points,
                             wallEvidence(points, evidence, outline.room, grid,
                                          parameters.loop.tolerance),
                             grid),
-                    room, columns, grid);
+                    room, columns, grid, parameters.threads);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
-  const LoopParameters loop = loopOnCells(parameters);
-  room.boundary = fitLoop(contour, inPlan(walls), {}, loop, &fitted.samples);
-  constexpr int most_rounds = 4; // the loop may run along parts of a board only
-  for (int round = 0; round < most_rounds && leaveOutBoards(room.boundary, walls);
-       ++round)
-    room.boundary = fitLoop(contour, inPlan(walls), {}, loop, &fitted.samples);
+  CellMask open(box);
+  sideBySide({[&] {
+                room.boundary =
+                    boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
+              },
+              [&] {
+                if (!outline.columns.empty())
+                  open =
+                      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
+              }},
+             parameters.threads);
   closeRecesses(room, points, evidence.around);
   if (record) {
     record->boundaries.push_back(fitted);
@@ -280,10 +351,6 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
-  const CellMask open =
-      outline.columns.empty()
-          ? CellMask(box)
-          : aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
@@ -292,7 +359,7 @@ fitRoom(const PointView& points,
       return;
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = inPlan(uprightPlaces(
-        points, pointsIn(column, points, standing, grid), room, columns, grid));
+        points, pointsIn(column, points, standing, grid), room, columns, grid, 1));
     of_columns[c].label = StructureLabel::Column;
     loops[c] =
         columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);
@@ -304,13 +371,24 @@ fitRoom(const PointView& points,
     if (record)
       record->boundaries.push_back(std::move(of_columns[c]));
   }
-  if (!evidence.details.empty())
-    room.details =
-        fitDetails(points, {evidence.ceiling, evidence.details, evidence.around, false},
-                   room, outline.room, parameters);
-  const SlabEvidence floor = floorEvidence(points, evidence, room.floor, parameters);
-  if (!floor.details.empty())
-    room.floor_details = fitDetails(points, floor, room, outline.room, parameters);
+  std::vector<PlanDetail> of_ceiling;
+  std::vector<PlanDetail> of_floor;
+  sideBySide({[&] {
+                if (!evidence.details.empty())
+                  of_ceiling = fitDetails(
+                      points,
+                      {evidence.ceiling, evidence.details, evidence.around, false},
+                      room, outline.room, parameters);
+              },
+              [&] {
+                const SlabEvidence floor =
+                    floorEvidence(points, evidence, room.floor, parameters);
+                if (!floor.details.empty())
+                  of_floor = fitDetails(points, floor, room, outline.room, parameters);
+              }},
+             parameters.threads);
+  room.details = std::move(of_ceiling);
+  room.floor_details = std::move(of_floor);
   std::vector<int> beside = evidence.around;
   beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
   room.niches = fitNiches(points, beside, room);

@@ -10,13 +10,20 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether something stands, or hangs, in the upper half of a column. */
+constexpr int around = 2; ///< cells in which the ceiling of a column is looked for
+
+/** @brief Whether something stands, or hangs, in the upper half of a column that ends
+ * at `top`. */
 bool
-isUpright(Cell cell, const RoomColumns& room)
+isUpright(Cell cell, double top, const RoomColumns& room)
 {
-  const ColumnTable& columns = room.table();
-  return columns.begin(cell) != columns.end(cell) &&
-         room.upperShare(cell, room.topAround(cell, 2), 0.25, 0) >= 0.5;
+  return room.upperShare(cell, top, 0.25, 0) >= 0.5;
+}
+
+bool
+isEmpty(Cell cell, const RoomColumns& room)
+{
+  return room.table().begin(cell) == room.table().end(cell);
 }
 
 } // namespace
@@ -33,9 +40,10 @@ tallFurniture(const CellMask& seen,
   CellMask low(seen.box());
   for (std::size_t i = 0; i < low.values().size(); ++i) {
     const Cell cell = low.cellAt(i);
-    low.values()[i] =
-        isUpright(cell, room) && !room.reaches(cell, room.topAround(cell, 2), gap) ? 1
-                                                                                   : 0;
+    if (isEmpty(cell, room))
+      continue;
+    const double top = room.topAround(cell, around);
+    low.values()[i] = isUpright(cell, top, room) && !room.reaches(cell, top, gap);
   }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
   const MaskRegions regions = labelRegions(low, true);
@@ -65,8 +73,11 @@ aroundSeenCeiling(const CellMask& seen,
   const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
   const RoomColumns room(grid, columns, ceiling, floor);
   CellMask upright(seen.box());
-  for (std::size_t i = 0; i < upright.values().size(); ++i)
-    upright.values()[i] = isUpright(upright.cellAt(i), room) ? 1 : 0;
+  for (std::size_t i = 0; i < upright.values().size(); ++i) {
+    const Cell cell = upright.cellAt(i);
+    upright.values()[i] =
+        !isEmpty(cell, room) && isUpright(cell, room.topAround(cell, around), room);
+  }
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());

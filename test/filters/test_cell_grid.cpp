@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <set>
@@ -126,6 +127,36 @@ TEST(CellSet, FindsEachOfItsCellsAndNoOther)
             ASSERT_EQ(set[found], near);
           }
         }
+  }
+}
+
+TEST(CellSet, SeesTheCellsAroundAnyPlaceRowByRow)
+{
+  std::mt19937 random(5);
+  // Close together, in rows with gaps, and far apart.
+  for (const int spread : {9, 40, 5000}) {
+    std::vector<Cell> cells;
+    for (int k = 0; k < 60; ++k)
+      cells.push_back({static_cast<int>(random() % spread) - spread / 2,
+                       static_cast<int>(random() % spread) - spread / 2});
+    const CellSet set = setOf(cells);
+    const Cell beyond{spread, spread};
+    EXPECT_EQ(set.firstFrom(beyond), set.size());
+    EXPECT_EQ(set.firstFrom({-spread, -spread}), 0u);
+    cells.push_back(beyond);
+    for (const Cell middle : cells)
+      for (const int reach : {0, 1, 4}) {
+        std::vector<std::size_t> near;
+        for (std::size_t i = 0; i < set.size(); ++i)
+          if (std::abs(set[i].x - middle.x) <= reach &&
+              std::abs(set[i].y - middle.y) <= reach)
+            near.push_back(i);
+        std::vector<std::size_t> seen;
+        forEachAround(set, middle, reach, [&](std::size_t i) { seen.push_back(i); });
+        ASSERT_EQ(seen, near);
+        ASSERT_EQ(anyAround(set, middle, reach, [](std::size_t) { return true; }),
+                  !near.empty());
+      }
   }
 }
 

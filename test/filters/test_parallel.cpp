@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/parallel_sort.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -32,6 +35,24 @@ TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
     });
   };
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST(SortParallel, LeavesEqualValuesAsTheyStandForAnyNumberOfThreads)
+{
+  using Value = std::pair<int, int>; // what is sorted by, and where it stood
+  const auto isLess = [](const Value& a, const Value& b) { return a.first < b.first; };
+  for (const int n : {0, 1, 5, 8, 1000}) {
+    std::vector<Value> values;
+    for (int k = 0; k < n; ++k)
+      values.emplace_back(k * 7919 % 13, k);
+    std::vector<Value> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    for (const unsigned threads : {0u, 1u, 3u}) {
+      std::vector<Value> own = values;
+      pcl::sedr::sortParallel(own, threads, isLess);
+      EXPECT_EQ(own, sorted);
+    }
+  }
 }
 
 } // namespace

@@ -118,6 +118,10 @@ public:
 
   bool contains(Cell cell) const { return find(cell) != npos; }
 
+  /** @brief Position of the first cell from `cell` on, size() where there is none:
+   * those side by side in a row follow one another. As fast as find(). */
+  std::size_t firstFrom(Cell cell) const;
+
   Cell operator[](std::size_t i) const { return cellOf(keys_[i]); }
 
   const std::vector<CellKey>& keys() const { return keys_; }
@@ -143,6 +147,34 @@ private:
   std::vector<std::size_t> row_; ///< first position of every row, and the end
   std::int32_t first_row_ = 0;   ///< its y
 };
+
+/** @brief Whether `asked(position)` is true for any cell of a set up to `reach` columns
+ * and rows away from `middle`, itself too; asked row by row. */
+template <typename Asked>
+bool
+anyAround(const CellSet& cells, Cell middle, int reach, Asked asked)
+{
+  for (int dy = -reach; dy <= reach; ++dy) {
+    const CellKey last = keyOf({middle.x + reach, middle.y + dy});
+    for (std::size_t i = cells.firstFrom({middle.x - reach, middle.y + dy});
+         i < cells.size() && cells.keys()[i] <= last; ++i)
+      if (asked(i))
+        return true;
+  }
+  return false;
+}
+
+/** @brief Calls `see(position)` for the cells of a set up to `reach` columns and rows
+ * away from `middle`, itself too, row by row. */
+template <typename See>
+void
+forEachAround(const CellSet& cells, Cell middle, int reach, See see)
+{
+  anyAround(cells, middle, reach, [&](std::size_t i) {
+    see(i);
+    return false;
+  });
+}
 
 CellSet unite(const CellSet& a, const CellSet& b);
 

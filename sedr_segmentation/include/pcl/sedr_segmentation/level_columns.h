@@ -44,6 +44,10 @@ public:
   const PointView& points() const { return points_; }
   const CellGrid& grid() const { return grid_; }
 
+  /** @brief How many threads may go through them side by side; 0: as many as there are
+   * processors. */
+  unsigned threads() const { return threads_; }
+
   /** @brief Cells with a point in them. */
   const CellSet& cells() const { return cells_; }
 
@@ -63,11 +67,12 @@ public:
   const std::vector<Candidate>& withoutWalls() const { return without_walls_; }
 
 private:
-  void sortIntoColumns(const std::vector<int>& indices, unsigned threads);
-  void leaveOutWalls(double tolerance, unsigned threads);
+  void sortIntoColumns(const std::vector<int>& indices);
+  void leaveOutWalls(double tolerance);
 
   PointView points_;
   CellGrid grid_;
+  unsigned threads_;
   CellSet cells_;
   std::vector<Candidate> all_;
   std::vector<std::size_t> first_; ///< of the points of each cell, and the end

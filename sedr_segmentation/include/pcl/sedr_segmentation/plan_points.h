@@ -32,11 +32,9 @@ public:
     const Cell low = grid_.at(p.x() - radius, p.y() - radius);
     const Cell high = grid_.at(p.x() + radius, p.y() + radius);
     for (std::int32_t y = low.y; y <= high.y; ++y) {
-      std::size_t i = CellSet::npos;
-      for (std::int32_t x = low.x; x <= high.x && i == CellSet::npos; ++x)
-        i = cells_.find({x, y});
       // Cells side by side follow one another in the set.
-      for (; i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
+      for (std::size_t i = cells_.firstFrom({low.x, y});
+           i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
           if ((points_[k] - p).squaredNorm() <= radius * radius)
             visit(points_[k]);
