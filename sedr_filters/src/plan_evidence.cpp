@@ -333,7 +333,7 @@ countedEvidence(const PlanRoom& room,
                 const std::vector<int>& indices,
                 double tolerance)
 {
-  const PointCubes cubes(points, indices, boxOf(room));
+  const PointCubes cubes(points, indices, boxOf(room), 1);
   const RoomEvidence evidence(room, cubes, tolerance);
   ElementEvidence sum;
   for (const UprightSurface& surface : uprightSurfaces(room))

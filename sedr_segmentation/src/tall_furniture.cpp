@@ -10,7 +10,7 @@ namespace sedr {
 
 namespace {
 
-constexpr int around = 2; ///< cells in which the ceiling of a column is looked for
+constexpr int reach = 2; ///< cells in which the ceiling of a column is looked for
 
 /** @brief Whether something stands, or hangs, in the upper half of a column that ends
  * at `top`. */
@@ -42,7 +42,7 @@ tallFurniture(const CellMask& seen,
     const Cell cell = low.cellAt(i);
     if (isEmpty(cell, room))
       continue;
-    const double top = room.topAround(cell, around);
+    const double top = room.topAround(cell, reach);
     low.values()[i] = isUpright(cell, top, room) && !room.reaches(cell, top, gap);
   }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
@@ -76,7 +76,7 @@ aroundSeenCeiling(const CellMask& seen,
   for (std::size_t i = 0; i < upright.values().size(); ++i) {
     const Cell cell = upright.cellAt(i);
     upright.values()[i] =
-        !isEmpty(cell, room) && isUpright(cell, room.topAround(cell, around), room);
+        !isEmpty(cell, room) && isUpright(cell, room.topAround(cell, reach), room);
   }
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
