@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_extension.h"
 #include "detail_risers.h"
+#include "height_bends.h"
 #include "height_map.h"
 
 #include <pcl/sedr_segmentation/detail_fit.h>
@@ -169,6 +170,13 @@ fitDetails(const PointView& points,
   dropUnsupported(map, columns, grid);
   std::vector<Eigen::Vector2d> edges =
       riserPoints(points, evidence, map, columns, parameters);
+  const BentEdges bent = bentEdges(map, grid);
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                             [&](const Eigen::Vector2d& p) {
+                               return bent.cells.at(grid.at(p.x(), p.y()));
+                             }),
+              edges.end());
+  edges.insert(edges.end(), bent.points.begin(), bent.points.end());
   appendPoints(room.boundary, edges);
   std::vector<PlanElement> others;
   appendElements(room.boundary, others);

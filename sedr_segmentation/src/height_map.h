@@ -5,6 +5,8 @@
 #include <pcl/sedr_segmentation/detail_fit.h>
 
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -13,11 +15,15 @@ namespace sedr {
 /** @brief The height of every cell of a room: 0 the main slab, k the k-th detail, -1
  * none. */
 struct HeightMap {
-  CellMask room;
+  CellMask room{CellBox{{0, 0}, {-1, -1}}};
   std::vector<std::int32_t> label;
   std::vector<std::int32_t> seen; ///< the labels of what was seen, -1 where filled
   PlanSlab main;
   std::vector<PlanSlab> details; ///< of labels 1, 2, ...
+  std::vector<double> relief;    ///< of a ceiling: what was seen of each cell, over the
+                                 ///< main slab, metres; NaN where nothing was
+  std::set<std::pair<std::int32_t, std::int32_t>>
+      bends; ///< labels from one to the other of which a ceiling goes on without a step
 
   const PlanSlab& slabOf(std::int32_t of) const
   {
