@@ -105,5 +105,20 @@ hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main)
   return 5 * below > 3 * outline.count();
 }
 
+bool
+isFramed(const Storey& storey, const CellMask& solid, const Piece& main)
+{
+  const CellMask outline = subtract(dilated(solid, 1), solid);
+  std::size_t framed = 0;
+  for (std::size_t i = 0; i < outline.values().size(); ++i) {
+    if (!outline.values()[i])
+      continue;
+    const Cell cell = outline.cellAt(i);
+    const double top = storey.heightOf(main.level, cell);
+    framed += storey.columns.share(cell, top - 0.2, top - 0.08, 2, 2) >= 1 ? 1 : 0;
+  }
+  return 5 * framed >= 4 * outline.count();
+}
+
 } // namespace sedr
 } // namespace pcl

@@ -28,5 +28,10 @@ double enclosureOf(const Storey& storey,
  * is a table or a shelf. */
 bool hasWallsBelow(const Storey& storey, const CellMask& solid, const Piece& main);
 
+/** @brief Whether the ceiling of a piece ends nearly all around at what hangs or stands
+ * there: beams, lintels and walls, as that of a passage does which is open to rooms on
+ * all sides below them. That of a balcony ends in the open. */
+bool isFramed(const Storey& storey, const CellMask& solid, const Piece& main);
+
 } // namespace sedr
 } // namespace pcl

@@ -85,9 +85,10 @@ makeRoom(const Storey& storey,
   if (area < storey.parameters.minimum_area)
     return false;
   const CellMask solid = solidOf(storey, scope);
-  if (enclosureOf(storey, solid, members, main.floor) <
-          storey.parameters.minimum_enclosure ||
-      hasWallsBelow(storey, solid, main))
+  if (hasWallsBelow(storey, solid, main) ||
+      (enclosureOf(storey, solid, members, main.floor) <
+           storey.parameters.minimum_enclosure &&
+       !isFramed(storey, solid, main)))
     return false;
   if (members.size() > 1) {
     const CellMask strips = stripsOf(storey, main.level, scope);

@@ -38,8 +38,8 @@ struct RoomRegion {
  * Within a level, rooms are the connected regions of ceiling without wall columns,
  * necks of the width of scan noise cut. Regions that face each other, of one level or
  * two, are one room where no wall stands between them: a step, a beam or a soffit is
- * open below, a doorway is narrow and has a lintel. Regions without floor below or
- * walls around are not rooms.
+ * open below, a doorway is narrow and has a lintel. Regions without floor below are
+ * not rooms, nor are those without walls around, but for those that lintels frame.
  *
  * @param levels classified, with inliers
  * @param[out] problem why nothing could be done, a sentence; empty otherwise
