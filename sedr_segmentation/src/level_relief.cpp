@@ -184,6 +184,30 @@ isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_
   return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
 }
 
+/** @brief The kind of each cell: whether a drop is across it, and a sharp one. */
+std::vector<std::uint8_t>
+edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  constexpr double least_step = 0.015;
+  // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
+  const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
+  const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
+  std::vector<std::uint8_t> kind(relief.size(), none);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     if (!uneven[i])
+                       continue;
+                     const Surroundings around(cells, relief, i);
+                     for (const bool along_x : {true, false})
+                       if (std::abs(around.step(along_x)) >= step)
+                         kind[i] = std::max<std::uint8_t>(
+                             kind[i], around.isSharp(along_x) ? sharp_edge : edge);
+                   }
+                 });
+  return kind;
+}
+
 } // namespace
 
 std::vector<double>
@@ -238,25 +262,18 @@ smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned t
 }
 
 std::vector<std::uint8_t>
+dropEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
+  for (std::uint8_t& k : kind)
+    k = k != none ? 1 : 0;
+  return kind;
+}
+
+std::vector<std::uint8_t>
 stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
 {
-  constexpr double least_step = 0.015;
-  // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
-  const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
-  const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
-  std::vector<std::uint8_t> kind(relief.size(), none);
-  parallelBlocks(relief.size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     if (!uneven[i])
-                       continue;
-                     const Surroundings around(cells, relief, i);
-                     for (const bool along_x : {true, false})
-                       if (std::abs(around.step(along_x)) >= step)
-                         kind[i] = std::max<std::uint8_t>(
-                             kind[i], around.isSharp(along_x) ? sharp_edge : edge);
-                   }
-                 });
+  const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
   std::vector<std::uint8_t> edges(relief.size(), 0);
   parallelBlocks(relief.size(), cells_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {

@@ -27,11 +27,15 @@ double noiseOfRelief(const CellSet& cells, const std::vector<double>& relief);
 std::vector<double>
 smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
-/** @brief Marks the cells of steps: where the middle means of what is on either side,
+/** @brief Marks the cells of drops: where the middle means of what is on either side,
  * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
- * lets them, and where, along one in ten of these cells, four fifths of that are there
- * within 10 cm. What bends or leans, however steep it is, has none: three fifths of its
- * height are. O(n); the same for any number of threads. */
+ * lets them. O(n); the same for any number of threads. */
+std::vector<std::uint8_t>
+dropEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+
+/** @brief Marks the cells of steps: of drops of which four fifths are there within 10
+ * cm, along one in ten of these cells. What bends or leans, however steep it is, has
+ * none: three fifths of its height are. O(n); the same for any number of threads. */
 std::vector<std::uint8_t>
 stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
