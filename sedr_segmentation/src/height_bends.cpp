@@ -288,6 +288,7 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
 {
   constexpr int reach = 2; // cells
   BentEdges edges{{}, CellMask(map.room.box())};
+  CellMask sharp(map.room.box()); // where a step is
   if (map.bends.empty())
     return edges;
   const auto isBent = [&](std::size_t i, std::size_t j) {
@@ -303,8 +304,13 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
     const Cell cell = map.room.cellAt(i);
     for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
       const Cell to{cell.x + d.x, cell.y + d.y};
-      if (!map.room.at(cell) || !map.room.at(to) || !isBent(i, map.room.indexOf(to)))
+      if (!map.room.at(cell) || !map.room.at(to))
         continue;
+      if (!isBent(i, map.room.indexOf(to))) {
+        if (map.label[i] != map.label[map.room.indexOf(to)])
+          sharp.set(cell, 1);
+        continue;
+      }
       const Eigen::Vector2d middle =
           grid.centre(cell) + shareOfWay(map, i, map.room.indexOf(to), grid) *
                                   (grid.centre(to) - grid.centre(cell));
@@ -315,7 +321,7 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
       edges.cells.set(to, 1);
     }
   }
-  edges.cells = dilated(edges.cells, reach);
+  edges.cells = subtract(dilated(edges.cells, reach), dilated(sharp, reach));
   return edges;
 }
 

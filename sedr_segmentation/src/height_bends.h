@@ -23,7 +23,7 @@ void tidyBends(const PointView& points,
  * without a step. No riser is there: an edge is where the labels say. */
 struct BentEdges {
   std::vector<Eigen::Vector2d> points; ///< along them, a centimetre apart
-  CellMask cells;                      ///< up to two cells from them
+  CellMask cells; ///< up to two cells from them, farther from steps
 };
 
 /** @brief The bent edges between the labels of a map. O(n). */
