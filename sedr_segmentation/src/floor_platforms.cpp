@@ -6,6 +6,7 @@
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace pcl {
 namespace sedr {
@@ -73,11 +74,7 @@ struct Step {
 
   static bool isNear(const CellSet& cells, Cell cell)
   {
-    for (int dy = -3; dy <= 3; ++dy)
-      for (int dx = -3; dx <= 3; ++dx)
-        if (cells.contains({cell.x + dx, cell.y + dy}))
-          return true;
-    return false;
+    return anyAround(cells, cell, 3, [](std::size_t) { return true; });
   }
 };
 
@@ -185,13 +182,14 @@ isWithinAStep(const CellMask& region,
 }
 
 /** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
- * those found already, `steps_up` what else one may step up to from it. */
+ * those found already, `steps_up` tells what else one may step up to from it: few
+ * levels come so far that it is asked. */
 CellSet
 platformCells(const Level& level,
               const std::vector<Level>& levels,
               const std::vector<const Level*>& floors,
               const CellSet& higher,
-              const CellSet& steps_up,
+              const std::function<CellSet()>& steps_up,
               const PointView& points,
               const std::vector<int>& indices,
               double cell_size,
@@ -215,9 +213,12 @@ platformCells(const Level& level,
     // What stands on a platform hides parts of it.
     const CellMask closed = eroded(dilated(CellMask(cells, box), 2), 2);
     const CellMask above = intersect(dilated(CellMask(higher, box), 3), closed);
+    const CellMask whole = unite(closed, enclosedCells(closed));
+    if (whole.count() < least)
+      continue;
     const CellMask region = widePart(
-        unite(closed, enclosedCells(closed)),
-        above.count() > 0 ? platform.minimum_tread : platform.minimum_width, cell_size);
+        whole, above.count() > 0 ? platform.minimum_tread : platform.minimum_width,
+        cell_size);
     const Level* floor = region.count() < least
                              ? nullptr
                              : floorBeside(region, level, floors, grid, platform);
@@ -233,7 +234,7 @@ platformCells(const Level& level,
                     *floor,
                     grid,
                     ColumnTable(grid, box, points, indices),
-                    unite(CellMask(higher, box), CellMask(steps_up, box)),
+                    unite(CellMask(higher, box), CellMask(steps_up(), box)),
                     levels};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
@@ -283,7 +284,7 @@ markPlatforms(std::vector<Level>& levels,
               const PlatformParameters& platform)
 {
   CellSet found;
-  const auto tryLevel = [&](Level& level, const CellSet& steps_up) {
+  const auto tryLevel = [&](Level& level, const std::function<CellSet()>& steps_up) {
     const CellSet cells =
         platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
                       parameters.cell_size, platform);
@@ -296,12 +297,14 @@ markPlatforms(std::vector<Level>& levels,
   // From the highest to the lowest: a step is told by the platform that it leads to.
   for (std::size_t l = levels.size(); l-- > 0;)
     if (levels[l].kind == LevelKind::Other)
-      tryLevel(levels[l], {});
+      tryLevel(levels[l], [] { return CellSet(); });
   // From the lowest to the highest: rows of seats stand on each other, and only the
   // first on the floor.
   for (auto& level : levels)
     if (level.kind == LevelKind::Other)
-      tryLevel(level, stepsUpFrom(level, levels, parameters.cell_size, platform));
+      tryLevel(level, [&] {
+        return stepsUpFrom(level, levels, parameters.cell_size, platform);
+      });
 }
 
 } // namespace sedr

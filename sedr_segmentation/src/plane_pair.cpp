@@ -32,13 +32,17 @@ bestPair(const PointView& points,
   constexpr double cell = 0.1;
   const CellGrid grid(cell);
   std::map<std::int64_t, std::vector<CellKey>> slabs;
+  auto last = slabs.end(); // where most of the next points are too
   for (const int i : indices) {
     if (!points.isFinite(static_cast<std::size_t>(i)))
       continue;
     const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
-    if (grid.holds(p[0], p[1]) && grid.holds(p[2], 0))
-      slabs[static_cast<std::int64_t>(std::floor(p[2] / cell))].push_back(
-          keyOf(grid.at(p[0], p[1])));
+    if (!grid.holds(p[0], p[1]) || !grid.holds(p[2], 0))
+      continue;
+    const auto level = static_cast<std::int64_t>(std::floor(p[2] / cell));
+    if (last == slabs.end() || last->first != level)
+      last = slabs.try_emplace(level).first;
+    last->second.push_back(keyOf(grid.at(p[0], p[1])));
   }
   std::vector<std::pair<std::int64_t, std::size_t>> sizes;
   for (auto& [level, keys] : slabs)

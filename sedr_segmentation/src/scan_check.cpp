@@ -146,6 +146,10 @@ upProblem(const PointView& points,
 {
   constexpr double times = 1.5;
   constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  if (rooms == RoomsAlongZ::Found &&
+      !bestSidePair(points, indices, z, times_of_rooms * found_area).axis)
+    return {}; // whatever there is along z, as is so with most scans
   const PlanePair up =
       bestPair(points, indices, Eigen::Matrix3d::Identity(), lowest_room, highest_room);
   const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
@@ -155,7 +159,6 @@ upProblem(const PointView& points,
                            ? std::max(times_of_rooms * std::max(up.area(), found_area),
                                       times * std::max(up.largestArea(), found_area))
                            : times * up.area();
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   const SidePair side = bestSidePair(points, indices, z, least);
   return side.axis ? sideProblem(side, z, up) : std::string();
 }
