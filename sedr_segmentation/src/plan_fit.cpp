@@ -9,7 +9,9 @@
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <memory>
 
 namespace pcl {
 namespace sedr {
@@ -31,17 +33,32 @@ roomNumbers(const PlanEvidence& evidence)
   return numbers;
 }
 
-/** @brief Shares out indices by the room that `roomOf(index)` gives, -1 for none. */
+/** @brief The room of each index that `roomOf(index)` gives, -1 for none; asked on
+ * several threads. */
 template <typename RoomOf>
+std::vector<std::int32_t>
+roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
+{
+  constexpr std::size_t indices_a_block = 16384;
+  std::vector<std::int32_t> rooms(indices.size());
+  parallelBlocks(indices.size(), indices_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     rooms[k] = roomOf(indices[k]);
+                 });
+  return rooms;
+}
+
+/** @brief Shares out indices by their rooms. */
 std::vector<std::vector<int>>
-shareOut(const std::vector<int>& indices, std::size_t rooms, RoomOf roomOf)
+shareOut(const std::vector<int>& indices,
+         const std::vector<std::int32_t>& room_of,
+         std::size_t rooms)
 {
   std::vector<std::vector<int>> shares(rooms);
-  for (const int i : indices) {
-    const std::int32_t r = roomOf(i);
-    if (r >= 0)
-      shares[static_cast<std::size_t>(r)].push_back(i);
-  }
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (room_of[k] >= 0)
+      shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
   return shares;
 }
 
@@ -87,23 +104,31 @@ leaveToOthers(const PointView& points,
 {
   std::vector<PlanRoom> rooms = plan.rooms;
   std::vector<std::uint8_t> has_changed(rooms.size(), 0);
-  parallelBlocks(rooms.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
-    const std::vector<PlanElement> faces = facesOfOthers(plan, r);
-    if (faces.empty())
-      return;
-    RoomWork again{work[r].evidence, {}};
-    again.evidence.faces_of_others.insert(again.evidence.faces_of_others.end(),
-                                          faces.begin(), faces.end());
-    std::string problem;
-    PlanRoom room = fitRoom(points, again.evidence, parameters, problem, &again.record);
-    room.id = rooms[r].id;
-    if (!problem.empty() ||
-        room.boundary.elements.size() >= rooms[r].boundary.elements.size())
-      return;
-    rooms[r] = std::move(room);
-    work[r] = std::move(again);
-    has_changed[r] = 1;
-  });
+  std::vector<std::vector<PlanElement>> faces;
+  std::vector<std::size_t> among_others;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    faces.push_back(facesOfOthers(plan, r));
+    if (!faces.back().empty())
+      among_others.push_back(r);
+  }
+  // The threads that no other room keeps busy share the work on one.
+  parallelBlocks(
+      among_others.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
+        const std::size_t r = among_others[k];
+        RoomWork again{work[r].evidence, {}};
+        again.evidence.faces_of_others.insert(again.evidence.faces_of_others.end(),
+                                              faces[r].begin(), faces[r].end());
+        std::string problem;
+        PlanRoom room =
+            fitRoom(points, again.evidence, parameters, problem, &again.record);
+        room.id = rooms[r].id;
+        if (!problem.empty() ||
+            room.boundary.elements.size() >= rooms[r].boundary.elements.size())
+          return;
+        rooms[r] = std::move(room);
+        work[r] = std::move(again);
+        has_changed[r] = 1;
+      });
   plan.rooms = std::move(rooms);
   return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
@@ -135,28 +160,36 @@ fitPlan(const PointView& points,
                ? static_cast<std::int32_t>(it - numbers.begin())
                : -1;
   };
-  auto ceilings = shareOut(evidence.ceiling, numbers.size(), labelled);
-  auto details = shareOut(evidence.details, numbers.size(), labelled);
+  const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
+    return shareOut(indices, roomsOf(indices, parameters.threads, roomOf),
+                    numbers.size());
+  };
+  auto ceilings = shareBy(evidence.ceiling, labelled);
+  auto details = shareBy(evidence.details, labelled);
   std::vector<CellSet> scopes;
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-  const RoomTerritory territory(grid, scopes);
-  const RoomTerritory wide(grid, scopes, nicheReach());
+  std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
+  parallelBlocks(
+      territories.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
+        territories[k] = std::make_unique<RoomTerritory>(
+            grid, scopes, k == 0 ? RoomTerritory::farthest_wall : nicheReach());
+      });
+  const RoomTerritory& territory = *territories[0];
+  const RoomTerritory& wide = *territories[1];
   problem = territory.problem().empty() ? wide.problem() : territory.problem();
   if (!problem.empty())
     return plan;
   const auto nearest = [&](int i) {
     return territory.roomAt(points[static_cast<std::size_t>(i)]);
   };
-  auto floors = shareOut(evidence.floor, numbers.size(), nearest);
-  auto around = shareOut(evidence.all, numbers.size(), nearest);
-  auto behind = shareOut(evidence.all, numbers.size(), [&](int i) {
+  auto floors = shareBy(evidence.floor, nearest);
+  auto around = shareBy(evidence.all, nearest);
+  auto behind = shareBy(evidence.all, [&](int i) {
     return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;
   });
-  auto walls = evidence.walls.empty()
-                   ? around
-                   : shareOut(evidence.walls, numbers.size(), nearest);
+  auto walls = evidence.walls.empty() ? around : shareBy(evidence.walls, nearest);
 
   std::vector<RoomWork> all_work;
   for (std::size_t r = 0; r < numbers.size(); ++r)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "main_directions.h"
+#include "wall_evidence.h"
 
 #include <pcl/sedr_segmentation/room_fit.h>
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 namespace pcl {
@@ -23,6 +25,14 @@ namespace {
 
 /** @brief How much more than the ceilings is looked at on each side, metres. */
 constexpr double margin = 0.7;
+
+/** @brief Does what does not depend on each other, on several threads. */
+void
+sideBySide(const std::vector<std::function<void()>>& tasks, unsigned threads)
+{
+  parallelBlocks(tasks.size(), 1, threads,
+                 [&](std::size_t k, std::size_t) { tasks[k](); });
+}
 
 /** @brief The parameters of a loop along an outline of cells: the wall runs half a cell
  * outside. */
@@ -47,103 +57,6 @@ slabOf(const PointView& points,
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
   return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
                         parameters.loop.seed, parameters.threads);
-}
-
-/** @brief Whether a point is part of something upright: its column is occupied without
- * a gap over at least 20 cm there. */
-bool
-isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
-{
-  constexpr double gap = 0.15;
-  constexpr double least_length = 0.2;
-  const std::vector<ColumnRun> runs = columns.runs(grid.at(p.x(), p.y()), gap);
-  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
-    return p.z() >= run.low && p.z() <= run.high && run.high - run.low >= least_length;
-  });
-}
-
-/** @brief The places of those of some points that show walls or columns: upright things
- * in the upper half of the room, as furniture hides the lower. */
-PlanPoints
-uprightPlaces(const PointView& points,
-              const std::vector<int>& indices,
-              const PlanRoom& room,
-              const ColumnTable& columns,
-              const CellGrid& grid)
-{
-  std::vector<Eigen::Vector2d> upper;
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    const Eigen::Vector2d place = p.head<2>().cast<double>();
-    const double top = room.ceiling.heightAt(place);
-    const double middle = (room.floor.heightAt(place) + top) / 2;
-    if (p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p))
-      upper.push_back(place);
-  }
-  return {std::move(upper), 0.1};
-}
-
-/** @brief What may show the walls of a room: what the growing found, and what is at the
- * edge of the room's cells, as the growing sees none where the ceiling goes on behind a
- * thin partition; less what is on the walls of other rooms. */
-std::vector<int>
-wallEvidence(const PointView& points,
-             const RoomEvidence& evidence,
-             const CellMask& room,
-             const CellGrid& grid,
-             double tolerance)
-{
-  constexpr double reach = 1; // cells
-  const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
-  std::vector<int> walls = evidence.walls;
-  const auto place = [&](int i) -> Eigen::Vector2d {
-    return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
-  };
-  for (const int i : evidence.around)
-    if (edge.at(grid.at(place(i).x(), place(i).y())))
-      walls.push_back(i);
-  std::sort(walls.begin(), walls.end());
-  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
-  const auto isOfOthers = [&](int i) {
-    return std::any_of(
-        evidence.faces_of_others.begin(), evidence.faces_of_others.end(),
-        [&](const PlanElement& e) { return e.distance(place(i)) < tolerance; });
-  };
-  walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
-  return walls;
-}
-
-/** @brief Those of some points that are in the cells of a column or beside them. */
-std::vector<int>
-pointsIn(const CellMask& column,
-         const PointView& points,
-         const std::vector<int>& indices,
-         const CellGrid& grid)
-{
-  const CellMask cells = dilated(column, 1);
-  std::vector<int> inside;
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (cells.at(grid.at(p.x(), p.y())))
-      inside.push_back(i);
-  }
-  return inside;
-}
-
-/** @brief Those of some points that are not in cells of furniture. */
-std::vector<int>
-besides(const CellMask& furniture,
-        const PointView& points,
-        const std::vector<int>& indices,
-        const CellGrid& grid)
-{
-  std::vector<int> rest;
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!grid.holds(p.x(), p.y()) || !furniture.at(grid.at(p.x(), p.y())))
-      rest.push_back(i);
-  }
-  return rest;
 }
 
 /** @brief The contour around the largest region. */
@@ -224,10 +137,18 @@ fitRoom(const PointView& points,
   if (!problem.empty())
     return room;
 
-  room.ceiling = slabOf(points, evidence.ceiling, parameters);
-  room.floor = slabOf(points, evidence.floor, parameters);
   const CellMask ceilings(seen, box);
-  const ColumnTable all(grid, box, points, evidence.around);
+  std::unique_ptr<const ColumnTable> of_all;
+  sideBySide({[&] {
+                room.ceiling = slabOf(points, evidence.ceiling, parameters);
+                room.floor = slabOf(points, evidence.floor, parameters);
+              },
+              [&] {
+                of_all =
+                    std::make_unique<ColumnTable>(grid, box, points, evidence.around);
+              }},
+             parameters.threads);
+  const ColumnTable& all = *of_all;
   const CeilingGap gap = gapBelow(room.ceiling);
   const CellMask furniture =
       tallFurniture(ceilings, grid, all, room.ceiling, room.floor, gap);
@@ -248,11 +169,21 @@ fitRoom(const PointView& points,
                             wallEvidence(points, evidence, outline.room, grid,
                                          parameters.loop.tolerance),
                             grid),
-                    room, columns, grid);
+                    room, columns, grid, parameters.threads);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
-  room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters), &fitted.samples);
+  CellMask open(box);
+  sideBySide({[&] {
+                room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters),
+                                        &fitted.samples);
+              },
+              [&] {
+                if (!outline.columns.empty())
+                  open =
+                      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
+              }},
+             parameters.threads);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
@@ -262,10 +193,6 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
-  const CellMask open =
-      outline.columns.empty()
-          ? CellMask(box)
-          : aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
@@ -274,7 +201,7 @@ fitRoom(const PointView& points,
       return;
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = uprightPlaces(
-        points, pointsIn(column, points, standing, grid), room, columns, grid);
+        points, pointsIn(column, points, standing, grid), room, columns, grid, 1);
     of_columns[c].label = StructureLabel::Column;
     loops[c] =
         columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);
@@ -286,13 +213,24 @@ fitRoom(const PointView& points,
     if (record)
       record->boundaries.push_back(std::move(of_columns[c]));
   }
-  if (!evidence.details.empty())
-    room.details =
-        fitDetails(points, {evidence.ceiling, evidence.details, evidence.around, false},
-                   room, outline.room, parameters);
-  const SlabEvidence floor = floorEvidence(points, evidence, room.floor, parameters);
-  if (!floor.details.empty())
-    room.floor_details = fitDetails(points, floor, room, outline.room, parameters);
+  std::vector<PlanDetail> of_ceiling;
+  std::vector<PlanDetail> of_floor;
+  sideBySide({[&] {
+                if (!evidence.details.empty())
+                  of_ceiling = fitDetails(
+                      points,
+                      {evidence.ceiling, evidence.details, evidence.around, false},
+                      room, outline.room, parameters);
+              },
+              [&] {
+                const SlabEvidence floor =
+                    floorEvidence(points, evidence, room.floor, parameters);
+                if (!floor.details.empty())
+                  of_floor = fitDetails(points, floor, room, outline.room, parameters);
+              }},
+             parameters.threads);
+  room.details = std::move(of_ceiling);
+  room.floor_details = std::move(of_floor);
   std::vector<int> beside = evidence.around;
   beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
   room.niches = fitNiches(points, beside, room);

@@ -4,46 +4,70 @@
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
 
-/** @brief The highest point within some cells, no higher than the ceiling: there may be
- * a soffit. */
-double
-topAround(Cell cell,
-          int reach,
-          const CellGrid& grid,
-          const ColumnTable& columns,
-          const PlanSlab& ceiling)
-{
-  const double highest = ceiling.heightAt(grid.centre(cell));
-  double top = -1e9;
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const Cell near{cell.x + dx, cell.y + dy};
-      if (columns.begin(near) != columns.end(near))
-        top = std::max<double>(top, (columns.end(near) - 1)->z);
+/** @brief What stands or hangs in the columns of a box of cells, below a ceiling. */
+class Standing {
+public:
+  Standing(const CellMask& frame,
+           const CellGrid& grid,
+           const ColumnTable& columns,
+           const PlanSlab& ceiling,
+           const PlanSlab& floor)
+      : grid_(grid)
+      , columns_(columns)
+      , ceiling_(ceiling)
+      , floor_(floor)
+      , frame_(frame)
+  {
+    for (std::size_t i = 0; i < frame.values().size(); ++i) {
+      const auto* end = columns.end(frame.cellAt(i));
+      highest_.push_back(end == columns.begin(frame.cellAt(i)) ? none : (end - 1)->z);
     }
-  return std::min(top, highest);
-}
+  }
 
-/** @brief Whether something stands, or hangs, in the upper half of a column. */
-bool
-isUpright(Cell cell,
-          const CellGrid& grid,
-          const ColumnTable& columns,
-          const PlanSlab& ceiling,
-          const PlanSlab& floor)
-{
-  if (columns.begin(cell) == columns.end(cell))
-    return false;
-  const double top = topAround(cell, 2, grid, columns, ceiling);
-  const double middle = (floor.heightAt(grid.centre(cell)) + top) / 2;
-  return columns.share(cell, middle, top - 0.25, 6, 0) >= 0.5;
-}
+  /** @brief The highest point within two cells, no higher than the ceiling: there may
+   * be a soffit. */
+  double topAround(Cell cell) const
+  {
+    constexpr int reach = 2;
+    const CellBox near =
+        overlapOf({{cell.x - reach, cell.y - reach}, {cell.x + reach, cell.y + reach}},
+                  frame_.box());
+    float top = none;
+    for (int y = near.low.y; y <= near.high.y; ++y) {
+      const float* row = highest_.data() + frame_.indexOf({near.low.x, y});
+      top = std::max(top, *std::max_element(row, row + (near.high.x - near.low.x + 1)));
+    }
+    return std::min<double>(top, ceiling_.heightAt(grid_.centre(cell)));
+  }
+
+  /** @brief Whether something stands, or hangs, in the upper half of a column that ends
+   * at `top`. */
+  bool isUpright(Cell cell, double top) const
+  {
+    const double middle = (floor_.heightAt(grid_.centre(cell)) + top) / 2;
+    return columns_.share(cell, middle, top - 0.25, 6, 0) >= 0.5;
+  }
+
+  /** @brief Whether the column of a cell, by its place in the box, holds no point. */
+  bool isEmpty(std::size_t i) const { return highest_[i] == none; }
+
+private:
+  static constexpr float none = -1e9F;
+
+  const CellGrid& grid_;
+  const ColumnTable& columns_;
+  const PlanSlab& ceiling_;
+  const PlanSlab& floor_;
+  const CellMask& frame_;
+  std::vector<float> highest_; ///< point of each column
+};
 
 } // namespace
 
@@ -55,12 +79,15 @@ tallFurniture(const CellMask& seen,
               const PlanSlab& floor,
               const CeilingGap& gap)
 {
+  const Standing standing(seen, grid, columns, ceiling, floor);
   CellMask low(seen.box());
   for (std::size_t i = 0; i < low.values().size(); ++i) {
-    const Cell cell = low.cellAt(i);
-    if (!isUpright(cell, grid, columns, ceiling, floor))
+    if (standing.isEmpty(i))
       continue;
-    const double top = topAround(cell, 2, grid, columns, ceiling);
+    const Cell cell = low.cellAt(i);
+    const double top = standing.topAround(cell);
+    if (!standing.isUpright(cell, top))
+      continue;
     low.values()[i] =
         columns.share(cell, top - gap.low, top - gap.high, 1, 1) < 1 ? 1 : 0;
   }
@@ -90,10 +117,14 @@ aroundSeenCeiling(const CellMask& seen,
   constexpr double least_seen = 0.3;
   constexpr std::size_t least_cells = 6;
   const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
+  const Standing standing(seen, grid, columns, ceiling, floor);
   CellMask upright(seen.box());
-  for (std::size_t i = 0; i < upright.values().size(); ++i)
+  for (std::size_t i = 0; i < upright.values().size(); ++i) {
+    const Cell cell = upright.cellAt(i);
     upright.values()[i] =
-        isUpright(upright.cellAt(i), grid, columns, ceiling, floor) ? 1 : 0;
+        !standing.isEmpty(i) && standing.isUpright(cell, standing.topAround(cell)) ? 1
+                                                                                   : 0;
+  }
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());
