@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "wall_evidence.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <vector>
 
 namespace pcl {
 namespace sedr {
-
-/** @brief A place in plan of a point on something upright. */
-struct UprightPlace {
-  Eigen::Vector2d place;
-  double below = 0; ///< the ceiling, metres
-};
 
 /** @brief Takes out what hangs before walls and ends below the ceiling: boards, panels,
  * screens.

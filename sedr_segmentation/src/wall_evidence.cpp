@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_evidence.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Whether a point is part of something upright: its column is occupied without
+ * a gap over at least 20 cm there. */
+bool
+isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
+{
+  constexpr double gap = 0.15;
+  constexpr double least_length = 0.2;
+  const Cell cell = grid.at(p.x(), p.y());
+  const ColumnTable::Entry* const begin = columns.begin(cell);
+  const ColumnTable::Entry* const end = columns.end(cell);
+  const auto isAfterGap = [&](const ColumnTable::Entry* e) {
+    return e == begin || e->z - (e - 1)->z > gap;
+  };
+  const ColumnTable::Entry* low = std::lower_bound(
+      begin, end, p.z(), [](const ColumnTable::Entry& e, float z) { return e.z < z; });
+  if (low == end || (low->z > p.z() && isAfterGap(low)))
+    return false;
+  const ColumnTable::Entry* high = low + 1;
+  while (!isAfterGap(low))
+    --low;
+  while (high != end && !isAfterGap(high))
+    ++high;
+  return (high - 1)->z - low->z >= least_length;
+}
+
+} // namespace
+
+std::vector<UprightPlace>
+uprightPlaces(const PointView& points,
+              const std::vector<int>& indices,
+              const PlanRoom& room,
+              const ColumnTable& columns,
+              const CellGrid& grid,
+              unsigned threads)
+{
+  constexpr std::size_t points_a_block = 16384;
+  const auto placeOf = [&](int i) -> Eigen::Vector2d {
+    return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
+  };
+  const auto isWall = [&](int i) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const double top = room.ceiling.heightAt(placeOf(i));
+    const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
+    return p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p);
+  };
+  std::vector<std::uint8_t> is_wall(indices.size(), 0);
+  parallelBlocks(indices.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     is_wall[k] = isWall(indices[k]);
+                 });
+  std::vector<UprightPlace> upper;
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (is_wall[k]) {
+      const Eigen::Vector2d place = placeOf(indices[k]);
+      const float z = points[static_cast<std::size_t>(indices[k])].z();
+      upper.push_back({place, room.ceiling.heightAt(place) - z});
+    }
+  return upper;
+}
+
+PlanPoints
+inPlan(const std::vector<UprightPlace>& places)
+{
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(places.size());
+  for (const UprightPlace& upright : places)
+    points.push_back(upright.place);
+  return {std::move(points), 0.1};
+}
+
+std::vector<int>
+wallEvidence(const PointView& points,
+             const RoomEvidence& evidence,
+             const CellMask& room,
+             const CellGrid& grid,
+             double tolerance)
+{
+  constexpr double reach = 1; // cells
+  const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
+  std::vector<int> walls = evidence.walls;
+  const auto place = [&](int i) -> Eigen::Vector2d {
+    return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
+  };
+  const auto own = static_cast<std::ptrdiff_t>(walls.size());
+  for (const int i : evidence.around)
+    if (edge.at(grid.at(place(i).x(), place(i).y())))
+      walls.push_back(i);
+  const auto sortPart = [](auto begin, auto end) {
+    if (!std::is_sorted(begin, end)) // as indices mostly are
+      std::sort(begin, end);
+  };
+  sortPart(walls.begin(), walls.begin() + own);
+  sortPart(walls.begin() + own, walls.end());
+  std::inplace_merge(walls.begin(), walls.begin() + own, walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  const auto isOfOthers = [&](int i) {
+    return std::any_of(
+        evidence.faces_of_others.begin(), evidence.faces_of_others.end(),
+        [&](const PlanElement& e) { return e.distance(place(i)) < tolerance; });
+  };
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
+  return walls;
+}
+
+std::vector<int>
+pointsIn(const CellMask& column,
+         const PointView& points,
+         const std::vector<int>& indices,
+         const CellGrid& grid)
+{
+  const CellMask cells = dilated(column, 1);
+  std::vector<int> inside;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cells.at(grid.at(p.x(), p.y())))
+      inside.push_back(i);
+  }
+  return inside;
+}
+
+std::vector<int>
+besides(const CellMask& furniture,
+        const PointView& points,
+        const std::vector<int>& indices,
+        const CellGrid& grid)
+{
+  std::vector<int> rest;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!grid.holds(p.x(), p.y()) || !furniture.at(grid.at(p.x(), p.y())))
+      rest.push_back(i);
+  }
+  return rest;
+}
+
+} // namespace sedr
+} // namespace pcl
