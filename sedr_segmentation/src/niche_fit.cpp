@@ -107,6 +107,7 @@ struct Recess {
   double low = 0;
   double high = 0;
   double depth = 0;
+  bool has_bottom = false; ///< seen above the floor
 
   double mouth() const { return (right - left) * (high - low); }
 
@@ -116,6 +117,10 @@ struct Recess {
     return left < other.right && other.left < right;
   }
 };
+
+/** @brief A lower bottom is the floor, metres; a higher head the ceiling. */
+constexpr double least_sill = 0.05;
+constexpr double least_head = 0.05;
 
 /** @brief Moves the edges of a recess onto the points seen on its sides. */
 void
@@ -130,12 +135,16 @@ fitEdges(const UnrolledWall& wall, Recess& recess)
           p.*beside < high - reach && p.behind > wall.tolerance &&
           p.behind < recess.depth - wall.tolerance)
         places.push_back(p.*across);
-    if (places.size() >= 5)
-      edge = middleValue(std::move(places));
+    if (places.size() < 5)
+      return false;
+    edge = middleValue(std::move(places));
+    return true;
   };
   fit(recess.left, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
   fit(recess.right, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
-  fit(recess.low, &WallPoint::up, &WallPoint::along, recess.left, recess.right);
+  recess.has_bottom =
+      fit(recess.low, &WallPoint::up, &WallPoint::along, recess.left, recess.right) &&
+      recess.low >= least_sill;
   fit(recess.high, &WallPoint::up, &WallPoint::along, recess.left, recess.right);
   std::vector<double> depths;
   for (const WallPoint& p : wall.points)
@@ -206,9 +215,10 @@ findRecess(const UnrolledWall& wall,
   if (static_cast<double>(region.count()) * size * size < 0.7 * area)
     return false;
   fitEdges(wall, recess);
+  if (recess.high > wall.height - least_head)
+    recess.high = wall.height;
   return recess.right - recess.left >= parameters.least_size &&
-         recess.high - recess.low >= parameters.least_size &&
-         recess.high < wall.height - 0.05;
+         recess.high - recess.low >= parameters.least_size;
 }
 
 PlanElement
@@ -233,7 +243,8 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
   const double floor = room.floorAt(inside);
   niche.bottom = recess.low > 0.02 ? horizontalSlab(floor + recess.low)
                                    : room.floorSlab(room.floorDetailAt(inside));
-  niche.top = horizontalSlab(floor + recess.high);
+  niche.top = recess.high < wall.height ? horizontalSlab(floor + recess.high)
+                                        : room.ceilingSlab(room.detailAt(inside));
   return niche;
 }
 
@@ -300,8 +311,9 @@ fitNiches(const PointView& points,
       if (!findRecess(wall, regionMask(open, regions, static_cast<std::int32_t>(r)),
                       grid, parameters, recess))
         continue;
-      const bool is_at_floor = recess.low < 0.15;
-      if (is_at_floor && recess.depth < parameters.least_alcove)
+      const bool is_at_floor = recess.low < 0.15 && !recess.has_bottom;
+      if (is_at_floor && (recess.depth < parameters.least_alcove ||
+                          recess.high == wall.height)) // a part of the room
         continue;
       if (is_at_floor)
         recess.low = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "loop_recesses.h"
 #include "main_directions.h"
 
 #include <pcl/sedr_segmentation/room_fit.h>
@@ -253,6 +254,7 @@ fitRoom(const PointView& points,
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = fitLoop(contour, walls, {}, loopOnCells(parameters), &fitted.samples);
+  closeRecesses(room, points, evidence.around);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;

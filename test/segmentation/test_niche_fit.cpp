@@ -63,6 +63,27 @@ TEST(Niches, AnAlcoveStartsAtTheFloor)
   EXPECT_NEAR(niches[0].bottom.heightAt({5, 2}), 0, 1e-9);
 }
 
+TEST(Niches, ABottomSeenADecimetreAboveTheFloorIsWhereItIs)
+{
+  const PlanRoom room = recessed(1, 2.2, 0.1, 1.2, 0.4);
+  RoomPoints points(0.03, 0.005);
+  points.room(room);
+  const auto niches = nichesOf(points, room, 0.005);
+  ASSERT_EQ(niches.size(), 1u);
+  expectNiche(niches[0], room.niches[0], 0.01);
+}
+
+TEST(Niches, TheHeadOfOneThatReachesTheCeilingIsTheCeiling)
+{
+  PlanRoom room = recessed(1, 2.2, 0.9, 2.6, 0.4);
+  room.ceiling = slabAt(2.6, 0.01, 0);
+  RoomPoints points(0.03);
+  points.room(room);
+  const auto niches = nichesOf(points, room);
+  ASSERT_EQ(niches.size(), 1u);
+  EXPECT_NEAR(niches[0].top.heightAt({5.4, 2}), room.ceiling.heightAt({5.4, 2}), 1e-9);
+}
+
 TEST(Niches, OfTwoAboveEachOtherTheLargerIsFound)
 {
   // The points of a wall with both: of each room what it has that the other has not.

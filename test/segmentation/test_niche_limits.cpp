@@ -45,10 +45,12 @@ TEST(NicheLimits, DepthAndSizeAreThoseOfTheParameters)
   EXPECT_EQ(nichesFor(recessed(1, 1.36, 0.9, 1.26, 0.2)), 1u);
 }
 
-TEST(NicheLimits, WhatReachesTheCeilingIsAPartOfTheRoom)
+TEST(NicheLimits, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
 {
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.5, 0.3)), 1u);
-  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.58, 0.3)), 0u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.6, 0.3)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0, 2.1, 0.3)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0, 2.6, 0.3)), 0u);
 }
 
 TEST(NicheLimits, ABackThatThingsHideIsNotClosed)

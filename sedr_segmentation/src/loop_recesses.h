@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Leads the boundary of a room straight past recesses of its ceiling's outline
+ * that are none of its plan: the wall that they are in goes on below them, as below a
+ * window or a niche that reaches the ceiling, or nothing was seen of their back. Those
+ * of up to 0.6 m between two stretches of one straight wall are looked at.
+ * @param room whose floor, ceiling and boundary are known
+ * @param indices points of the room and near it
+ * @return number of recesses left out. O(n) for each that is looked at. */
+int
+closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& indices);
+
+} // namespace sedr
+} // namespace pcl
