@@ -13,19 +13,20 @@ namespace {
 
 constexpr double deepest = 0.6; // metres
 
-/** @brief Share of the 10 cm cells of an upright rectangle in which a point is within 5
- * cm of it; a cell at both ends, where other walls are, is left out.
- * @param low, high metres above the floor */
+/** @brief Share of the 10 cm cells of an upright rectangle in which a point is on it;
+ * a cell at both ends, where other walls are, is left out.
+ * @param low, high metres above the floor
+ * @param tolerance metres */
 double
 shareSeen(const PlanElement& e,
           double low,
           double high,
+          double tolerance,
           const PlanSlab& floor,
           const PointView& points,
           const std::vector<int>& indices)
 {
   constexpr double cell = 0.1;
-  constexpr double tolerance = 0.05;
   const Eigen::Vector2d along = (e.end - e.start) / e.length();
   const double length = e.length() - 2 * cell;
   if (length <= 0)
@@ -73,10 +74,11 @@ struct Recess {
   {
     constexpr double in_line = 0.04; // metres
     constexpr double shallowest = 0.03;
+    constexpr double narrowest = 0.4;
     if (!is_straight_)
       return false;
     const double depth = -aside(back.start);
-    return std::abs(aside(after.start)) < in_line &&
+    return std::abs(aside(after.start)) < in_line && back.length() > narrowest &&
            along(before).dot(along(after)) > 0.99 &&
            along(before).dot(along(back)) > 0.99 && depth > shallowest &&
            depth < deepest && std::abs(depth + aside(back.end)) < in_line;
@@ -120,6 +122,8 @@ closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& i
   constexpr double wall_low = 0.1; // metres above the floor
   constexpr double wall_high = 0.4;
   constexpr double least_wall = 0.5;
+  constexpr double on_wall = 0.03; // furniture may be nearly flush with it
+  constexpr double near_back = 0.05;
   constexpr double unseen = 0.05;
   int closed = 0;
   std::vector<PlanElement>& elements = room.boundary.elements;
@@ -129,10 +133,10 @@ closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& i
       continue;
     const Eigen::Vector2d& place = recess.back.start;
     const double top = room.ceiling.heightAt(place) - room.floor.heightAt(place);
-    const bool is_above_wall = shareSeen(recess.mouth(), wall_low, wall_high,
+    const bool is_above_wall = shareSeen(recess.mouth(), wall_low, wall_high, on_wall,
                                          room.floor, points, indices) >= least_wall;
-    if (!is_above_wall && shareSeen(recess.back, wall_low, top - wall_low, room.floor,
-                                    points, indices) >= unseen)
+    if (!is_above_wall && shareSeen(recess.back, wall_low, top - wall_low, near_back,
+                                    room.floor, points, indices) >= unseen)
       continue;
     const PlanElement wall = recess.wall();
     std::rotate(elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(i),

@@ -36,11 +36,11 @@ nicheReach(const NicheParameters& parameters = {})
  * points, behind which most points lie at one depth and hardly any farther away, is a
  * niche: through a window and an open door one sees on, and where furniture hides the
  * wall nothing is seen behind it. A shallow recess that starts at the floor is a closed
- * door. The head of one that reaches the ceiling is the ceiling; what also starts at the
- * floor is a part of the room. Where another wing of the room lies behind the wall, there is none. Of niches
- * one above the other the one with the largest mouth counts, for a plan has one floor
- * and one ceiling at a place. The sides, the bottom and the top go through the points
- * seen on them. O(n) a wall.
+ * door. The head of one that reaches the ceiling is the ceiling; what also starts at
+ * the floor is a part of the room. Where another wing of the room lies behind the wall,
+ * there is none. Of niches one above the other the one with the largest mouth counts,
+ * for a plan has one floor and one ceiling at a place. The sides, the bottom and the
+ * top go through the points seen on them. O(n) a wall.
  * @param room with boundary, floor and ceiling
  * @param around indices of all points of the room and up to nicheReach() from it */
 std::vector<PlanNiche> fitNiches(const PointView& points,
