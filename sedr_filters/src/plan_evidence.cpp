@@ -212,16 +212,30 @@ private:
   double tolerance_;
 };
 
+ElementEvidence
+sumOf(const ElementEvidence& a, const ElementEvidence& b)
+{
+  return {a.seen + b.seen, a.hidden + b.hidden, a.opening + b.opening};
+}
+
 /** @brief Shares of counted cells. */
 ElementEvidence
-sharesOf(const ElementEvidence& count)
+countedShares(const ElementEvidence& count)
 {
   const double all = count.seen + count.hidden + count.opening;
   if (all == 0)
     return {};
-  if (count.seen < least_seen * all)
-    return {count.seen / all, 1 - count.seen / all, 0};
   return {count.seen / all, count.hidden / all, count.opening / all};
+}
+
+/** @brief The same, but of a surface that was not in view all is hidden. */
+ElementEvidence
+sharesOf(const ElementEvidence& count)
+{
+  const ElementEvidence shares = countedShares(count);
+  if (shares.isKnown() && shares.seen < least_seen)
+    return {shares.seen, 1 - shares.seen, 0};
+  return shares;
 }
 
 using Counts = std::map<const PlanElement*, ElementEvidence>;
@@ -246,11 +260,8 @@ measureRoom(PlanRoom& room,
   const RoomEvidence evidence(room, cubes, tolerance);
   Counts counts;
   for (const UprightSurface& surface : uprightSurfaces(room)) {
-    const ElementEvidence count = evidence.countOf(surface);
     ElementEvidence& sum = counts[surface.element];
-    sum.seen += count.seen;
-    sum.hidden += count.hidden;
-    sum.opening += count.opening;
+    sum = sumOf(sum, evidence.countOf(surface));
   }
   note(counts, room.boundary);
   for (PlanLoop& column : room.columns)
@@ -305,6 +316,22 @@ measureEvidence(Floorplan& plan,
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     measureRoom(plan.rooms[r], points, shares[r], tolerance);
   });
+}
+
+ElementEvidence
+countedEvidence(const PlanRoom& room,
+                std::size_t wall,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double tolerance)
+{
+  const PointCubes cubes(points, indices, boxOf(room));
+  const RoomEvidence evidence(room, cubes, tolerance);
+  ElementEvidence sum;
+  for (const UprightSurface& surface : uprightSurfaces(room))
+    if (surface.element == &room.boundary.elements[wall])
+      sum = sumOf(sum, evidence.countOf(surface));
+  return countedShares(sum);
 }
 
 } // namespace sedr

@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_separation.h>
+#include <pcl/sedr_segmentation/rooms_beyond_openings.h>
 
 #include <cmath>
 #include <string>
@@ -111,6 +112,9 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
   sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_, 0.05,
                         parameters_.threads);
+  const std::vector<std::string> beyond =
+      sedr::dropRoomsBeyondOpenings(plan, sedr::PointView(*input_), *indices_);
+  warnings_.insert(warnings_.end(), beyond.begin(), beyond.end());
   return true;
 }
 
