@@ -25,6 +25,12 @@ constexpr double least_floor_step = 0.06;
 constexpr double shallow_step = 0.06;
 constexpr double least_shallow_area = 1.0;
 
+/** @brief The same of what is lower than the ceiling all around it: a lamp on the
+ * ceiling is thicker than one in it. */
+constexpr double deepest_lamp = 0.15;
+constexpr double least_island_area = 1.0;
+constexpr double lamp_clearance = 0.15; ///< metres, from walls
+
 /** @brief The levels among the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
@@ -68,6 +74,26 @@ detailSlab(const PointView& points,
   const bool is_clear =
       leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
   return is_wide && is_clear ? leaning : parallel;
+}
+
+/** @brief Whether a piece of a ceiling is a lamp below it: small, flat, away from the
+ * walls, which beams and soffits start from, and the ceiling was seen all around it, as
+ * it is not around the strip of a vault.
+ * @param main cells of the main ceiling */
+bool
+isLamp(const CellMask& region,
+       double height,
+       const CellMask& main,
+       const CellMask& room,
+       double cell_size)
+{
+  if (height >= 0 || height < -deepest_lamp ||
+      static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
+    return false;
+  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size));
+  const CellMask rim = subtract(near, dilated(region, 1));
+  return subtract(near, room).count() == 0 &&
+         10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
 } // namespace
@@ -119,7 +145,8 @@ seenHeights(const PointView& points,
       map.label[i] = 0;
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     CellMask cells = intersect(CellMask(level.cells, room.box()), room);
-    const double height = std::abs(heightOverMain(main_slab, level.slab, cells, grid));
+    const double over = heightOverMain(main_slab, level.slab, cells, grid);
+    const double height = std::abs(over);
     if (height < step)
       continue;
     const auto enough = static_cast<std::size_t>(
@@ -131,9 +158,11 @@ seenHeights(const PointView& points,
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < std::max(least, enough))
         continue;
-      map.details.push_back(detailSlab(
-          points, evidence, main_slab, level,
-          regionMask(cells, regions, static_cast<std::int32_t>(r)), parameters));
+      const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
+      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size()))
+        continue;
+      map.details.push_back(
+          detailSlab(points, evidence, main_slab, level, region, parameters));
       for (std::size_t i = 0; i < map.label.size(); ++i)
         if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
           map.label[i] = static_cast<std::int32_t>(map.details.size());

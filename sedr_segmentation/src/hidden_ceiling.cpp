@@ -38,7 +38,7 @@ public:
     const CellMask solid = unite(closed, enclosedCells(closed));
     const CellMask open = freeAround(solid, others);
     const CellMask walls = wallsAround(open);
-    const CellMask beside_others = dilated(others, 1.5);
+    const CellMask beside_others = dilated(others, 2.5); // noise spreads a face
     const std::vector<float> from_room = squaredDistances(solid);
     const std::vector<float> from_wall = squaredDistances(walls);
     const MaskRegions regions = labelRegions(open, false);
@@ -63,7 +63,7 @@ private:
   struct Surroundings {
     const CellMask& room;
     const CellMask& strips;
-    const CellMask& beside_others; ///< other rooms, and a cell around them
+    const CellMask& beside_others; ///< other rooms, and two cells around them
     float from_room;               ///< squared, cells
     float from_wall;
   };

@@ -161,6 +161,20 @@ TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
   EXPECT_TRUE(fitted(points, parts).details.empty());
 }
 
+TEST(FitRoom, ALampBelowTheCeilingIsNoDetailButWhatStartsFromAWallIs)
+{
+  for (const double drop : {0.08, 0.12}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+    truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.61), 2.5 - drop),
+                     detailOf(rectangle(0.01, 3.01, 0.61, 4.01), 2.5 - drop)};
+    RoomPoints points(0.05, 0.002);
+    const RoomParts parts = points.room(truth);
+    const PlanRoom room = fitted(points, parts);
+    ASSERT_EQ(room.details.size(), 1u) << drop;
+    EXPECT_TRUE(room.details[0].contains({0.3, 3.5})) << drop;
+  }
+}
+
 TEST(FitRoom, ASoffitAllAroundHasAHole)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
