@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_map.h"
-#include "height_bends.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
@@ -77,16 +76,24 @@ detailSlab(const PointView& points,
   return is_wide && is_clear ? leaning : parallel;
 }
 
-/** @brief Whether a piece of a ceiling is a lamp below it: small, flat, and away from
- * the walls, which beams and soffits start from. */
+/** @brief Whether a piece of a ceiling is a lamp below it: small, flat, away from the
+ * walls, which beams and soffits start from, and the ceiling was seen all around it, as
+ * it is not around the strip of a vault.
+ * @param main cells of the main ceiling */
 bool
-isLamp(const CellMask& region, double height, const CellMask& room, double cell_size)
+isLamp(const CellMask& region,
+       double height,
+       const CellMask& main,
+       const CellMask& room,
+       double cell_size)
 {
   if (height >= 0 || height < -deepest_lamp ||
       static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
     return false;
-  return subtract(dilated(region, cellsFor(lamp_clearance, cell_size)), room).count() ==
-         0;
+  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size));
+  const CellMask rim = subtract(near, dilated(region, 1));
+  return subtract(near, room).count() == 0 &&
+         10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
 } // namespace
@@ -123,10 +130,11 @@ seenHeights(const PointView& points,
   const double opening = evidence.is_floor ? 2 : 1;
   const double step = evidence.is_floor ? least_floor_step : least_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
-  HeightMap map;
-  map.room = room;
-  map.label.assign(room.values().size(), -1);
-  map.main = main_slab;
+  HeightMap map{room,
+                std::vector<std::int32_t>(room.values().size(), -1),
+                {},
+                main_slab,
+                {}};
   const CellMask main =
       intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
   // Between two stretches of the ceiling a beam may be narrow.
@@ -151,7 +159,7 @@ seenHeights(const PointView& points,
       if (regions.sizes[r] < std::max(least, enough))
         continue;
       const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
-      if (!evidence.is_floor && isLamp(region, over, room, grid.size()))
+      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size()))
         continue;
       map.details.push_back(
           detailSlab(points, evidence, main_slab, level, region, parameters));
@@ -160,8 +168,6 @@ seenHeights(const PointView& points,
           map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }
-  if (!evidence.is_floor)
-    tidyBends(points, evidence, grid, map);
   map.seen = map.label;
   return map;
 }
