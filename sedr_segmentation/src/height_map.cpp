@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_map.h"
+#include "height_bends.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
@@ -130,11 +131,10 @@ seenHeights(const PointView& points,
   const double opening = evidence.is_floor ? 2 : 1;
   const double step = evidence.is_floor ? least_floor_step : least_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
-  HeightMap map{room,
-                std::vector<std::int32_t>(room.values().size(), -1),
-                {},
-                main_slab,
-                {}};
+  HeightMap map;
+  map.room = room;
+  map.label.assign(room.values().size(), -1);
+  map.main = main_slab;
   const CellMask main =
       intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
   // Between two stretches of the ceiling a beam may be narrow.
@@ -168,6 +168,8 @@ seenHeights(const PointView& points,
           map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }
+  if (!evidence.is_floor)
+    tidyBends(points, evidence, grid, map);
   map.seen = map.label;
   return map;
 }

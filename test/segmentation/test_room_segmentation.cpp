@@ -330,43 +330,13 @@ hallAndBay(bool has_frame)
 
 TEST(SegmentRooms, ACeilingFramedByLintelsIsARoomThoughOpenBelowThem)
 {
-  const Rooms rooms(hallAndBay(true));
+  const SegmentedRooms rooms(hallAndBay(true));
   ASSERT_EQ(rooms.regions.size(), 2u) << rooms.problem;
   EXPECT_NEAR(rooms.area(1), 3.3, 0.4);
   EXPECT_NEAR(rooms.ceilingOf(1), 2.74, 0.001);
   EXPECT_NE(rooms.at(3.5, 5.8), rooms.at(3.5, 2.5));
   // That of a balcony ends in the open.
-  EXPECT_EQ(Rooms(hallAndBay(false)).regions.size(), 1u);
-}
-
-/** A hall, and beyond its wall a ceiling of 3 m x 1.1 m above a floor that goes on all
- * around: open below lintels on the side of the hall, and on the others, too, or
- * without any. */
-RoomPoints
-hallAndBay(bool has_frame)
-{
-  RoomPoints points;
-  const PlanLoop bay = rectangle(2.01, 5.31, 5.01, 6.41);
-  points.room(roomOf(rectangle(0.01, 0.01, 7.01, 5.01), 3),
-              [](const Vector3d& p) { return p.y() < 4.9 || p.z() > 2.45; });
-  points.slab(rectangle(1.01, 5.01, 6.01, 7.41), 0);
-  points.slab(bay, 2.74);
-  for (const auto& e : bay.elements)
-    if (has_frame || e.start.y() + e.end.y() < 10.7)
-      points.wall(e, 2.45, 2.74);
-  points.slab(rectangle(2.01, 5.01, 5.01, 5.31), 2.45);
-  return points;
-}
-
-TEST(SegmentRooms, ACeilingFramedByLintelsIsARoomThoughOpenBelowThem)
-{
-  const Rooms rooms(hallAndBay(true));
-  ASSERT_EQ(rooms.regions.size(), 2u) << rooms.problem;
-  EXPECT_NEAR(rooms.area(1), 3.3, 0.4);
-  EXPECT_NEAR(rooms.ceilingOf(1), 2.74, 0.001);
-  EXPECT_NE(rooms.at(3.5, 5.8), rooms.at(3.5, 2.5));
-  // That of a balcony ends in the open.
-  EXPECT_EQ(Rooms(hallAndBay(false)).regions.size(), 1u);
+  EXPECT_EQ(SegmentedRooms(hallAndBay(false)).regions.size(), 1u);
 }
 
 } // namespace
