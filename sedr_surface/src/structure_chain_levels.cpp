@@ -39,39 +39,6 @@ levelOf(const pcl::HorizontalPlane& plane)
   return level;
 }
 
-/** @brief A point of each cell in which a floor was seen, or what stands on it and
- * hides it: furniture up to 1.5 m. */
-pcl::Indices
-onFloors(const std::vector<pcl::HorizontalPlane>& planes,
-         const PointView& points,
-         const CellGrid& grid)
-{
-  constexpr double below = 0.1;
-  constexpr double above = 1.5;
-  std::vector<const PlanSlab*> floors;
-  for (const auto& plane : planes)
-    if (plane.kind == LevelKind::Floor)
-      floors.push_back(&plane.slab);
-  std::vector<std::pair<CellKey, int>> found;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = points[i];
-    if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
-      continue;
-    const Eigen::Vector2d place = p.head<2>().cast<double>();
-    if (std::any_of(floors.begin(), floors.end(), [&](const PlanSlab* floor) {
-          const double height = p.z() - floor->heightAt(place);
-          return height > -below && height < above;
-        }))
-      found.emplace_back(keyOf(grid.at(p.x(), p.y())), static_cast<int>(i));
-  }
-  std::sort(found.begin(), found.end());
-  pcl::Indices indices;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (k == 0 || found[k].first != found[k - 1].first)
-      indices.push_back(found[k].second);
-  return indices;
-}
-
 } // namespace
 
 bool
@@ -221,11 +188,15 @@ StructureChain::findPlanes(StageReport& report)
 bool
 StructureChain::removeOutliers(StageReport& report)
 {
+  pcl::IndicesPtr floors(new pcl::Indices);
+  for (const auto& plane : planes)
+    if (plane.kind == LevelKind::Floor)
+      floors->insert(floors->end(), plane.inliers.indices.begin(),
+                     plane.inliers.indices.end());
+  outlier_removal.setInputCloud(cloud);
+  outlier_removal.setSupportIndices(floors);
   const CellGrid grid(outlier_removal.getGridSize());
   const PointView points(*cloud);
-  outlier_removal.setInputCloud(cloud);
-  outlier_removal.setSupportIndices(
-      pcl::IndicesPtr(new pcl::Indices(onFloors(planes, points, grid))));
   for (const auto& plane : planes) {
     Level level = levelOf(plane);
     if (level.kind == LevelKind::Ceiling) {

@@ -113,28 +113,6 @@ TEST(StructureChain, CountsTheCellsBelowACeilingAsTheyWereSetAfterASparseScan)
   EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 77U);
 }
 
-TEST(StructureChain, KeepsASmallRoomOfWhichFurnitureHidesMostOfTheFloor)
-{
-  // 36 and 6 m2 of one height, so that the largest gap of sizes lies between them; of
-  // the smaller tables of 0.75 m hide two thirds of the floor.
-  const auto isTable = [](double x, double) { return x > 7.1; };
-  RoomPoints points;
-  points.room(rectangle(0.01, 0.01, 6.01, 6.01), 0, 2.5);
-  const PlanLoop chamber = rectangle(6.11, 0.01, 9.11, 2.01);
-  points.slab(chamber, 2.5);
-  points.slab(chamber, 0, [&](double x, double y) { return !isTable(x, y); });
-  points.slab(chamber, 0.75, isTable);
-  points.wall(segment({7.1, 2.01}, {7.1, 0.01}), 0, 0.75);
-  for (const PlanElement& wall : chamber.elements)
-    points.wall(wall, 0, 2.5, [&](double s, double z) {
-      return z > 0.75 || !isTable(wall.pointAt(s).x(), 0);
-    });
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.plan->rooms[1].area(), 6, 0.05);
-}
-
 TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
 {
   // Three rooms of one size and one of 4 square metres.
