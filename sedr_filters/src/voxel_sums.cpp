@@ -129,7 +129,12 @@ VoxelSums::size() const
 VoxelCensus
 VoxelSums::census() const
 {
+  VoxelCensus cubes;
+  state_->blocks->forEach(
+      [&](const VoxelBlock& block) { cubes.addCube(block.corner, block.size); });
   VoxelCensus census;
+  if (!cubes.hasStrays()) // as mostly: the sums need not be looked at
+    return census;
   state_->blocks->forEach([&](const VoxelBlock& block) {
     const BlockSum* const sums = block.sums.load(std::memory_order_relaxed);
     for (std::size_t s = 0; s < block.size; ++s)

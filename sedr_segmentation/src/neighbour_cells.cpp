@@ -118,10 +118,7 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
       const Eigen::Vector3f way = places_[k] - place;
       if (way.squaredNorm() > within || (way.x() == 0 && way.y() == 0))
         continue;
-      const std::uint64_t bit = DirectionSectors::bitOf(way.x(), way.y());
-      if ((seen & bit) != 0)
-        continue;
-      seen |= bit;
+      seen |= DirectionSectors::bitOf(way.x(), way.y());
       is_close = sectors_.areClose(seen);
     }
   });

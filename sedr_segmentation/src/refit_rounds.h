@@ -41,7 +41,6 @@ public:
     Sightings sightings(raw_, targets_);
     scatters_ = sightings.scatters(parameters_.reach);
     settleScatters();
-    leaveOutWhatIsBeside(sightings);
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       centre.push_back(scatters_[t].centre);
       band.push_back(bandOf(t, scatters_[t].deviation));
@@ -100,31 +99,6 @@ private:
       const double share = s.count / (s.count + points_of_usual);
       s.deviation = share * s.deviation + (1 - share) * usual;
     }
-  }
-
-  /** @brief Where most of the points near a curve are farther from it than it may move,
-   * they are those of a board before the wall: the others tell of it. */
-  void leaveOutWhatIsBeside(const Sightings& sightings)
-  {
-    constexpr double unseen = 0.02;
-    std::vector<double> within(targets_.size(), parameters_.reach);
-    bool has_any = false;
-    for (std::size_t t = 0; t < curves_.curves.size(); ++t) {
-      const PlanCurve& curve = curves_.curves[t].curve;
-      const double most =
-          parameters_.farthest +
-          std::max(scatters_[t].deviation, curve.inliers > 0 ? curve.residual : unseen);
-      if (most >= parameters_.reach || std::abs(scatters_[t].centre) <= most)
-        continue;
-      within[t] = most;
-      has_any = true;
-    }
-    if (!has_any)
-      return;
-    const std::vector<Scatter> scatters = sightings.scatters(within);
-    for (std::size_t t = 0; t < within.size(); ++t)
-      if (within[t] < parameters_.reach)
-        scatters_[t] = scatters[t];
   }
 
   /** @brief Whether a line is shown by too few points for patches. */

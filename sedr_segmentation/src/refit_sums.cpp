@@ -152,20 +152,12 @@ Sightings::bySurface(SizeOf sizeOf, Add add) const
 std::vector<Scatter>
 Sightings::scatters(double reach) const
 {
-  return scatters(std::vector<double>(targets_.size(), reach));
-}
-
-std::vector<Scatter>
-Sightings::scatters(const std::vector<double>& within) const
-{
-  const double reach =
-      within.empty() ? 0 : *std::max_element(within.begin(), within.end());
   const auto bins = static_cast<std::size_t>(std::ceil(2 * reach / bin)) + 1;
   const auto counts = bySurface<std::uint32_t>(
       [&](std::size_t) { return bins; },
       [&](std::vector<std::uint32_t>& own, std::size_t t, const auto&,
           const Eigen::Vector3d&, double d, std::size_t) {
-        if (2 * std::abs(d) <= targets_.gap(t) && std::abs(d) <= within[t])
+        if (2 * std::abs(d) <= targets_.gap(t))
           ++own[std::min(bins - 1, static_cast<std::size_t>((d + reach) / bin))];
       });
   std::vector<Scatter> scatters;

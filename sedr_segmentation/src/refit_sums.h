@@ -79,9 +79,6 @@ public:
    * them (Rousseeuw 1984), which what is beside a wall hardly moves. */
   std::vector<Scatter> scatters(double reach) const;
 
-  /** @brief The same of the points within `within` of each surface only. */
-  std::vector<Scatter> scatters(const std::vector<double>& within) const;
-
   /** @brief Sums of the patches of each surface over the points within the `band` of
    * their surface's `centre`. The same for any number of threads. */
   std::vector<std::vector<PatchSums>> patchSums(const std::vector<double>& centre,

@@ -14,7 +14,7 @@ namespace {
 
 // Metres.
 constexpr double top_band = 0.4; ///< below the ceiling, where no board hangs
-constexpr double reach = 0.12;   ///< of what is looked at, to both sides of the line
+constexpr double reach = 0.08;   ///< to both sides of the line: thinner than partitions
 constexpr double least_length = 0.5;
 constexpr double part = 0.2;           ///< along the wall, looked at as one
 constexpr double corner = 0.1;         ///< whose points may be those of the next wall
@@ -60,6 +60,31 @@ middleOf(std::vector<double> values)
   return values.empty() ? 0 : middleValue(std::move(values));
 }
 
+/** @brief Whether the room goes on behind a wall: it is a face of a thin partition in
+ * it, and what is behind it may be the other face. */
+bool
+isOfPartition(const PlanElement& wall, const PlanLoop& boundary)
+{
+  constexpr double thickest = 0.3;
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double s = share * wall.length();
+    for (double d = reach; d < thickest; d += 0.05)
+      if (boundary.contains(wall.pointAt(s) - d * wall.normalAt(s)))
+        return true;
+  }
+  return false;
+}
+
+/** @brief Whether next to nothing of what is below the ceiling stands as far before a
+ * wall. The face of a partition does, before its other face. */
+bool
+endsBelow(const std::vector<double>& above, double before)
+{
+  const auto in_front =
+      std::count_if(above.begin(), above.end(), [&](double d) { return d > before; });
+  return 10 * static_cast<std::size_t>(in_front) <= above.size();
+}
+
 /** @brief Whether a board hangs before the wall that is behind a line.
  * @param[out] from how far before the line what is seen is the board's */
 bool
@@ -82,7 +107,8 @@ hasBoard(const PlanElement& wall,
     if (under[k].size() < least_points)
       continue;
     const double before = middleOf(under[k]);
-    if (before - walls.back() > least_depth)
+    if (before - walls.back() > least_depth &&
+        endsBelow(above[k], (before + walls.back()) / 2))
       boards.push_back(before);
   }
   const auto count = [](const std::vector<double>& values) {
@@ -109,7 +135,7 @@ leaveOutBoards(const PlanLoop& boundary, std::vector<UprightPlace>& places)
   std::vector<std::uint8_t> is_board(places.size(), 0);
   bool has_any = false;
   for (const PlanElement& wall : boundary.elements) {
-    if (wall.length() < least_length)
+    if (wall.length() < least_length || isOfPartition(wall, boundary))
       continue;
     const std::vector<Beside> beside = placesBeside(wall, places);
     double from = 0;

@@ -113,17 +113,4 @@ TEST(RefitToRaw, PointsThatAreNotFiniteOrNotIndexedDoNotCount)
   }
 }
 
-TEST(RefitToRaw, ABoardThatMostOfThePointsAreOnIsNotTheWall)
-{
-  const auto isBehind = [](const Eigen::Vector3d& p) {
-    return p.y() < 0.01 && p.x() > 0.4 && p.x() < 3.6 && p.z() > 0.8 && p.z() < 2.3;
-  };
-  RoomPoints raw(0.015, 0.005);
-  raw.room(plainRoom(), [&](const Eigen::Vector3d& p) { return !isBehind(p); });
-  raw.wall(segment({0.4, 0.05}, {3.6, 0.05}), 0.8, 2.3);
-  Floorplan plan = offPlan();
-  refitToRaw(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.002);
-}
-
 } // namespace

@@ -37,6 +37,12 @@ public:
   /** @brief Counts a voxel; those of a cube cost least one after the other. */
   void add(const VoxelCode& voxel, std::uint32_t points);
 
+  /** @brief Counts a cube whose voxels are not told one by one. */
+  void addCube(const VoxelCode& corner, std::uint32_t points)
+  {
+    cubes_.push_back({corner, points});
+  }
+
   /** @brief Counts what another one has counted. */
   void join(const VoxelCensus& other);
 
@@ -47,6 +53,10 @@ public:
   /** @brief How many points lie in voxels of 0, 1, 2, ... points; the last number is
    * that of all larger ones. */
   const std::vector<std::uint64_t>& pointsByCount() const { return points_by_count_; }
+
+  /** @brief Whether two thirds of the cubes between the lowest and the highest of each
+   * column hold points. */
+  bool hasStrays() const { return pointsInAir() > 0; }
 
   /** @brief The least points of a voxel that are no strays; 0 where a third of the
    * cubes between the lowest and the highest of each column are empty, or where half of

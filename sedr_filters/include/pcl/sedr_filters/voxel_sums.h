@@ -66,7 +66,8 @@ public:
   /** @brief Voxels so far. */
   std::size_t size() const;
 
-  /** @brief What tells strays from surfaces, of all voxels so far. */
+  /** @brief What tells strays from surfaces, of all voxels so far; of none where there
+   * are no strays. */
   VoxelCensus census() const;
 
   /** @brief Some voxels and the places that they have among all, sorted by z, then y,
