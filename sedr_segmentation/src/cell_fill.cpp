@@ -50,7 +50,8 @@ countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares
   }
 }
 
-/** @brief The share of each square that is occupied; its occupied cells are the weight. */
+/** @brief The share of each square that is occupied; its occupied cells are the weight.
+ */
 std::vector<Weighted>
 sharesOf(const std::vector<CellSet>& ceilings)
 {

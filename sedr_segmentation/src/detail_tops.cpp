@@ -15,9 +15,9 @@ namespace {
 /** @brief Cells around a region that its judgement looks at. */
 constexpr int region_margin = 6;
 
-/** @brief The cells between two stretches of ceiling eight cells apart or less, two of a
- * narrow beam and on each side three that its riser may be spread over by noise; beside
- * the wall above a window, ceiling is on one side only. */
+/** @brief The cells between two stretches of ceiling eight cells apart or less, two of
+ * a narrow beam and on each side three that its riser may be spread over by noise;
+ * beside the wall above a window, ceiling is on one side only. */
 CellMask
 betweenCeilings(const SliceScene& scene)
 {

@@ -23,8 +23,8 @@ struct Interval {
 /** @brief The shortest interval that holds half of the weight (Rousseeuw 1984). */
 Interval shortestHalf(std::vector<Weighted> values);
 
-/** @brief The smallest value that has so large a share of the weight at or below it; 0 of
- * none. */
+/** @brief The smallest value that has so large a share of the weight at or below it; 0
+ * of none. */
 double quantileOf(std::vector<Weighted> values, double share);
 
 /** @brief The same for half of the weight. */

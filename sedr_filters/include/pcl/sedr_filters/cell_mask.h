@@ -140,7 +140,8 @@ regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region
 CellMask
 markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected);
 
-/** @brief The largest four-connected region, the first of several as large. O(cells). */
+/** @brief The largest four-connected region, the first of several as large. O(cells).
+ */
 CellMask largestRegion(const CellMask& mask);
 
 /** @brief Gives `number` to those of some cells that have no label (-1) yet; labels are
