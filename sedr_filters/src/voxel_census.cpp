@@ -31,10 +31,31 @@ saturatedSum(std::uint32_t a, std::uint32_t b)
   return a > most - b ? most : a + b;
 }
 
-bool
-isSameColumn(const VoxelCode& a, const VoxelCode& b)
+/** @brief The cubes by column, lowest first, each once. */
+std::vector<VoxelCensus::Cube>
+joined(std::vector<VoxelCensus::Cube> cubes)
 {
-  return a[0] == b[0] && a[1] == b[1];
+  std::sort(cubes.begin(), cubes.end(),
+            [](const auto& a, const auto& b) { return a.corner < b.corner; });
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < cubes.size(); ++i)
+    if (cubes[i].corner == cubes[kept].corner)
+      cubes[kept].points = saturatedSum(cubes[kept].points, cubes[i].points);
+    else
+      cubes[++kept] = cubes[i];
+  cubes.resize(std::min(cubes.size(), kept + 1));
+  return cubes;
+}
+
+/** @brief Cubes from one up to the next of the same column; 0 where they are of two, or
+ * too far apart for a room. */
+double
+stepUp(const VoxelCensus::Cube& from, const VoxelCensus::Cube& to)
+{
+  if (from.corner[0] != to.corner[0] || from.corner[1] != to.corner[1])
+    return 0;
+  const double step = static_cast<double>(to.corner[2]) - from.corner[2];
+  return step > highest_room ? 0 : step;
 }
 
 } // namespace
@@ -64,28 +85,26 @@ double
 VoxelCensus::pointsInAir() const
 {
   constexpr double share = 1. / 3;
-  std::vector<Cube> cubes = cubes_;
-  std::sort(cubes.begin(), cubes.end(),
-            [](const Cube& a, const Cube& b) { return a.corner < b.corner; });
+  constexpr double few = 50; // cubes
+  const std::vector<Cube> cubes = joined(cubes_);
   std::vector<std::uint32_t> occupied;
   double all = 0;
+  double below = 0; // cubes from the last one of the column to this one
   for (std::size_t i = 0; i < cubes.size(); ++i) {
-    const double up =
-        i > 0 && isSameColumn(cubes[i - 1].corner, cubes[i].corner)
-            ? static_cast<double>(cubes[i].corner[2]) - cubes[i - 1].corner[2]
-            : 1;
-    const double step = up > highest_room ? 1 : up;
-    all += step;
-    if (step > 0)
+    const double above = i + 1 < cubes.size() ? stepUp(cubes[i], cubes[i + 1]) : 0;
+    if (below > 0)
+      all += below - 1;
+    if (below > 0 && above > 0) {
+      ++all;
       occupied.push_back(cubes[i].points);
-    else
-      occupied.back() = saturatedSum(occupied.back(), cubes[i].points);
+    }
+    below = above;
   }
-  const double below =
+  const double rank =
       std::floor(share * all) - (all - static_cast<double>(occupied.size()));
-  if (occupied.empty() || below < 0)
+  if (all < few || rank < 0)
     return 0;
-  const auto at = occupied.begin() + static_cast<std::ptrdiff_t>(below);
+  const auto at = occupied.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(occupied.begin(), at, occupied.end());
   return *at;
 }

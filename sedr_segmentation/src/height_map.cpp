@@ -91,9 +91,9 @@ isLamp(const CellMask& region,
   if (height >= 0 || height < -deepest_lamp ||
       static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
     return false;
-  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size));
+  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size, 2));
   const CellMask rim = subtract(near, dilated(region, 1));
-  return subtract(near, room).count() == 0 &&
+  return subtract(near, room).count() == 0 && rim.count() > 0 &&
          10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 

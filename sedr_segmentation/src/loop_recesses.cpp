@@ -29,7 +29,7 @@ shareSeen(const PlanElement& e,
   constexpr double cell = 0.1;
   const Eigen::Vector2d along = (e.end - e.start) / e.length();
   const double length = e.length() - 2 * cell;
-  if (length <= 0)
+  if (!(length > 0) || !(high > low))
     return 0;
   const auto columns = static_cast<std::size_t>(std::ceil(length / cell));
   const auto rows = static_cast<std::size_t>(std::ceil((high - low) / cell));

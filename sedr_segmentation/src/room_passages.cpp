@@ -140,6 +140,8 @@ private:
     constexpr double end = 0.3;          // metres in which the walls end
     constexpr double least_seen = 0.8;
     const double length = (b.place - a.place).norm();
+    if (!(length > 0))
+      return {};
     const Eigen::Vector2d along = (b.place - a.place) / length;
     if (length > widest_passage || a.outwards.dot(along) < least_cosine ||
         b.outwards.dot(along) > -least_cosine)
@@ -154,7 +156,7 @@ private:
         last = s;
         seen += step;
       }
-    if (first > end || last < length - end || seen < least_seen * (last - first))
+    if (!(last > first) || first > end || last < length - end || seen < least_seen * (last - first))
       return {};
     return std::make_pair<Eigen::Vector2d, Eigen::Vector2d>(a.place + along * first,
                                                             a.place + along * last);

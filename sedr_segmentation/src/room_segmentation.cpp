@@ -152,32 +152,47 @@ roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
   addHiddenCeilings(storey, first, rooms);
 }
 
-/** @brief Whether a room is next to one of `others`: no more than a wall is between
- * their ceilings. */
+/** @brief Whether a room is next to one of those that stay: no more than a wall is
+ * between their ceilings. */
 bool
-isNextTo(const RoomRegion& room, const std::vector<RoomRegion>& others, double cell)
+isNextTo(const RoomRegion& room,
+         const std::vector<RoomRegion>& rooms,
+         const std::vector<std::uint8_t>& stays,
+         double cell)
 {
   constexpr double thickest_wall = 0.5; // metres
   const int reach = cellsFor(thickest_wall, cell);
   const CellBox box = grown(boxOf(room.scope), reach);
   const CellMask near = dilated(CellMask(room.scope, box), reach);
-  return std::any_of(others.begin(), others.end(), [&](const RoomRegion& other) {
-    return &other != &room && intersect(CellMask(other.scope, box), near).count() > 0;
-  });
+  for (std::size_t o = 0; o < rooms.size(); ++o)
+    if (stays[o] &&
+        std::any_of(rooms[o].scope.keys().begin(), rooms[o].scope.keys().end(),
+                    [&](CellKey key) { return near.at(cellOf(key)) != 0; }))
+      return true;
+  return false;
 }
 
 /** @brief Drops what was seen of other rooms through doors. The ceiling of one that was
  * scanned from within goes up to the walls around it; through a door, one sees it from
- * some way behind that wall only, and nothing of the wall.
+ * some way behind that wall only, and nothing of the wall. What is next to one that
+ * stays does so, too.
  * @param rooms largest first */
 void
 dropLobbies(const RoomParameters& parameters, std::vector<RoomRegion>& rooms)
 {
+  std::vector<std::uint8_t> stays(rooms.size(), 0);
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    stays[r] = r == 0 || rooms[r].enclosure >= parameters.minimum_apart_enclosure;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (std::size_t r = 0; r < rooms.size(); ++r)
+      if (!stays[r] && isNextTo(rooms[r], rooms, stays, parameters.cell_size))
+        stays[r] = goes_on = true;
+  }
   std::vector<RoomRegion> kept;
   for (std::size_t r = 0; r < rooms.size(); ++r)
-    if (r == 0 || rooms[r].enclosure >= parameters.minimum_apart_enclosure ||
-        isNextTo(rooms[r], rooms, parameters.cell_size))
-      kept.push_back(rooms[r]);
+    if (stays[r])
+      kept.push_back(std::move(rooms[r]));
   rooms = std::move(kept);
 }
 

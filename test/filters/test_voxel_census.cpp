@@ -77,6 +77,19 @@ TEST(VoxelCensus, ACupboardFullOfSurfacesIsNoAir)
   EXPECT_EQ(census.leastPoints(), 0u);
 }
 
+TEST(VoxelCensus, GroundWhoseDensityFallsWithDistanceIsNoAir)
+{
+  for (const std::int32_t height : {1, 2, 7}) { // voxels: as it may lie across cubes
+    VoxelCensus census;
+    for (std::int32_t x = 1; x < 200; ++x)
+      for (std::int32_t y = 1; y < 200; ++y)
+        for (std::int32_t z = 0; z < height; ++z)
+          census.add({x, y, z},
+                     static_cast<std::uint32_t>(40000 / (x * x + y * y) + 1));
+    EXPECT_EQ(census.leastPoints(), 0u) << height;
+  }
+}
+
 TEST(VoxelCensus, MayBeTakenInParts)
 {
   const VoxelCensus whole = room(400, 0.3);

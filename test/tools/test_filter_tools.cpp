@@ -85,21 +85,21 @@ TEST_F(FilterTools, VoxelGridTakesItsOptions)
 
 TEST_F(FilterTools, VoxelGridLeavesOutStraysUnlessTheyAreToBeKept)
 {
-  std::vector<std::string> points; // 16 cubes of 4 x 4 x 4 voxels between two slabs
-  for (int x = 0; x < 8; ++x)
-    for (int y = 0; y < 8; ++y)
-      for (int z = 0; z < 16; ++z) {
-        const bool is_slab = z == 0 || z == 15;
+  std::vector<std::string> points; // 64 cubes of 4 x 4 x 4 voxels between two slabs
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 16; ++y)
+      for (int z = 0; z < 24; ++z) {
+        const bool is_slab = z == 0 || z == 23;
         for (int i = 0; i < (is_slab ? 40 : (x + y + z) % 4 == 0 ? 1 : 0); ++i)
           points.push_back(std::to_string(x) + ".5 " + std::to_string(y) + ".5 " +
                            std::to_string(z) + ".5 1 0 1");
       }
   EXPECT_EQ(onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "1"}).exit_code, 0);
-  EXPECT_EQ(floatField(output().blob, "x").size(), 128u);
+  EXPECT_EQ(floatField(output().blob, "x").size(), 512u);
   EXPECT_EQ(
       onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "1", "--keep-strays"}).exit_code,
       0);
-  EXPECT_EQ(floatField(output().blob, "x").size(), 128u + 224u);
+  EXPECT_EQ(floatField(output().blob, "x").size(), 512u + 1408u);
 }
 
 /** Rooms of 6 x 6 and 5 x 5 cells of 1 m and an outlier, ceilings at 2.5 m. */

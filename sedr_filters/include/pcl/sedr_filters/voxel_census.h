@@ -17,7 +17,8 @@ namespace sedr {
  * To a voxel a single stray counts as much as a thousand points of a wall. In a dense
  * scan, one stray in a hundred points is enough to fill a tenth of a room's voxels.
  * Most of what lies between a floor and its ceiling is air, so strays are what cubes of
- * 4 x 4 x 4 voxels there hold, if most of them hold any. */
+ * 4 x 4 x 4 voxels there hold, if most of them hold any: those that have both a lower
+ * and a higher one in their column, which may be the floor's and the ceiling's. */
 class VoxelCensus {
 public:
   /** @brief A cube and its points; plain bytes. */
@@ -54,20 +55,19 @@ public:
    * that of all larger ones. */
   const std::vector<std::uint64_t>& pointsByCount() const { return points_by_count_; }
 
-  /** @brief Whether two thirds of the cubes between the lowest and the highest of each
-   * column hold points. */
+  /** @brief Whether two thirds of the cubes above the lowest and below the highest of
+   * their column hold points, and there are 50 of them. */
   bool hasStrays() const { return pointsInAir() > 0; }
 
-  /** @brief The least points of a voxel that are no strays; 0 where a third of the
-   * cubes between the lowest and the highest of each column are empty, or where half of
-   * the points lie in voxels of less than ten times as many: too sparse a scan to tell.
-   * Of the voxels that hold strays alone one in a hundred or so holds as many. O(n log
-   * n) for n cubes. */
+  /** @brief The least points of a voxel that are no strays; 0 unless
+   * hasStrays(), and where half of the points lie in voxels of less than ten times as
+   * many: too sparse a scan to tell. Of the voxels that hold strays alone one in a
+   * hundred or so holds as many. O(n log n) for n cubes. */
   std::uint32_t leastPoints() const;
 
 private:
-  /** @brief Points that a third of the cubes between the lowest and the highest of each
-   * column stay below, or reach. */
+  /** @brief Points that a third of the cubes above the lowest and below the highest of
+   * their column stay below, or reach; 0 of few. */
   double pointsInAir() const;
 
   /** @brief Half of the points lie in voxels of so many points or more. */
