@@ -84,7 +84,7 @@ VoxelCensus::join(const VoxelCensus& other)
 double
 VoxelCensus::pointsInAir() const
 {
-  constexpr double share = 1. / 3;
+  constexpr double share = 0.2;
   constexpr double few = 50; // cubes
   const std::vector<Cube> cubes = joined(cubes_);
   std::vector<std::uint32_t> occupied;

@@ -55,7 +55,7 @@ public:
    * that of all larger ones. */
   const std::vector<std::uint64_t>& pointsByCount() const { return points_by_count_; }
 
-  /** @brief Whether two thirds of the cubes above the lowest and below the highest of
+  /** @brief Whether four fifths of the cubes above the lowest and below the highest of
    * their column hold points, and there are 50 of them. */
   bool hasStrays() const { return pointsInAir() > 0; }
 
@@ -66,7 +66,7 @@ public:
   std::uint32_t leastPoints() const;
 
 private:
-  /** @brief Points that a third of the cubes above the lowest and below the highest of
+  /** @brief Points that a fifth of the cubes above the lowest and below the highest of
    * their column stay below, or reach; 0 of few. */
   double pointsInAir() const;
 
