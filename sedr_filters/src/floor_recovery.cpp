@@ -16,10 +16,10 @@ using CellPoint = std::pair<CellKey, pcl::index_t>;
 /** @brief The points of `indices` that lie in one of `cells`, with their cells, sorted.
  */
 std::vector<CellPoint>
-pointsIn(const CellSet& cells,
-         const CellGrid& grid,
-         const PointView& points,
-         const pcl::Indices& indices)
+pointsByCell(const CellSet& cells,
+             const CellGrid& grid,
+             const PointView& points,
+             const pcl::Indices& indices)
 {
   std::vector<CellPoint> found;
   for (const auto index : indices) {
@@ -57,8 +57,9 @@ recoverFloor(const CellGrid& grid,
   }
 
   const CellSet missing = subtract(scope, CellSet(grid, points, result.kept));
-  auto sources = pointsIn(missing, grid, points, ceiling);
-  const auto details = pointsIn(subtract(missing, under_ceiling), grid, points, detail);
+  auto sources = pointsByCell(missing, grid, points, ceiling);
+  const auto details =
+      pointsByCell(subtract(missing, under_ceiling), grid, points, detail);
   sources.insert(sources.end(), details.begin(), details.end());
   std::sort(sources.begin(), sources.end());
   for (const auto& source : sources)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/large_memory.h>
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <cstdint>
 
 #ifdef __linux__
@@ -24,6 +26,17 @@ expectLarge(void* begin, std::size_t bytes)
   static_cast<void>(begin);
   static_cast<void>(bytes);
 #endif
+}
+
+void
+takeLarge(void* begin, std::size_t bytes, unsigned threads)
+{
+  expectLarge(begin, bytes);
+  parallelBlocks(bytes, large_page, threads, [&](std::size_t from, std::size_t to) {
+    constexpr std::size_t small_page = 4096; // no system has smaller ones
+    for (std::size_t at = from; at < to; at += small_page)
+      static_cast<volatile char*>(begin)[at] = 0;
+  });
 }
 
 } // namespace sedr

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "point_cubes.h"
+
 #include <pcl/sedr_filters/plan_evidence.h>
 
 #include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/parallel_sort.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -31,72 +31,6 @@ constexpr double low_cell = 1.0;   ///< below it shadows of furniture are looked
 constexpr double foot_from = 0.15; ///< the floor at the foot of a wall
 constexpr double foot_to = 0.55;
 constexpr double least_seen = 0.05; ///< share; below it a wall was not in view
-
-/** @brief Points by cubes of 10 cm, to be found by place. */
-class PointCubes {
-public:
-  PointCubes(const PointView& points,
-             const std::vector<int>& indices,
-             const Eigen::AlignedBox3d& box,
-             unsigned threads)
-      : origin_(box.min())
-  {
-    for (const int i : indices) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!points.isFinite(at))
-        continue;
-      const Eigen::Vector3d p = points[at].cast<double>();
-      if (box.contains(p))
-        points_.emplace_back(keyOf(cubeOf(p)), p);
-    }
-    sortParallel(points_, threads,
-                 [](const Entry& a, const Entry& b) { return a.first < b.first; });
-  }
-
-  /** @brief Whether any point within a cube's size of `place` is one that is asked for.
-   */
-  template <typename Asked>
-  bool anyNear(const Eigen::Vector3d& place, Asked asked) const
-  {
-    const Cube cube = cubeOf(place);
-    for (std::int64_t x = cube[0] - 1; x <= cube[0] + 1; ++x)
-      for (std::int64_t y = cube[1] - 1; y <= cube[1] + 1; ++y) {
-        // Three cubes above each other have keys in a row.
-        auto at = std::lower_bound(
-            points_.begin(), points_.end(), keyOf({x, y, cube[2] - 1}),
-            [](const Entry& entry, std::uint64_t key) { return entry.first < key; });
-        const std::uint64_t last = keyOf({x, y, cube[2] + 1});
-        for (; at != points_.end() && at->first <= last; ++at)
-          if (asked(at->second))
-            return true;
-      }
-    return false;
-  }
-
-private:
-  using Cube = std::array<std::int64_t, 3>;
-  using Entry = std::pair<std::uint64_t, Eigen::Vector3d>;
-
-  Cube cubeOf(const Eigen::Vector3d& p) const
-  {
-    const Eigen::Vector3d q = ((p - origin_) / cell_size).array().floor();
-    return {static_cast<std::int64_t>(q.x()), static_cast<std::int64_t>(q.y()),
-            static_cast<std::int64_t>(q.z())};
-  }
-
-  /** @brief Unique within 200 km. */
-  static std::uint64_t keyOf(const Cube& cube)
-  {
-    constexpr std::int64_t off = 1 << 20;
-    std::uint64_t key = 0;
-    for (const std::int64_t c : cube)
-      key = (key << 21) | (static_cast<std::uint64_t>(c + off) & 0x1fffff);
-    return key;
-  }
-
-  Eigen::Vector3d origin_;
-  std::vector<Entry> points_;
-};
 
 /** @brief A room with its niches, and what may stand before or behind its walls. */
 Eigen::AlignedBox3d
@@ -259,7 +193,7 @@ measureRoom(PlanRoom& room,
             double tolerance,
             unsigned threads)
 {
-  const PointCubes cubes(points, indices, boxOf(room), threads);
+  const PointCubes cubes(points, indices, boxOf(room), cell_size, threads);
   const RoomEvidence evidence(room, cubes, tolerance);
   const std::vector<UprightSurface> surfaces = uprightSurfaces(room);
   std::vector<ElementEvidence> count_of(surfaces.size());
@@ -287,9 +221,9 @@ measureRoom(PlanRoom& room,
 /** @brief The points that may lie in the box of each room; all of them where the rooms
  * are too far apart for a table. */
 std::vector<std::vector<int>>
-shareOut(const Floorplan& plan,
-         const PointView& points,
-         const std::vector<int>& indices)
+pointsNearRooms(const Floorplan& plan,
+                const PointView& points,
+                const std::vector<int>& indices)
 {
   constexpr double cell = 0.5; // metres
   CellTable rooms_near(cell);
@@ -320,7 +254,7 @@ measureEvidence(Floorplan& plan,
                 double tolerance,
                 unsigned threads)
 {
-  const std::vector<std::vector<int>> shares = shareOut(plan, points, indices);
+  const std::vector<std::vector<int>> shares = pointsNearRooms(plan, points, indices);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     measureRoom(plan.rooms[r], points, shares[r], tolerance, threads);
   });
@@ -333,7 +267,7 @@ countedEvidence(const PlanRoom& room,
                 const std::vector<int>& indices,
                 double tolerance)
 {
-  const PointCubes cubes(points, indices, boxOf(room), 1);
+  const PointCubes cubes(points, indices, boxOf(room), cell_size, 1);
   const RoomEvidence evidence(room, cubes, tolerance);
   ElementEvidence sum;
   for (const UprightSurface& surface : uprightSurfaces(room))

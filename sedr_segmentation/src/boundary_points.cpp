@@ -127,7 +127,8 @@ finiteIndices(const PointView& points, const pcl::Indices& indices)
   for (const auto i : indices)
     if (points.isFinite(static_cast<std::size_t>(i)))
       finite.push_back(i);
-  std::sort(finite.begin(), finite.end());
+  if (!std::is_sorted(finite.begin(), finite.end()))
+    std::sort(finite.begin(), finite.end());
   finite.erase(std::unique(finite.begin(), finite.end()), finite.end());
   return finite;
 }

@@ -38,7 +38,7 @@ polygonOf(const Contour& contour)
 
 /** @brief The points in a hole, and those beside it that may be of its column. */
 std::vector<Eigen::Vector2d>
-pointsIn(const Contour& hole, const PlanLoop& outline, const PlanPoints& evidence)
+pointsOfColumn(const Contour& hole, const PlanLoop& outline, const PlanPoints& evidence)
 {
   constexpr double beside = 0.03;
   Eigen::Vector2d low = hole[0];
@@ -191,7 +191,7 @@ fitColumn(const Contour& hole,
   if (places)
     *places = sampleContour(hole, evidence, parameters);
   const PlanLoop outline = polygonOf(hole);
-  const std::vector<Eigen::Vector2d> points = pointsIn(hole, outline, evidence);
+  const std::vector<Eigen::Vector2d> points = pointsOfColumn(hole, outline, evidence);
   if (points.size() < least_points)
     return fitLoop(hole, evidence, {}, parameters);
   std::vector<Shape> shapes = shapesOf(hole, points, evidence, directions, parameters);

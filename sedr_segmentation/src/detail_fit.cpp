@@ -83,16 +83,17 @@ extendBeams(HeightMap& map, const CellGrid& grid)
       map.seen[i] = map.label[i];
 }
 
-/** @brief The cells of a room and what its boundary holds besides, strips narrower than
- * three cells left out: a beam may hide the corner between it and the wall. */
+/** @brief The cells of a room that its boundary holds, and what it holds besides,
+ * strips narrower than three cells left out: a beam may hide the corner between it and
+ * the wall. */
 CellMask
-withHiddenCorners(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
+withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
 {
-  CellMask beyond(cells.box());
-  for (std::size_t i = 0; i < cells.values().size(); ++i)
-    beyond.values()[i] =
-        !cells.values()[i] && boundary.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
-  return unite(cells, dilated(eroded(beyond, 1), 1));
+  CellMask held(cells.box());
+  for (std::size_t i = 0; i < held.values().size(); ++i)
+    held.values()[i] = boundary.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+  const CellMask hidden = subtract(held, cells);
+  return unite(intersect(cells, held), dilated(eroded(hidden, 1), 1));
 }
 
 /** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
@@ -160,7 +161,7 @@ fitDetails(const PointView& points,
   const CellGrid grid(parameters.cell_size);
   HeightMap map =
       seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
-                  withHiddenCorners(cells, room.boundary, grid), parameters);
+                  withinBoundary(cells, room.boundary, grid), parameters);
   if (!evidence.is_floor)
     extendBeams(map, grid);
   fillHeights(map);

@@ -39,8 +39,8 @@ meanAbove(const ColumnTable& columns, Cell cell, float low)
   return sum / count;
 }
 
-/** @brief The cells of steps between undersides, see dropEdges(): those lower than the
- * tolerance, too, and slopes, as from a cove to the head of a window. */
+/** @brief The cells of steps between undersides, see cellsOfDrops(): those lower than
+ * the tolerance, too, and slopes, as from a cove to the head of a window. */
 CellMask
 stepsBetween(const Tops& tops)
 {
@@ -48,7 +48,7 @@ stepsBetween(const Tops& tops)
   std::vector<double> heights;
   for (std::size_t i = 0; i < cells.size(); ++i)
     heights.push_back(tops.mean[tops.undersides.indexOf(cells[i])]);
-  const std::vector<std::uint8_t> edges = dropEdges(cells, heights, 1);
+  const std::vector<std::uint8_t> edges = cellsOfDrops(cells, heights, 1);
   CellMask steps(tops.undersides.box());
   for (std::size_t i = 0; i < cells.size(); ++i)
     steps.set(cells[i], edges[i]);

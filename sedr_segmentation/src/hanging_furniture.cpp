@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ public:
                 const PointView& points,
                 const ColumnTable& columns,
                 const PlanSlab& ceiling,
-                const PlanSlab& floor)
+                const PlanSlab& floor,
+                unsigned threads)
       : grid_(grid)
       , columns_(columns)
       , look_(grid, points, columns, ceiling, floor)
@@ -45,11 +47,17 @@ public:
     const CellMask closed = eroded(dilated(seen, gap), gap);
     const CellMask near = dilated(closed, 2);
     const CellMask under = dilated(closed, 1);
-    for (std::size_t i = 0; i < near.values().size(); ++i) {
-      const Cell cell = near.cellAt(i);
-      fronts_.values()[i] = near.values()[i] && look_.frontAt(cell) ? 1 : 0;
-      backs_.values()[i] = !under.values()[i] && look_.backAt(cell) ? 1 : 0;
-    }
+    constexpr std::size_t cells_a_block = 4096;
+    parallelBlocks(near.values().size(), cells_a_block, threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       const Cell cell = near.cellAt(i);
+                       fronts_.values()[i] =
+                           near.values()[i] && look_.frontAt(cell) ? 1 : 0;
+                       backs_.values()[i] =
+                           !under.values()[i] && look_.backAt(cell) ? 1 : 0;
+                     }
+                   });
     at_wall_ = dilated(backs_, least_depth / grid.size());
   }
 
@@ -205,9 +213,10 @@ hangingFurniture(const CellMask& seen,
                  const PointView& points,
                  const ColumnTable& columns,
                  const PlanSlab& ceiling,
-                 const PlanSlab& floor)
+                 const PlanSlab& floor,
+                 unsigned threads)
 {
-  return HangingFinder(seen, grid, points, columns, ceiling, floor).find();
+  return HangingFinder(seen, grid, points, columns, ceiling, floor, threads).find();
 }
 
 } // namespace sedr

@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 
 #include <pcl/sedr_filters/cell_table.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
@@ -76,19 +77,27 @@ sharesOf(const std::vector<CellBox>& boxes,
   return shares;
 }
 
+/** @brief A region of a ceiling, and a box with room for what hangs around it. */
+struct CeilingRegion {
+  const Level* level;
+  CellSet cells;
+  CellBox box;
+};
+
 } // namespace
 
 HangingFurniture
 hangingFurnitureBelow(const std::vector<Level>& levels,
                       const PointView& points,
                       double cell_size,
-                      double least_height)
+                      double least_height,
+                      unsigned threads)
 {
   constexpr double margin = 0.8;
   constexpr double least_area = 1; // square metres
   const CellGrid grid(cell_size);
   const int reach = cellsFor(margin, cell_size);
-  std::vector<std::pair<const Level*, CellSet>> ceilings;
+  std::vector<CeilingRegion> ceilings;
   std::vector<CellBox> boxes;
   for (const Level& level : levels) {
     if (level.kind != LevelKind::Ceiling)
@@ -97,7 +106,7 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
       if (static_cast<double>(cells.size()) * cell_size * cell_size < least_area)
         continue;
       boxes.push_back(boxOf(cells));
-      ceilings.emplace_back(&level, std::move(cells));
+      ceilings.push_back({&level, std::move(cells), grown(boxes.back(), reach)});
     }
   }
   const std::vector<CellBox> clusters = clusterBoxes(boxes, reach);
@@ -108,17 +117,20 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
     if (!maskProblem(box).empty())
       continue;
     const ColumnTable columns(grid, box, points, shares[c]);
-    for (const auto& [level, cells] : ceilings) {
-      const CellMask seen(cells, grown(boxOf(cells), reach));
-      if (overlapOf(box, seen.box()).count() != seen.box().count())
-        continue;
+    std::vector<HangingFurniture> parts(ceilings.size());
+    parallelBlocks(ceilings.size(), 1, threads, [&](std::size_t k, std::size_t) {
+      const auto& [level, cells, around] = ceilings[k];
+      if (overlapOf(box, around).count() != around.count())
+        return;
+      const CellMask seen(cells, around);
       const Level* floor = floorBelow(seen, grid, *level, levels, least_height);
-      if (!floor)
-        continue;
-      HangingFurniture some =
-          hangingFurniture(seen, grid, points, columns, level->slab, floor->slab);
-      found.points.insert(found.points.end(), some.points.begin(), some.points.end());
-      found.behind.insert(found.behind.end(), some.behind.begin(), some.behind.end());
+      if (floor)
+        parts[k] = hangingFurniture(seen, grid, points, columns, level->slab,
+                                    floor->slab, threads);
+    });
+    for (const HangingFurniture& part : parts) {
+      found.points.insert(found.points.end(), part.points.begin(), part.points.end());
+      found.behind.insert(found.behind.end(), part.behind.begin(), part.behind.end());
     }
   }
   std::sort(found.points.begin(), found.points.end());

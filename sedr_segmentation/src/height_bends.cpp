@@ -63,7 +63,7 @@ noteRelief(const PointView& points,
                           ? of_cell.sum / of_cell.count
                           : unknown);
   }
-  const std::vector<std::uint8_t> edges = stepEdges(cells, heights, 1);
+  const std::vector<std::uint8_t> edges = cellsOfSteps(cells, heights, 1);
   const std::vector<double> smooth = smoothRelief(cells, heights, 1);
   map.relief.assign(seen.size(), unknown);
   std::vector<std::uint8_t> steps(seen.size(), 0);

@@ -13,7 +13,7 @@ namespace sedr {
  * Slivers that no step bounds go to what is beside them: those smaller than a square
  * metre and less than 6 cm from it. Then each cell goes to the label near it whose
  * plane is nearest to what was seen there, so that the edges are lines of one height.
- * What a step parts, see stepEdges(), stays as it is. O(n) a sliver. */
+ * What a step parts, see cellsOfSteps(), stays as it is. O(n) a sliver. */
 void tidyBends(const PointView& points,
                const SlabEvidence& evidence,
                const CellGrid& grid,

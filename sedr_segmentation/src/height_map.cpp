@@ -21,8 +21,9 @@ constexpr double least_floor_area = 1.0;
 /** @brief Least height of it: lower ones are rugs, metres. */
 constexpr double least_floor_step = 0.06;
 
-/** @brief In a ceiling, what is lower than this and smaller than that is a lamp or a
- * panel, metres and square metres. */
+/** @brief What is less than this below a ceiling and smaller than that is a lamp or a
+ * panel, metres and square metres. What is above it is a coffer: nothing hangs there.
+ */
 constexpr double shallow_step = 0.06;
 constexpr double least_shallow_area = 1.0;
 
@@ -93,7 +94,7 @@ isLamp(const CellMask& region,
     return false;
   const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size, 2));
   const CellMask rim = subtract(near, dilated(region, 1));
-  return subtract(near, room).count() == 0 && rim.count() > 0 &&
+  return subtract(near, room).count() == 0 &&
          10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
@@ -149,8 +150,10 @@ seenHeights(const PointView& points,
     const double height = std::abs(over);
     if (height < step)
       continue;
-    const auto enough = static_cast<std::size_t>(
-        height < shallow_step ? least_shallow_area / (grid.size() * grid.size()) : 0);
+    const auto enough =
+        static_cast<std::size_t>(over < 0 && height < shallow_step
+                                     ? least_shallow_area / (grid.size() * grid.size())
+                                     : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells =
         intersect(cells, unite(dilated(eroded(cells, opening), opening + 1), beams));

@@ -79,36 +79,39 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices)
   constexpr std::size_t cells_a_block = 4096;
   constexpr std::size_t points_a_block = 16384;
   constexpr auto nowhere = std::numeric_limits<std::uint32_t>::max();
-  std::vector<Candidate> unsorted(indices.size());
+  std::vector<std::uint32_t> cell_of(indices.size());
   parallelBlocks(
       indices.size(), points_a_block, threads_,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-          const int i = indices[k];
-          const Eigen::Vector3f p = points_[static_cast<std::size_t>(i)];
+          const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
           const bool is_held = std::isfinite(p.z()) && grid_.holds(p.x(), p.y());
-          const auto cell =
+          cell_of[k] =
               is_held ? static_cast<std::uint32_t>(cells_.find(grid_.at(p.x(), p.y())))
                       : nowhere;
-          unsorted[k] = {i, cell, p.x(), p.y(), p.z()};
         }
       });
-  unsorted.erase(std::remove_if(unsorted.begin(), unsorted.end(),
-                                [&](const Candidate& c) { return c.cell == nowhere; }),
-                 unsorted.end());
   first_.assign(cells_.size() + 1, 0);
-  for (const Candidate& c : unsorted)
-    ++first_[c.cell + 1];
+  for (const std::uint32_t cell : cell_of)
+    if (cell != nowhere)
+      ++first_[cell + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  all_.resize(unsorted.size());
-  for (const Candidate& c : unsorted)
-    all_[next[c.cell]++] = c;
+  all_.resize(first_.back());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (cell_of[k] == nowhere)
+      continue;
+    const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
+    all_[next[cell_of[k]]++] = {indices[k], cell_of[k], p.x(), p.y(), p.z()};
+  }
   parallelBlocks(
       cells_.size(), cells_a_block, threads_, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          std::sort(all_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-                    all_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]), isLower);
+        for (std::size_t i = begin; i < end; ++i) {
+          Candidate* const column = all_.data() + first_[i];
+          Candidate* const end_of_column = all_.data() + first_[i + 1];
+          if (!std::is_sorted(column, end_of_column, isLower)) // as thinned points are
+            std::sort(column, end_of_column, isLower);
+        }
       });
 }
 
@@ -134,6 +137,10 @@ LevelColumns::leaveOutWalls(double tolerance)
     blocks[begin / cells_a_block] = std::move(horizontal);
   };
   parallelBlocks(cells_.size(), cells_a_block, threads_, look);
+  std::size_t count = 0;
+  for (const auto& block : blocks)
+    count += block.size();
+  without_walls_.reserve(count);
   for (const auto& block : blocks)
     without_walls_.insert(without_walls_.end(), block.begin(), block.end());
   sortParallel(without_walls_, threads_, isLower);

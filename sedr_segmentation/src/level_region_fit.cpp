@@ -197,7 +197,7 @@ reliefAround(const LevelColumns& columns,
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (!clear[i])
       relief.heights[i] = std::numeric_limits<double>::quiet_NaN();
-  relief.edges = stepEdges(cells, relief.heights, parameters.threads);
+  relief.edges = cellsOfSteps(cells, relief.heights, parameters.threads);
   return relief;
 }
 

@@ -55,7 +55,7 @@ struct LevelRegion {
 /** @brief What is around a level before it is parted. */
 struct LevelRelief {
   std::vector<double> heights;     ///< see reliefOf(); NaN for walls
-  std::vector<std::uint8_t> edges; ///< see stepEdges()
+  std::vector<std::uint8_t> edges; ///< see cellsOfSteps()
 };
 
 /** @brief The relief up to two tolerances from a level: with what noise puts within one

@@ -62,6 +62,7 @@ private:
 class Surroundings {
 public:
   static constexpr int reach = 4;
+  static constexpr std::size_t side = 2 * reach + 1;
 
   Surroundings(const CellSet& cells, const std::vector<double>& relief, std::size_t at)
   {
@@ -92,7 +93,8 @@ public:
 private:
   static std::size_t indexOf(int dx, int dy)
   {
-    return static_cast<std::size_t>((dy + reach) * (2 * reach + 1) + dx + reach);
+    return static_cast<std::size_t>(dy + reach) * side +
+           static_cast<std::size_t>(dx + reach);
   }
 
   double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
@@ -113,7 +115,7 @@ private:
     return behind.middleMean() - before.middleMean();
   }
 
-  std::array<double, (2 * reach + 1) * (2 * reach + 1)> values_{};
+  std::array<double, side * side> values_{};
 };
 
 /** @brief Marks the cells around which a step may be: where the means of squares of
@@ -166,15 +168,7 @@ isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_
   constexpr int reach = 6;
   constexpr int least_share = 10; // one in so many
   std::array<int, 3> count{};
-  const Cell middle = cells[at];
-  for (int dy = -reach; dy <= reach; ++dy) {
-    const CellKey first = keyOf({middle.x - reach, middle.y + dy});
-    const CellKey last = keyOf({middle.x + reach, middle.y + dy});
-    const auto& keys = cells.keys();
-    const auto from = std::lower_bound(keys.begin(), keys.end(), first);
-    for (auto k = from; k != keys.end() && *k <= last; ++k)
-      ++count[kind[static_cast<std::size_t>(k - keys.begin())]];
-  }
+  forEachAround(cells, cells[at], reach, [&](std::size_t i) { ++count[kind[i]]; });
   return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
 }
 
@@ -256,7 +250,7 @@ smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned t
 }
 
 std::vector<std::uint8_t>
-dropEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+cellsOfDrops(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
 {
   std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
   for (std::uint8_t& k : kind)
@@ -265,7 +259,7 @@ dropEdges(const CellSet& cells, const std::vector<double>& relief, unsigned thre
 }
 
 std::vector<std::uint8_t>
-stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+cellsOfSteps(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
 {
   const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
   std::vector<std::uint8_t> edges(relief.size(), 0);

@@ -31,13 +31,13 @@ smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned t
  * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
  * lets them. O(n); the same for any number of threads. */
 std::vector<std::uint8_t>
-dropEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+cellsOfDrops(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
 /** @brief Marks the cells of steps: of drops of which four fifths are there within 10
  * cm, along one in ten of these cells. What bends or leans, however steep it is, has
  * none: three fifths of its height are. O(n); the same for any number of threads. */
 std::vector<std::uint8_t>
-stepEdges(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+cellsOfSteps(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
 
 } // namespace sedr
 } // namespace pcl

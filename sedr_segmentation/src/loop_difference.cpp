@@ -51,15 +51,29 @@ partsOf(const PlanLoop& loop, const Cuts& cuts)
   return parts;
 }
 
-/** @brief Those of some parts whose middle lies inside of a loop, or outside. */
+/** @brief Those of some parts whose middle lies inside of a loop. */
 std::vector<PlanElement>
-onSide(const std::vector<PlanElement>& parts, const PlanLoop& loop, bool is_inside)
+within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
 {
   std::vector<PlanElement> kept;
   for (const auto& e : parts) {
     const Eigen::Vector2d middle = e.pointAt(e.length() / 2);
-    const bool is_on = loop.distance(middle) < exactness;
-    if ((!is_on && loop.contains(middle)) == is_inside)
+    if (loop.distance(middle) >= exactness && loop.contains(middle))
+      kept.push_back(e);
+  }
+  return kept;
+}
+
+/** @brief Those of some parts of a counter-clockwise loop of which what is just within
+ * lies inside of another loop, or outside: so also where both run along each other. */
+std::vector<PlanElement>
+onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_inside)
+{
+  std::vector<PlanElement> kept;
+  for (const auto& e : parts) {
+    const double middle = e.length() / 2;
+    if (other.contains(e.pointAt(middle) + 2 * exactness * e.normalAt(middle)) ==
+        is_inside)
       kept.push_back(e);
   }
   return kept;
@@ -95,6 +109,29 @@ chained(std::vector<PlanElement> parts)
   return loops;
 }
 
+/** @brief Chains parts to closed loops, the largest first. */
+std::vector<PlanLoop>
+largestFirst(std::vector<PlanElement> parts)
+{
+  std::vector<PlanLoop> loops = chained(std::move(parts));
+  std::stable_sort(
+      loops.begin(), loops.end(),
+      [](const PlanLoop& a, const PlanLoop& b) { return a.area() > b.area(); });
+  return loops;
+}
+
+/** @brief Elements that nothing was fitted to. */
+std::vector<PlanElement>
+withoutInliers(std::vector<PlanElement> elements)
+{
+  for (PlanElement& e : elements) {
+    e.inliers = 0;
+    e.residual = 0;
+    e.evidence = {};
+  }
+  return elements;
+}
+
 /** @brief An element `by` metres to the right. */
 PlanElement
 shifted(const PlanElement& e, double by)
@@ -124,8 +161,8 @@ partsInside(const PlanLoop& first, const PlanLoop& second)
   Cuts cuts_first;
   Cuts cuts_second;
   findCuts(first, second, cuts_first, cuts_second);
-  return {onSide(partsOf(first, cuts_first), second, true),
-          onSide(partsOf(second, cuts_second), first, true)};
+  return {within(partsOf(first, cuts_first), second),
+          within(partsOf(second, cuts_second), first)};
 }
 
 PlanLoop
@@ -174,18 +211,23 @@ difference(const PlanLoop& loop, const PlanLoop& cutter)
   findCuts(loop, cutter, cuts_loop, cuts_cutter);
   std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), cutter, false);
   PlanLoop sides;
-  sides.elements = onSide(partsOf(cutter, cuts_cutter), loop, true);
-  for (PlanElement e : reversed(sides).elements) {
-    e.inliers = 0;
-    e.residual = 0;
-    e.evidence = {};
-    parts.push_back(e);
-  }
-  std::vector<PlanLoop> loops = chained(std::move(parts));
-  std::stable_sort(
-      loops.begin(), loops.end(),
-      [](const PlanLoop& a, const PlanLoop& b) { return a.area() > b.area(); });
-  return loops;
+  sides.elements = withoutInliers(within(partsOf(cutter, cuts_cutter), loop));
+  const std::vector<PlanElement> back = reversed(sides).elements;
+  parts.insert(parts.end(), back.begin(), back.end());
+  return largestFirst(std::move(parts));
+}
+
+std::vector<PlanLoop>
+intersection(const PlanLoop& loop, const PlanLoop& other)
+{
+  Cuts cuts_loop;
+  Cuts cuts_other;
+  findCuts(loop, other, cuts_loop, cuts_other);
+  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), other, true);
+  const std::vector<PlanElement> sides =
+      withoutInliers(within(partsOf(other, cuts_other), loop));
+  parts.insert(parts.end(), sides.begin(), sides.end());
+  return largestFirst(std::move(parts));
 }
 
 } // namespace sedr

@@ -15,8 +15,10 @@ namespace sedr {
  * of up to 0.6 m between two stretches of one straight wall are looked at.
  * @param room whose floor, ceiling and boundary are known
  * @param indices points of the room and near it
- * @return number of recesses left out. O(n) for each that is looked at. */
-int
+ * @return niches for those above a wall of whose back half was seen, as of an alcove
+ * above a low wall with a window in it: fitNiches() does not find one through which one
+ * sees on. O(n) for each recess that is looked at. */
+std::vector<PlanNiche>
 closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& indices);
 
 } // namespace sedr

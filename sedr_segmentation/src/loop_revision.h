@@ -14,8 +14,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief The lines of a chain and those of `known` curves. */
-std::vector<DirectedLine>
-linesOf(const LoopChain& chain, const std::vector<PlanCurve>& known);
+std::vector<DirectedLine> linesOf(const LoopChain& chain,
+                                  const std::vector<PlanCurve>& known);
 
 /** @brief Standard deviation of the evidence from the links: the median of their
  * residuals by inliers, metres; 0 where none was fitted. */

@@ -54,7 +54,21 @@ OutlineWalls::isFloorToCeiling(Cell cell) const
   const double top = topAroundGap(cell);
   const double floor = columns_.floorAt(cell);
   return isWallUpTo(cell, top) &&
-         columns_.table().share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5;
+         columns_.table().share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
+         isSurface(cell, columns_.middleBelow(cell, top), top - 0.1);
+}
+
+bool
+OutlineWalls::isSurface(Cell cell, double low, double high) const
+{
+  constexpr double least_share = 0.5;
+  const int parts = cellsFor(high - low, grid().size());
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (columns_.table().share({cell.x + dx, cell.y + dy}, low, high, parts, 0) >=
+          least_share)
+        return true;
+  return false;
 }
 
 bool

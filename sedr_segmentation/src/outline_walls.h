@@ -54,6 +54,11 @@ private:
    * cupboard leaves that open. */
   bool isFloorToCeiling(Cell cell) const;
 
+  /** @brief Whether points fill half of the parts, a cell high, of the column or of one
+   * beside it: a surface does in one column, points scattered in the air only here and
+   * there in all of them. */
+  bool isSurface(Cell cell, double low, double high) const;
+
   /** @brief Height of the ceiling seen around a slit or a hole. */
   double topAroundGap(Cell cell) const;
 

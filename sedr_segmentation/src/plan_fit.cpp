@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "frontier_points.h"
 #include "shared_faces.h"
 
 #include <pcl/sedr_segmentation/plan_fit.h>
@@ -49,9 +50,9 @@ roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
   return rooms;
 }
 
-/** @brief Shares out indices by their rooms. */
+/** @brief The indices of each room. */
 std::vector<std::vector<int>>
-shareOut(const std::vector<int>& indices,
+sharesOf(const std::vector<int>& indices,
          const std::vector<std::int32_t>& room_of,
          std::size_t rooms)
 {
@@ -161,7 +162,7 @@ fitPlan(const PointView& points,
                : -1;
   };
   const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
-    return shareOut(indices, roomsOf(indices, parameters.threads, roomOf),
+    return sharesOf(indices, roomsOf(indices, parameters.threads, roomOf),
                     numbers.size());
   };
   auto ceilings = shareBy(evidence.ceiling, labelled);
@@ -181,9 +182,9 @@ fitPlan(const PointView& points,
   problem = territory.problem().empty() ? wide.problem() : territory.problem();
   if (!problem.empty())
     return plan;
-  const auto nearest = [&](int i) {
-    return territory.roomAt(points[static_cast<std::size_t>(i)]);
-  };
+  const std::vector<std::int32_t> room_of =
+      roomsOfPoints(points, territory, parameters.threads);
+  const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
   auto floors = shareBy(evidence.floor, nearest);
   auto around = shareBy(evidence.all, nearest);
   auto behind = shareBy(evidence.all, [&](int i) {

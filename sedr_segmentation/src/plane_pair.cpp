@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <map>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -19,6 +19,88 @@ namespace sedr {
 namespace {
 
 constexpr double most_off = 0.026; ///< of an axis from square to another one, radians
+constexpr double slab_height = 0.1;
+constexpr double cell_size = 0.1;
+
+/** @brief What lies within a decimetre along an axis. */
+struct Slab {
+  std::int32_t level = 0; ///< in such heights
+  std::vector<int> points;
+  std::size_t cells = 0; ///< different ones, once they were counted
+};
+
+constexpr std::int32_t no_level = std::numeric_limits<std::int32_t>::min();
+
+/** @brief The level of each of some points; that of one that is not finite, or farther
+ * away than any building, is none. */
+std::vector<std::int32_t>
+levelsOf(const PointView& points,
+         const std::vector<int>& indices,
+         const Eigen::Vector3d& across)
+{
+  constexpr double farthest = 1e5;
+  std::vector<std::int32_t> levels;
+  levels.reserve(indices.size());
+  for (const int i : indices) {
+    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+    const bool is_near = p.cwiseAbs().maxCoeff() < farthest; // no NaN is
+    levels.push_back(is_near && p.allFinite() ? static_cast<std::int32_t>(std::floor(
+                                                    across.dot(p) / slab_height))
+                                              : no_level);
+  }
+  return levels;
+}
+
+/** @brief The slabs of at least so many points. */
+std::vector<Slab>
+slabsOf(const PointView& points,
+        const std::vector<int>& indices,
+        const Eigen::Vector3d& across,
+        std::size_t least)
+{
+  const std::vector<std::int32_t> levels = levelsOf(points, indices, across);
+  std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
+  std::int32_t highest = no_level;
+  for (const std::int32_t level : levels) {
+    highest = std::max(highest, level);
+    lowest = level == no_level ? lowest : std::min(lowest, level);
+  }
+  if (highest == no_level)
+    return {};
+  std::vector<std::size_t> counts(static_cast<std::size_t>(highest - lowest) + 1, 0);
+  for (const std::int32_t level : levels)
+    if (level != no_level)
+      ++counts[static_cast<std::size_t>(level - lowest)];
+  std::vector<Slab> slabs;
+  std::vector<std::size_t> slab_of(counts.size(), CellSet::npos);
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0 && counts[k] >= least) {
+      slab_of[k] = slabs.size();
+      slabs.push_back({lowest + static_cast<std::int32_t>(k), {}});
+      slabs.back().points.reserve(counts[k]);
+    }
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    if (levels[k] != no_level)
+      if (const auto own = slab_of[static_cast<std::size_t>(levels[k] - lowest)];
+          own != CellSet::npos)
+        slabs[own].points.push_back(indices[k]);
+  return slabs;
+}
+
+std::size_t
+countCells(const PointView& points,
+           const std::vector<int>& own,
+           const Eigen::Matrix3d& axes)
+{
+  const CellGrid grid(cell_size);
+  std::vector<CellKey> keys;
+  keys.reserve(own.size());
+  for (const int i : own) {
+    const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
+    keys.push_back(keyOf(grid.at(p[0], p[1])));
+  }
+  return CellSet(std::move(keys)).size();
+}
 
 } // namespace
 
@@ -27,41 +109,35 @@ bestPair(const PointView& points,
          const std::vector<int>& indices,
          const Eigen::Matrix3d& axes,
          double nearest,
-         double farthest)
+         double farthest,
+         std::size_t least_cells)
 {
-  constexpr double cell = 0.1;
-  const CellGrid grid(cell);
-  std::map<std::int64_t, std::vector<CellKey>> slabs;
-  auto last = slabs.end(); // where most of the next points are too
-  for (const int i : indices) {
-    if (!points.isFinite(static_cast<std::size_t>(i)))
-      continue;
-    const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
-    if (!grid.holds(p[0], p[1]) || !grid.holds(p[2], 0))
-      continue;
-    const auto level = static_cast<std::int64_t>(std::floor(p[2] / cell));
-    if (last == slabs.end() || last->first != level)
-      last = slabs.try_emplace(level).first;
-    last->second.push_back(keyOf(grid.at(p[0], p[1])));
-  }
-  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
-  for (auto& [level, keys] : slabs)
-    sizes.emplace_back(level, CellSet(std::move(keys)).size());
+  std::vector<Slab> slabs = slabsOf(points, indices, axes.row(2), least_cells);
+  std::sort(slabs.begin(), slabs.end(), [](const Slab& a, const Slab& b) {
+    return a.points.size() != b.points.size() ? a.points.size() > b.points.size()
+                                              : a.level < b.level;
+  });
   PlanePair best;
-  for (const auto& [level, cells] : sizes)
-    best.largest_cells = std::max(best.largest_cells, cells);
-  for (std::size_t a = 0; a < sizes.size(); ++a)
-    for (std::size_t b = a + 1; b < sizes.size(); ++b) {
+  std::pair<std::int32_t, std::int32_t> levels_of_best;
+  for (auto slab = slabs.begin(); slab != slabs.end(); ++slab) {
+    if (slab->points.size() < best.cells)
+      break; // no pair with this or a smaller one is better
+    slab->cells = countCells(points, slab->points, axes);
+    best.largest_cells = std::max(best.largest_cells, slab->cells);
+    for (auto other = slabs.begin(); other != slab; ++other) {
+      const std::pair<std::int32_t, std::int32_t> levels =
+          std::minmax(slab->level, other->level);
       const double distance =
-          static_cast<double>(sizes[b].first - sizes[a].first) * cell;
-      if (distance > farthest)
-        break;
-      const std::size_t cells = std::min(sizes[a].second, sizes[b].second);
-      if (distance < nearest || cells <= best.cells)
+          static_cast<double>(levels.second - levels.first) * slab_height;
+      const std::size_t cells = std::min(slab->cells, other->cells);
+      if (distance < nearest || distance > farthest || cells < best.cells ||
+          (cells == best.cells && !(levels < levels_of_best)))
         continue;
       best.cells = cells;
       best.distance = distance;
+      levels_of_best = levels;
     }
+  }
   return best;
 }
 
@@ -72,6 +148,7 @@ bestSidePair(const PointView& points,
              double least)
 {
   constexpr double least_area = 2; // square metres
+  constexpr double cell_area = cell_size * cell_size;
   Eigen::AlignedBox3f box;
   for (const int i : indices)
     if (points.isFinite(static_cast<std::size_t>(i)))
@@ -87,7 +164,8 @@ bestSidePair(const PointView& points,
     for (int k = 0; k < 3; ++k)
       axes.row(k) = Eigen::Vector3d::Unit((axis + 1 + k) % 3);
     const PlanePair found =
-        bestPair(points, indices, axes, lowest_room, highest_usual_room);
+        bestPair(points, indices, axes, lowest_room, highest_usual_room,
+                 static_cast<std::size_t>(std::max(least, least_area) / cell_area));
     if (found.area() < least_area || found.area() <= least || found.cells < best.cells)
       continue;
     static_cast<PlanePair&>(best) = found;

@@ -25,12 +25,14 @@ struct PlanePair {
 
 /** @brief The best pair of levels that are between `nearest` and `farthest` metres
  * apart along the third of three axes, the rows of `axes`: slabs of a decimetre,
- * measured in distinct cells. O(n log n). */
+ * measured in distinct cells. O(n), and for every two slabs that may be the best.
+ * @param least_cells pairs of fewer may be left out */
 PlanePair bestPair(const PointView& points,
                    const std::vector<int>& indices,
                    const Eigen::Matrix3d& axes,
                    double nearest,
-                   double farthest);
+                   double farthest,
+                   std::size_t least_cells = 0);
 
 /** @brief Heights of rooms, metres. */
 constexpr double lowest_room = 1.8;

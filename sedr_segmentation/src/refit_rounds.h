@@ -70,9 +70,8 @@ public:
   const RefitTargets& targets() const { return targets_; }
 
 private:
-  /** @brief Lines whose points tell their direction no better are shifted only,
-   * radians.
-   */
+  /** @brief Lines and slabs whose points tell their direction no better are shifted
+   * only, radians. */
   static constexpr double largest_deviation_of_turn = 0.005;
 
   /** @brief Half width of the band of points that count, in standard deviations. */
@@ -152,16 +151,19 @@ private:
   /** @brief How many parameters of a surface are fitted. */
   Eigen::Index parametersOf(std::size_t t) const
   {
+    const auto tellsDirection = [&](double extent) {
+      const double deviation =
+          scatters_[t].deviation * std::sqrt(12.0 / std::max(1.0, scatters_[t].count));
+      return deviation <= largest_deviation_of_turn * extent;
+    };
     if (t >= curves_.curves.size()) {
       const std::size_t k = t - curves_.curves.size();
-      return targets_.parent(k) == k ? 3 : 1;
+      return targets_.parent(k) == k && tellsDirection(targets_.narrowExtent(k)) ? 3
+                                                                                 : 1;
     }
     if (curves_.curves[t].curve.isCircle())
       return 3;
-    const double deviation = scatters_[t].deviation *
-                             std::sqrt(12.0 / std::max(1.0, scatters_[t].count)) /
-                             targets_.lengthOf(t);
-    return deviation <= largest_deviation_of_turn ? 2 : 1;
+    return tellsDirection(targets_.lengthOf(t)) ? 2 : 1;
   }
 
   /** @brief Where the patches of each surface say that it is. */

@@ -47,6 +47,12 @@ public:
   /** @brief The slab whose direction slab `k` has; `k` itself where it has its own. */
   std::size_t parent(std::size_t k) const { return places_.slabs[k].parent; }
 
+  /** @brief Width or depth of a slab, whichever is less, metres. */
+  double narrowExtent(std::size_t k) const
+  {
+    return 2 * places_.slabs[k].half.minCoeff();
+  }
+
   /** @brief Length of the shown part of a curve that is looked at, metres. */
   double lengthOf(std::size_t curve) const { return length_[curve]; }
 

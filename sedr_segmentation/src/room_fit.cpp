@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "loop_bumps.h"
 #include "loop_recesses.h"
 #include "main_directions.h"
 #include "wall_boards.h"
@@ -11,6 +12,7 @@
 #include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/column_fit.h>
 #include <pcl/sedr_segmentation/detail_fit.h>
+#include <pcl/sedr_segmentation/loop_difference.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_outline.h>
 #include <pcl/sedr_segmentation/tall_furniture.h>
@@ -120,6 +122,31 @@ directionsOf(const PlanLoop& loop)
   return mainDirections(std::move(lines));
 }
 
+/** @brief Whether two loops share more than a side. */
+bool
+overlap(const PlanLoop& a, const PlanLoop& b)
+{
+  constexpr double narrow = 0.001; // metres
+  const std::vector<PlanLoop> shared = intersection(a, b);
+  return std::any_of(shared.begin(), shared.end(), [](const PlanLoop& part) {
+    return 2 * part.area() > narrow * part.length();
+  });
+}
+
+/** @brief Adds niches where there is none. */
+void
+addWhereNoneIs(std::vector<PlanNiche> more, std::vector<PlanNiche>& niches)
+{
+  const std::size_t before = niches.size();
+  for (PlanNiche& niche : more)
+    if (std::all_of(niches.begin(),
+                    niches.begin() + static_cast<std::ptrdiff_t>(before),
+                    [&](const PlanNiche& other) {
+                      return !overlap(other.boundary, niche.boundary);
+                    }))
+      niches.push_back(std::move(niche));
+}
+
 PlanLoop
 columnLoop(const CellMask& column,
            const PlanPoints& walls,
@@ -201,7 +228,8 @@ fitRoom(const PointView& points,
                       aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
               }},
              parameters.threads);
-  closeRecesses(room, points, evidence.around);
+  dropBumps(room.boundary, parameters.loop.minimum_length);
+  std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
@@ -252,6 +280,7 @@ fitRoom(const PointView& points,
   std::vector<int> beside = evidence.around;
   beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
   room.niches = fitNiches(points, beside, room);
+  addWhereNoneIs(std::move(alcoves), room.niches);
   return room;
 }
 

@@ -156,7 +156,8 @@ private:
         last = s;
         seen += step;
       }
-    if (!(last > first) || first > end || last < length - end || seen < least_seen * (last - first))
+    if (!(last > first) || first > end || last < length - end ||
+        seen < least_seen * (last - first))
       return {};
     return std::make_pair<Eigen::Vector2d, Eigen::Vector2d>(a.place + along * first,
                                                             a.place + along * last);

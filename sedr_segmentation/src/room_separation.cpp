@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detail_trim.h"
+
 #include <pcl/sedr_segmentation/room_separation.h>
 
 #include <pcl/sedr_filters/plan_evidence.h>
@@ -302,6 +304,7 @@ separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& 
   for (PlanRoom& room : plan.rooms) {
     cutNecksOf(room);
     dropPoints(room.boundary);
+    trimDetails(room);
   }
   dropNiches(plan);
   return sentences;

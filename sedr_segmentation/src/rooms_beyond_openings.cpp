@@ -27,6 +27,13 @@ struct UnseenWalls {
   double length = 0;
 };
 
+/** @brief Whether the wall to where the scanner stood may be as long. */
+bool
+isMuch(double length, const PlanRoom& room)
+{
+  return length >= least_unseen && length >= least_share * room.boundary.length();
+}
+
 UnseenWalls
 unseenWalls(const PlanRoom& room,
             const PointView& points,
@@ -38,7 +45,7 @@ unseenWalls(const PlanRoom& room,
   for (const PlanElement& e : elements)
     if (e.evidence.isKnown() && e.evidence.seen < most_seen)
       candidates += e.length();
-  if (candidates < least_unseen || candidates < least_share * room.boundary.length())
+  if (!isMuch(candidates, room))
     return unseen;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const PlanElement& e = elements[i];
@@ -75,20 +82,21 @@ dropRoomsBeyondOpenings(Floorplan& plan,
   std::vector<UnseenWalls> unseen;
   for (const PlanRoom& room : plan.rooms) {
     unseen.push_back(unseenWalls(room, points, indices));
-    if (unseen.back().length < least_unseen ||
-        unseen.back().length < least_share * room.boundary.length())
+    if (!isMuch(unseen.back().length, room))
       unseen.back().walls.clear();
   }
   std::vector<std::uint8_t> is_beyond(plan.rooms.size(), 0);
   std::vector<std::string> sentences;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    for (std::size_t o = 0; o < plan.rooms.size() && !is_beyond[r]; ++o)
-      is_beyond[r] = unseen[o].walls.empty() &&
-                     std::any_of(unseen[r].walls.begin(), unseen[r].walls.end(),
-                                 [&](const PlanElement* wall) {
-                                   return isBehind(plan.rooms[o], room, *wall);
-                                 });
+    double length = 0;
+    for (const PlanElement* wall : unseen[r].walls)
+      for (std::size_t o = 0; o < plan.rooms.size(); ++o)
+        if (unseen[o].walls.empty() && isBehind(plan.rooms[o], room, *wall)) {
+          length += wall->length();
+          break;
+        }
+    is_beyond[r] = isMuch(length, room);
     if (!is_beyond[r])
       continue;
     char text[120];

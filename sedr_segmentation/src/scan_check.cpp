@@ -45,6 +45,18 @@ extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
   return *high - from;
 }
 
+Eigen::Vector3d
+extentsOf(const std::vector<Eigen::Vector3f>& points)
+{
+  return {extentAlong(points, 0), extentAlong(points, 1), extentAlong(points, 2)};
+}
+
+bool
+exceedsBuildings(const Eigen::Vector3d& extents)
+{
+  return extents.z() > highest || std::min(extents.x(), extents.y()) > longest;
+}
+
 /** @brief Number of the finite points from `begin` to `end`. */
 std::size_t
 countFinite(const PointView& points, std::size_t begin, std::size_t end)
@@ -95,9 +107,7 @@ ScanSample::add(const PointView& points,
 bool
 ScanSample::isTooLarge() const
 {
-  return !sample_.empty() &&
-         (extentAlong(sample_, 2) > highest ||
-          std::min(extentAlong(sample_, 0), extentAlong(sample_, 1)) > longest);
+  return !sample_.empty() && exceedsBuildings(extentsOf(sample_));
 }
 
 std::string
@@ -108,10 +118,11 @@ ScanSample::problem() const
     return text("%.0f of %.0f points are finite, a room needs at least %.0f",
                 static_cast<double>(finite_), static_cast<double>(size_),
                 static_cast<double>(fewest));
-  const double x = extentAlong(sample_, 0);
-  const double y = extentAlong(sample_, 1);
-  const double z = extentAlong(sample_, 2);
-  if (isTooLarge()) {
+  const Eigen::Vector3d extents = extentsOf(sample_);
+  const double x = extents.x();
+  const double y = extents.y();
+  const double z = extents.z();
+  if (exceedsBuildings(extents)) {
     // The unit in which the scan would be up to a few storeys high.
     const bool is_centimetre = z < 10 * highest && std::min(x, y) < longest;
     return text(is_centimetre

@@ -38,8 +38,8 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
   problem_.clear();
   points_->clear();
   points_->reserve(scan_.size() / step_ + 1);
-  expectLarge(points_->points.data(),
-              points_->points.capacity() * sizeof(pcl::PointXYZ));
+  takeLarge(points_->points.data(), points_->points.capacity() * sizeof(pcl::PointXYZ),
+            threads_);
   ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
   std::size_t looked_at = 0;

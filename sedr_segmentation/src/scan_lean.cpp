@@ -3,6 +3,8 @@
 
 #include <pcl/sedr_segmentation/scan_lean.h>
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -37,36 +39,70 @@ struct PatchMoments {
     sum += p;
     squares.noalias() += p * p.transpose();
   }
+
+  void add(const PatchMoments& other)
+  {
+    count += other.count;
+    sum += other.sum;
+    squares += other.squares;
+  }
 };
 
-/** @brief The normals of the patches that are planes, z not below 0, all turned. */
-std::vector<Eigen::Vector3d>
-normalsOf(const PointView& points,
+using PatchKey = std::array<std::int64_t, 3>;
+using Patches = std::map<PatchKey, PatchMoments>;
+
+/** @brief The turned points indices[begin, end) by patches, about whose corners they
+ * are summed: squares of large coordinates leave no digits. */
+Patches
+patchesOf(const PointView& points,
           const std::vector<int>& indices,
+          std::size_t begin,
+          std::size_t end,
           const Eigen::Matrix3d& turn,
           double patch)
 {
-  constexpr double fewest = 20;
-  constexpr double most_scatter = 0.02; // across a plane, metres
-  constexpr double least_spread = 0.08; // along it
   constexpr double farthest = 1e5;
-  std::map<std::array<std::int64_t, 3>, PatchMoments> patches;
+  Patches patches;
   auto last = patches.end(); // where most of the next points are too
-  for (const int i : indices) {
-    const Eigen::Vector3d p = turn * points[static_cast<std::size_t>(i)].cast<double>();
+  for (std::size_t n = begin; n < end; ++n) {
+    const Eigen::Vector3d p =
+        turn * points[static_cast<std::size_t>(indices[n])].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
-    std::array<std::int64_t, 3> key{};
+    PatchKey key{};
     for (std::size_t k = 0; k < 3; ++k)
       key[k] = static_cast<std::int64_t>(
           std::floor(p[static_cast<Eigen::Index>(k)] / patch));
-    // About the patch's corner: squares of large coordinates leave no digits.
     if (last == patches.end() || last->first != key)
       last = patches.try_emplace(key).first;
     last->second.add(p - patch * Eigen::Vector3d(static_cast<double>(key[0]),
                                                  static_cast<double>(key[1]),
                                                  static_cast<double>(key[2])));
   }
+  return patches;
+}
+
+/** @brief The normals of the patches that are planes, z not below 0, all turned. */
+std::vector<Eigen::Vector3d>
+normalsOf(const PointView& points,
+          const std::vector<int>& indices,
+          const Eigen::Matrix3d& turn,
+          double patch,
+          unsigned threads)
+{
+  constexpr double fewest = 20;
+  constexpr double most_scatter = 0.02; // across a plane, metres
+  constexpr double least_spread = 0.08; // along it
+  constexpr std::size_t block = std::size_t{1} << 15;
+  std::vector<Patches> parts(indices.size() / block + 1);
+  parallelBlocks(
+      indices.size(), block, threads, [&](std::size_t begin, std::size_t end) {
+        parts[begin / block] = patchesOf(points, indices, begin, end, turn, patch);
+      });
+  Patches patches;
+  for (const Patches& part : parts)
+    for (const auto& [key, moments] : part)
+      patches[key].add(moments);
   std::vector<Eigen::Vector3d> normals;
   for (const auto& [key, m] : patches) {
     if (m.count < fewest)
@@ -139,7 +175,7 @@ commonUp(const std::vector<Eigen::Vector3d>& normals)
 } // namespace
 
 ScanLean
-leanOf(const PointView& points, const std::vector<int>& indices)
+leanOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
   constexpr double least_area = 4; // square metres
   constexpr double times_more_level = 3;
@@ -148,7 +184,7 @@ leanOf(const PointView& points, const std::vector<int>& indices)
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   std::vector<Eigen::Vector3d> normals;
   const auto turnUp = [&](double patch) {
-    normals = normalsOf(points, indices, turn, patch);
+    normals = normalsOf(points, indices, turn, patch, threads);
     turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals), z) * turn;
   };
   const auto isUpright = [&] {
@@ -176,9 +212,9 @@ leanOf(const PointView& points, const std::vector<int>& indices)
 }
 
 std::string
-leanProblem(const PointView& points, const std::vector<int>& indices)
+leanProblem(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
-  const ScanLean lean = leanOf(points, indices);
+  const ScanLean lean = leanOf(points, indices, threads);
   if (!(lean.angle > 0))
     return {};
   // A scan whose y is up, turned about it: what stands at an angle to z are walls. But

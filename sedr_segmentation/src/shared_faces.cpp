@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared_faces.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace pcl {
@@ -10,44 +8,46 @@ namespace sedr {
 
 namespace {
 
+/** @brief Less than the thinnest partition, metres. Where two rooms share the points of
+ * one face, each has the half of the noise that is on its side. */
+constexpr double farthest = 0.04;
+
+/** @brief Whether no place of an element is near one of another. */
+bool
+areApart(const PlanElement& a, const PlanElement& b)
+{
+  const double reach = (a.length() + b.length()) / 2 + farthest;
+  return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() > reach;
+}
+
 /** @brief Whether a place of a wall is on another one, with its room on the other side.
  */
 bool
 isOtherSideOf(const PlanElement& e, double s, const PlanElement& other)
 {
-  constexpr double farthest = 0.025;
   constexpr double least_cosine = 0.95;
   const Eigen::Vector2d p = e.pointAt(s);
   return other.distance(p) <= farthest &&
          e.normalAt(s).dot(other.normalAt(other.project(p))) <= -least_cosine;
 }
 
-/** @brief The walls of other rooms that most of a wall runs along, one after the other
- * perhaps: between two of them it may cross a partition. */
+/** @brief The walls of other rooms that a wall comes so near to in any place. */
 std::vector<PlanElement>
 facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
 {
-  constexpr std::size_t samples = 9;
-  std::array<bool, samples> is_shared{};
+  constexpr int samples = 9;
   std::vector<PlanElement> faces;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     for (const auto& other : plan.rooms[r].boundary.elements) {
+      if (r == room || areApart(e, other))
+        continue;
       bool meets = false;
-      for (std::size_t k = 0; r != room && k < samples; ++k) {
-        const double share =
-            (static_cast<double>(k) + 0.5) / static_cast<double>(samples);
-        if (!isOtherSideOf(e, share * e.length(), other))
-          continue;
-        is_shared[k] = true;
-        meets = true;
-      }
+      for (int k = 0; k < samples && !meets; ++k)
+        meets = isOtherSideOf(e, (k + 0.5) / samples * e.length(), other);
       if (meets)
         faces.push_back(other);
     }
-  const auto shared = std::count(is_shared.begin(), is_shared.end(), true);
-  return 10 * shared >= 6 * static_cast<std::ptrdiff_t>(samples)
-             ? faces
-             : std::vector<PlanElement>();
+  return faces;
 }
 
 } // namespace

@@ -10,9 +10,10 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Walls of other rooms, seen from the other side, that a part of a room's
- * boundary runs along though the room has no business there: what is between two rooms
- * has two faces, and the points of one do not show the other. The longer wall is right.
- */
+ * boundary comes nearer to than any partition is thick, though the room has no business
+ * there: what is between two rooms has two faces, and the points of one do not show the
+ * other. The part may lie along it or, where furniture hides the room's own face but
+ * for its ends, lead from the one to the other. The longer wall is right. */
 std::vector<PlanElement> facesOfOthers(const Floorplan& plan, std::size_t room);
 
 } // namespace sedr

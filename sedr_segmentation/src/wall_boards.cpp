@@ -75,14 +75,16 @@ isOfPartition(const PlanElement& wall, const PlanLoop& boundary)
   return false;
 }
 
-/** @brief Whether next to nothing of what is below the ceiling stands as far before a
- * wall. The face of a partition does, before its other face. */
-bool
-endsBelow(const std::vector<double>& above, double before)
+/** @brief How many more of the places below the ceiling stand `most` before a wall than
+ * noise puts as far behind it: before a partition, half of them do, which are of its
+ * other face. */
+std::ptrdiff_t
+surplusBefore(const std::vector<double>& above, double wall, double most)
 {
-  const auto in_front =
-      std::count_if(above.begin(), above.end(), [&](double d) { return d > before; });
-  return 10 * static_cast<std::size_t>(in_front) <= above.size();
+  std::ptrdiff_t surplus = 0;
+  for (const double d : above)
+    surplus += (d > wall + most) - (d < wall - most);
+  return surplus;
 }
 
 /** @brief Whether a board hangs before the wall that is behind a line.
@@ -100,6 +102,8 @@ hasBoard(const PlanElement& wall,
     (places[b.index].below < top_band ? above : under)[b.part].push_back(b.before);
   std::vector<double> walls;
   std::vector<double> boards;
+  std::ptrdiff_t above_boards = 0;
+  std::ptrdiff_t surplus = 0;
   for (std::size_t k = 0; k < parts; ++k) {
     if (above[k].size() < least_points)
       continue;
@@ -107,18 +111,22 @@ hasBoard(const PlanElement& wall,
     if (under[k].size() < least_points)
       continue;
     const double before = middleOf(under[k]);
-    if (before - walls.back() > least_depth &&
-        endsBelow(above[k], (before + walls.back()) / 2))
-      boards.push_back(before);
+    const double depth = before - walls.back();
+    if (depth <= least_depth)
+      continue;
+    boards.push_back(before);
+    above_boards += static_cast<std::ptrdiff_t>(above[k].size());
+    surplus += surplusBefore(above[k], walls.back(), depth / 2);
   }
   const auto count = [](const std::vector<double>& values) {
     return static_cast<double>(values.size());
   };
   if (count(walls) * part < least_share * wall.length() ||
-      count(boards) < least_covered * count(walls))
+      count(boards) < least_covered * count(walls) || 4 * surplus > above_boards)
     return false;
   const double behind = middleOf(walls);
   std::vector<double> off;
+  off.reserve(walls.size());
   for (const double w : walls)
     off.push_back(std::abs(w - behind));
   if (behind > -least_behind || middleOf(off) > most_scatter)

@@ -59,8 +59,7 @@ piecesInside(const PlanElement& element, const PlanRoom& room)
   bool is_inside = room.contains(element.pointAt(middleOf(0)));
   const auto close = [&](double to) {
     if (is_inside && (to - from >= step || to - from == length))
-      pieces.push_back(from == 0 && to == length ? element
-                                                 : element.part(from, to));
+      pieces.push_back(from == 0 && to == length ? element : element.part(from, to));
     from = to;
   };
   for (std::size_t i = 1; i < steps; ++i) {

@@ -120,21 +120,30 @@ StructureChain::labelLowerCeilings(std::size_t region, const pcl::Indices& unlab
   return found;
 }
 
-pcl::IndicesPtr
-StructureChain::floorPoints(std::size_t region) const
+std::vector<const Level*>
+StructureChain::floorsOfPoints() const
 {
-  const double main = levels_[regions_[region].floor_level].height;
-  const double ceiling = levels_[regions_[region].ceiling_level].height;
-  pcl::IndicesPtr seen(new pcl::Indices);
+  std::vector<const Level*> floors(cloud->size(), nullptr);
   for (const Level& level : levels_)
-    if (level.kind == LevelKind::Floor && level.height > main - 1 &&
-        level.height < ceiling - plane_detection.getMinimumRoomHeight())
-      std::copy_if(territory_[region]->begin(), territory_[region]->end(),
-                   std::back_inserter(*seen), [&](int i) {
-                     return std::binary_search(level.inliers.begin(),
-                                               level.inliers.end(), i);
-                   });
-  std::sort(seen->begin(), seen->end());
+    if (level.kind == LevelKind::Floor)
+      for (const int i : level.inliers)
+        floors[static_cast<std::size_t>(i)] = &level;
+  return floors;
+}
+
+pcl::IndicesPtr
+StructureChain::floorPoints(std::size_t region,
+                            const std::vector<const Level*>& floor_of) const
+{
+  const double lowest = levels_[regions_[region].floor_level].height - 1;
+  const double highest = levels_[regions_[region].ceiling_level].height -
+                         plane_detection.getMinimumRoomHeight();
+  pcl::IndicesPtr seen(new pcl::Indices);
+  std::copy_if(territory_[region]->begin(), territory_[region]->end(),
+               std::back_inserter(*seen), [&](int i) {
+                 const Level* floor = floor_of[static_cast<std::size_t>(i)];
+                 return floor && floor->height > lowest && floor->height < highest;
+               });
   return seen;
 }
 
@@ -142,10 +151,11 @@ bool
 StructureChain::recoverFloors(StageReport& report)
 {
   shareOut();
+  const std::vector<const Level*> floor_of = floorsOfPoints();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     const Level& floor = levels_[regions_[r].floor_level];
-    const pcl::IndicesPtr seen = floorPoints(r);
+    const pcl::IndicesPtr seen = floorPoints(r, floor_of);
     pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
     for (int k = 0; k < 4; ++k)
       plane->values.push_back(static_cast<float>(floor.slab.plane[k]));
@@ -242,8 +252,21 @@ StructureChain::fitPlan(StageReport& report)
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
+  giveUpRoomsWithoutPlan();
   labelNiches();
   return true;
+}
+
+void
+StructureChain::giveUpRoomsWithoutPlan()
+{
+  shareOut();
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto id = static_cast<std::uint32_t>(r + 1);
+    if (std::none_of(plan->rooms.begin(), plan->rooms.end(),
+                     [&](const PlanRoom& room) { return room.id == id; }))
+      giveUp(id);
+  }
 }
 
 void

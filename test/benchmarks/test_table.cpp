@@ -50,9 +50,8 @@ cell(const std::string& table, const std::string& row, const std::string& column
 
 TEST(Table, has_a_row_a_scene_and_noise_in_order)
 {
-  const std::string all =
-      tableOf({goodRow("hall", 0.02), goodRow("attic", 0.001), goodRow("hall", 0.001),
-               goodRow("hall", 0.001, 2)});
+  const std::string all = tableOf({goodRow("hall", 0.02), goodRow("attic", 0.001),
+                                   goodRow("hall", 0.001), goodRow("hall", 0.001, 2)});
   const std::string table = all.substr(0, all.find("## Plans and solids"));
   EXPECT_EQ(linesWith(table, "| hall | 0.1 |").size(), 1u);
   EXPECT_EQ(linesWith(table, "| hall | 2 |").size(), 1u);

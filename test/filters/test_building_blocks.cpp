@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -101,6 +102,29 @@ TEST(BuildingBlocks, ThePageShowsWhatIsCompiledHere)
     ++examples;
   }
   EXPECT_EQ(examples, 2u);
+}
+
+TEST(BuildingBlocks, EveryPublicHeaderHasARowOrAPage)
+{
+  namespace fs = std::filesystem;
+  const fs::path root(PROJECT_FOLDER);
+  const std::string page = textOf(BUILDING_BLOCKS_PAGE);
+  for (const std::string module : {"filters", "segmentation", "surface"}) {
+    const std::string name = "sedr_" + module;
+    std::size_t headers = 0;
+    for (const auto& entry :
+         fs::directory_iterator(root / name / "include" / "pcl" / name)) {
+      const fs::path header = entry.path().filename();
+      if (header.extension() != ".h") // folders: the insides of classes
+        continue;
+      ++headers;
+      const fs::path own_page = root / "doc" / (header.stem().string() + ".md");
+      EXPECT_TRUE(fs::exists(own_page) ||
+                  page.find('`' + header.string() + '`') != std::string::npos)
+          << name << '/' << header.string();
+    }
+    EXPECT_GT(headers, 20u) << name;
+  }
 }
 
 } // namespace

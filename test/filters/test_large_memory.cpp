@@ -20,4 +20,21 @@ TEST(LargeMemory, IsAHintThatChangesNothing)
   }
 }
 
+TEST(LargeMemory, IsTakenPageByPageAndNothingBesideIt)
+{
+  for (const unsigned threads : {1u, 3u})
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{1}, 3 * pcl::sedr::large_page + 1}) {
+      std::vector<char> memory(size + 2, 'x');
+      pcl::sedr::takeLarge(memory.data() + 1, size, threads);
+      for (std::ptrdiff_t page = 0; page + 4096 <= static_cast<std::ptrdiff_t>(size);
+           page += 4096) {
+        const auto begin = memory.begin() + 1 + page;
+        EXPECT_GE(std::count(begin, begin + 4096, 0), 1) << page;
+      }
+      EXPECT_EQ(memory.front(), 'x');
+      EXPECT_EQ(memory.back(), 'x');
+    }
+}
+
 } // namespace

@@ -65,6 +65,70 @@ TEST(VoxelCensus, SurfacesHardlyDenserThanStraysAreKept)
 {
   EXPECT_EQ(room(10, 0.3).leastPoints(), 0u);
   EXPECT_EQ(room(10, 8).leastPoints(), 0u);
+  // Three points are no strays, so a surface has ten times as many.
+  EXPECT_EQ(room(20, 0.3).leastPoints(), 0u);
+  EXPECT_EQ(room(45, 0.3).leastPoints(), 3u);
+}
+
+/** Columns of five cubes, so three of air in each, all of them full of strays. */
+struct AirColumns {
+  static constexpr std::uint32_t strays = 640; ///< of a cube
+
+  AirColumns() { census.add({-1000, -1000, -1000}, 4000000); } // a surface
+
+  /** A column, `empty` cubes of its air without a point. */
+  void add(std::int32_t x, std::int32_t y, std::int32_t low = 0, int empty = 0)
+  {
+    for (std::int32_t z = 0; z < 5; ++z)
+      if (z == 0 || z > empty)
+        census.addCube({x, y, low + z}, strays);
+  }
+
+  VoxelCensus census;
+};
+
+TEST(VoxelCensus, FourFifthsOfTheAirHoldStrays)
+{
+  for (const int share : {75, 85}) {
+    AirColumns air;
+    for (std::int32_t x = 0; x < 100; ++x)
+      air.add(x, 0, 0, x < share ? 0 : 3);
+    EXPECT_EQ(air.census.hasStrays(), share > 80) << share;
+  }
+}
+
+TEST(VoxelCensus, OfFewCubesNothingIsTold)
+{
+  for (const std::int32_t columns : {15, 18}) { // 45 and 54 cubes of air
+    AirColumns air;
+    for (std::int32_t x = 0; x < columns; ++x)
+      air.add(x, 0);
+    EXPECT_EQ(air.census.leastPoints() > 0, columns > 16) << columns;
+  }
+}
+
+TEST(VoxelCensus, WhatHasNothingOverAHighRoomIsOutdoors)
+{
+  for (const std::int32_t roof : {60, 70}) { // cubes above the columns' uppermost
+    AirColumns air;
+    for (std::int32_t x = 0; x < 100; ++x) {
+      air.add(x, 0);
+      air.census.addCube({x, 0, 4 + roof}, 100);
+    }
+    EXPECT_EQ(air.census.hasStrays(), roof > 64) << roof;
+  }
+}
+
+TEST(VoxelCensus, NoAirIsBetweenOneColumnAndTheNext)
+{
+  AirColumns along_x;
+  AirColumns along_y;
+  for (std::int32_t k = 0; k < 100; ++k) { // each begins above the end of the last
+    along_x.add(k, 0, 10 * k);
+    along_y.add(0, k, 10 * k);
+  }
+  EXPECT_TRUE(along_x.census.hasStrays());
+  EXPECT_TRUE(along_y.census.hasStrays());
 }
 
 TEST(VoxelCensus, ACupboardFullOfSurfacesIsNoAir)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
+#include "level_checks.h"
 
+#include <pcl/sedr_segmentation/floor_reflections.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <random>
+#include <set>
 
 namespace {
 
@@ -63,6 +64,29 @@ heightsOf(LevelKind kind, const std::vector<pcl::HorizontalPlane>& planes)
   return heights;
 }
 
+TEST(FloorReflections, AreThePointsWithTheirLikeAboveAFloorThatMirrors)
+{
+  const RoomPoints room = furnished();
+  const RoomPoints points = mirrored(room, 1);
+  const LevelParameters parameters;
+  const LevelColumns columns = columnsOf(points.view(), points.all(), parameters);
+  std::vector<Level> levels = findLevels(columns, parameters);
+  classifyLevels(levels, parameters);
+  const std::vector<int> found = findReflections(columns, levels, parameters);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+  const std::set<int> reflections(found.begin(), found.end());
+  EXPECT_EQ(reflections.size(), found.size());
+  EXPECT_GE(found.front(), static_cast<int>(room.size())) << "none of the room itself";
+  std::size_t missed = 0;
+  for (const int i : points.all())
+    if (points[i].z() < -0.2f && reflections.count(i) == 0)
+      ++missed;
+  EXPECT_LT(static_cast<double>(missed), 0.02 * static_cast<double>(room.size()));
+  EXPECT_TRUE(findReflections(columnsOf(room.view(), room.all(), parameters),
+                              levelsOf(room), parameters)
+                  .empty());
+}
+
 TEST(FloorReflections, ARoomUpsideDownBelowItsFloorIsLeftOut)
 {
   const RoomPoints room = furnished();
@@ -84,6 +108,20 @@ TEST(FloorReflections, ARoomUpsideDownBelowItsFloorIsLeftOut)
     const auto mirror_images = static_cast<double>(points.size() - room.size());
     EXPECT_GT(static_cast<double>(detection.getReflections().size()),
               0.65 * mirror_images);
+  }
+}
+
+TEST(FloorReflections, HaveTheirLikeAboveForFourFifthsOfWhatIsBelow)
+{
+  // The ceiling and what stands in the room, 29 square metres, and a slab above which
+  // nothing is as high.
+  for (const double share : {0.88, 0.72}) {
+    RoomPoints points = mirrored(furnished(), 1);
+    points.slab(rectangle(0.5, 0.2, 5.5, 0.2 + 29 * (1 / share - 1) / 5), -1.5);
+    auto detection = detectionIn(points);
+    std::vector<pcl::HorizontalPlane> planes;
+    ASSERT_TRUE(detection.segment(planes));
+    EXPECT_EQ(detection.getReflections().empty(), share < 0.8) << share;
   }
 }
 

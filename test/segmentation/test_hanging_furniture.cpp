@@ -237,6 +237,10 @@ TEST(HangingFurnitureBelow, IsFoundInEveryBuildingOfAScan)
   const Level ceiling = levelOf(LevelKind::Ceiling, height, both, ceilings);
   const HangingFurniture found =
       hangingFurnitureBelow({floor, ceiling}, both.view(), cell, 1.5);
+  const HangingFurniture by_three =
+      hangingFurnitureBelow({floor, ceiling}, both.view(), cell, 1.5, 3);
+  EXPECT_EQ(by_three.points, found.points);
+  EXPECT_EQ(by_three.behind, found.behind);
   const auto first_of_second =
       std::lower_bound(found.points.begin(), found.points.end(), size);
   const std::vector<int> first(found.points.begin(), first_of_second);

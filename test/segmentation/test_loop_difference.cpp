@@ -58,6 +58,42 @@ TEST(LoopDifference, WhatLiesWithinTheOtherIsGone)
   EXPECT_TRUE(difference(rectangle(1, 1, 2, 2), rectangle(0, 0, 4, 3)).empty());
 }
 
+TEST(LoopDifference, WhatIsTakenAlongASharedSideLeavesNoTraceOfIt)
+{
+  for (const double low : {0.0, 1.0}) {
+    const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(3, low, 4, 2));
+    ASSERT_EQ(parts.size(), 1u) << low;
+    EXPECT_NEAR(parts[0].area(), 12 - (2 - low), 1e-9) << low;
+  }
+  EXPECT_TRUE(difference(rectangle(0, 0, 4, 3), rectangle(0, 0, 4, 3)).empty());
+}
+
+TEST(LoopDifference, AnIntersectionIsWhatBothHold)
+{
+  const PlanLoop loop = rectangle(0, 0, 4, 3);
+  const auto areaWith = [&](const PlanLoop& other) {
+    const auto parts = intersection(loop, other);
+    EXPECT_EQ(parts.size(), 1u);
+    return parts.empty() ? 0 : parts[0].area();
+  };
+  EXPECT_NEAR(areaWith(rectangle(3, 1, 6, 2)), 1, 1e-9);
+  EXPECT_NEAR(areaWith(rectangle(1, 1, 2, 2)), 1, 1e-9) << "within";
+  EXPECT_NEAR(areaWith(rectangle(3, 0, 6, 3)), 3, 1e-9) << "two sides in line";
+  EXPECT_NEAR(areaWith(rectangle(0, 0, 4, 3)), 12, 1e-9) << "the same";
+  EXPECT_NEAR(areaWith(rectangle(-1, -1, 5, 4)), 12, 1e-9) << "around";
+  EXPECT_TRUE(intersection(loop, rectangle(4, 0, 6, 3)).empty()) << "beside";
+}
+
+TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
+{
+  const auto parts = intersection(
+      rectangle(0, 1.5, 4, 2.5),
+      polygon({{-1, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {-1, 3}}));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area(), 2, 1e-9);
+  EXPECT_NEAR(parts[1].area(), 1, 1e-9);
+}
+
 TEST(LoopDifference, LoopsThatAreApartOrTouchHaveNothingInCommon)
 {
   for (const double x : {4.0, 4.1}) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "closed_loop.h"
 #include "plan_loops.h"
 
 #include <pcl/sedr_segmentation/loop_lobes.h>
@@ -17,14 +18,6 @@ loopOf(const Corners& corners)
   for (std::size_t i = 0; i < corners.size(); ++i)
     loop.elements.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
   return loop;
-}
-
-void
-expectClosed(const PlanLoop& loop)
-{
-  const std::size_t n = loop.elements.size();
-  for (std::size_t i = 0; i < n; ++i)
-    EXPECT_LT((loop.elements[i].end - loop.elements[(i + 1) % n].start).norm(), 1e-12);
 }
 
 TEST(CutLobes, LeavesALoopThatDoesNotCrossItselfAsItIs)

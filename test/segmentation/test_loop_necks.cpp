@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "closed_loop.h"
 #include "plan_loops.h"
 
 #include <pcl/sedr_segmentation/loop_necks.h>
@@ -9,14 +10,6 @@ namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-void
-expectClosed(const PlanLoop& loop)
-{
-  const std::size_t n = loop.elements.size();
-  for (std::size_t i = 0; i < n; ++i)
-    EXPECT_LT((loop.elements[i].end - loop.elements[(i + 1) % n].start).norm(), 1e-12);
-}
 
 TEST(CutNecks, LeavesSmallStepsGroovesAndPartitionsAsTheyAre)
 {

@@ -45,6 +45,16 @@ TEST(NicheLimits, DepthAndSizeAreThoseOfTheParameters)
   EXPECT_EQ(nichesFor(recessed(1, 1.36, 0.9, 1.26, 0.2)), 1u);
 }
 
+TEST(NicheLimits, OneThatIsBuiltTenCentimetresDeepIsFoundInAnyNoise)
+{
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const PlanRoom room = recessed(1, 1.6, 0.5, 1.5, 0.1);
+    RoomPoints points(0.03, 0.01, seed);
+    points.room(room);
+    EXPECT_EQ(nichesOf(points, room, 0.01).size(), 1u) << seed;
+  }
+}
+
 TEST(NicheLimits, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
 {
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.5, 0.3)), 1u);

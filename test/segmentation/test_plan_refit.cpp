@@ -104,6 +104,26 @@ TEST(RefitToRaw, LeaningSlabsLean)
   }
 }
 
+TEST(RefitToRaw, TheSlabsOfAShallowNicheDoNotLean)
+{
+  PlanRoom truth = plainRoom();
+  truth.floor = slabAt(0, 0, 0.001);
+  truth.ceiling = slabAt(2.6, 0, 0.001);
+  truth.niches = {{rectangle(4, 1, 4.15, 1.6), slabAt(0.5), slabAt(1.5)}};
+  RoomPoints raw(0.02, 0.01);
+  raw.room(truth);
+  Floorplan plan = offPlan();
+  plan.rooms[0].floor = truth.floor;
+  plan.rooms[0].ceiling = truth.ceiling;
+  plan.rooms[0].niches = {{rectangle(4, 1, 4.15, 1.6), slabAt(0.505), slabAt(1.495)}};
+  refitToRaw(plan, raw.view());
+  const PlanNiche& niche = plan.rooms[0].niches[0];
+  EXPECT_LT(niche.bottom.plane.head<2>().norm(), 1e-12);
+  EXPECT_LT(niche.top.plane.head<2>().norm(), 1e-12);
+  EXPECT_NEAR(niche.bottom.heightAt({4, 1}), 0.5, 0.004);
+  EXPECT_NEAR(niche.top.heightAt({4, 1}), 1.5, 0.004);
+}
+
 TEST(RefitToRaw, ADetailParallelToItsCeilingStaysSo)
 {
   PlanRoom truth = plainRoom();

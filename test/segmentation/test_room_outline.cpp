@@ -372,6 +372,21 @@ TEST(OutlineRoom, PointsScatteredInTheAirBelowASeenCeilingAreNoColumn)
   EXPECT_TRUE(outline.columns.empty());
 }
 
+TEST(OutlineRoom, PointsScatteredInTheAirBelowAHoleAreNoColumn)
+{
+  // The edges of what stands there send a scanner points from in front of the wall
+  // behind: 2000 in a cubic metre, in a quarter of the voxels.
+  Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.91, 1.41); });
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int k = 0; k < 2000 * 0.7 * 0.7 * height; ++k)
+    scene.points.point(1.36 + 0.7 * part(random), 0.86 + 0.7 * part(random),
+                       height * part(random));
+  const RoomOutline outline = scene.outline();
+  EXPECT_TRUE(isWholeRoom(outline.room));
+  EXPECT_TRUE(outline.columns.empty());
+}
+
 TEST(OutlineRoom, OnlyTheLargestPartIsTheRoom)
 {
   Scene scene;

@@ -25,10 +25,13 @@ struct Opening {
   }
 };
 
-/** A wall with openings between two rooms of 4 m x 5 m, turned by some degrees: both
- * are 2.5 m high, and so are the openings. */
+/** A wall of some length with openings, between two rooms of 20 m2, turned by some
+ * degrees: both are 2.5 m high, and so are the openings. */
 RoomPoints
-roomsWith(const std::vector<Opening>& openings, double degrees, double noise)
+roomsWith(const std::vector<Opening>& openings,
+          double degrees,
+          double noise,
+          double length = 5)
 {
   const double thickness = openings.front().thickness;
   RoomPoints points(0.05, noise);
@@ -45,9 +48,10 @@ roomsWith(const std::vector<Opening>& openings, double degrees, double noise)
         return false;
     return true;
   };
-  points.room(roomOf(turned(rectangle(0, 0, 4, 5)), 2.5), isWall);
-  points.room(roomOf(turned(rectangle(4 + thickness, 0, 8 + thickness, 5)), 2.5),
-              isWall);
+  const double far = 4 + thickness;
+  const double depth = 20 / length;
+  points.room(roomOf(turned(rectangle(4 - depth, 0, 4, length)), 2.5), isWall);
+  points.room(roomOf(turned(rectangle(far, 0, far + depth, length)), 2.5), isWall);
   for (const Opening& opening : openings) {
     const PlanLoop reveal =
         turned(rectangle(4, opening.low, 4 + thickness, opening.high));
@@ -86,6 +90,14 @@ TEST(RoomPassages, AWallOfWhichLittleIsLeftJoins)
   EXPECT_EQ(rooms.regions.size(), 1u);
 }
 
+TEST(RoomPassages, OneOfMoreThanThreeMetresJoins)
+{
+  for (const double width : {2.8, 3.4}) {
+    const SegmentedRooms rooms(roomsWith({{2.5, 2.5 + width, 0.15}}, 0, 0.005, 8));
+    EXPECT_EQ(rooms.regions.size(), width < 3 ? 2u : 1u) << width;
+  }
+}
+
 TEST(RoomPassages, BesideAWallThatEndsFreelyTheyLeadFromARoomToItself)
 {
   // The second opening reaches the outer wall: both sides are one room.
@@ -121,10 +133,13 @@ TEST(RoomPassages, ARowOfPillarsHasNone)
 }
 
 /** A room of 5 m x 4 m and, `gap` metres beyond its wall of 10 cm with a door of
- * 0.9 m, the ceiling of a lobby with walls around on the far sides: what was seen of it
- * through the door. Its floor was seen up to the wall. */
+ * 0.9 m, the ceiling of a lobby with walls on its far sides: what was seen of it
+ * through the door. Its floor was seen up to the wall. In two pieces, 0.3 m of the
+ * lobby's ceiling were hidden. */
 RoomPoints
-roomWithLobby(double gap)
+roomWithLobby(double gap,
+              const std::vector<std::size_t>& sides = {0, 1, 2},
+              bool in_pieces = false)
 {
   RoomPoints points(0.05, 0.003);
   points.room(roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5), [](const Vector3d& p) {
@@ -132,10 +147,12 @@ roomWithLobby(double gap)
   });
   const double near = 5.11 + gap;
   const PlanLoop lobby = rectangle(near, 0.81, near + 1.8, 3.21);
-  points.slab(lobby, 2.3);
+  points.slab(lobby, 2.3, [&](double, double y) {
+    return !in_pieces || std::abs(y - 2.01) > 0.15;
+  });
   points.slab(rectangle(5.01, 0.81, near + 1.8, 3.21), 0);
-  for (const int side : {0, 1, 2})
-    points.wall(lobby.elements[static_cast<std::size_t>(side)], 0, 2.3);
+  for (const std::size_t side : sides)
+    points.wall(lobby.elements[side], 0, 2.3);
   return points;
 }
 
@@ -146,9 +163,22 @@ TEST(SegmentRooms, WhatWasSeenThroughADoorIsNone)
   EXPECT_EQ(rooms.at(2.5, 2), 0);
 }
 
+TEST(SegmentRooms, TwoPiecesOfItDoNotKeepEachOther)
+{
+  EXPECT_EQ(SegmentedRooms(roomWithLobby(0.6, {0, 1, 2}, true)).regions.size(), 1u);
+}
+
 TEST(SegmentRooms, WithACeilingUpToTheWallBetweenItIsOne)
 {
   EXPECT_EQ(SegmentedRooms(roomWithLobby(0)).regions.size(), 2u);
+}
+
+TEST(SegmentRooms, NextToARoomFewerWallsMakeOne)
+{
+  for (const double gap : {0.3, 0.6}) { // no wall is thicker than half a metre
+    RoomPoints points = roomWithLobby(gap, {1, 2});
+    EXPECT_EQ(SegmentedRooms(points).regions.size(), gap < 0.5 ? 2u : 1u) << gap;
+  }
 }
 
 } // namespace

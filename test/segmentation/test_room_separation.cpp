@@ -200,6 +200,59 @@ TEST(SeparateRooms, ASlitIsCutOffFromTheRoomAndItsSoffit)
   EXPECT_NEAR(plan.rooms[0].floor_details[0].boundary.area(), 3, 1e-9);
 }
 
+TEST(SeparateRooms, DetailsEndAtTheWallsOfTheirRoom)
+{
+  // An L of which the soffit goes through the wall at its inner corner.
+  PlanRoom room = roomAt(
+      1, polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}));
+  PlanDetail soffit = detailOf(rectangle(-0.1, 1.5, 6.2, 3), 2.2);
+  soffit.holes = {reversed(rectangle(3, 1.8, 5, 2.5))};
+  PlanDetail step = detailOf(rectangle(0, 1, 6, 3), 0.2);
+  room.details = {soffit};
+  room.floor_details = {step, detailOf(rectangle(0.5, 2.5, 1.5, 3.5), 0.3)};
+  Floorplan plan;
+  plan.rooms = {room};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
+  const PlanDetail& trimmed = plan.rooms[0].details[0];
+  EXPECT_NEAR(trimmed.boundary.area(), 6 * 0.5 + 2 * 1, 1e-9);
+  ASSERT_EQ(trimmed.holes.size(), 1u);
+  EXPECT_NEAR(trimmed.holes[0].area(), -(2 * 0.2 + 1 * 0.5), 1e-9);
+  ASSERT_EQ(plan.rooms[0].floor_details.size(), 1u) << "one is outside";
+  EXPECT_NEAR(plan.rooms[0].floor_details[0].boundary.area(), 6 * 1 + 2 * 1, 1e-9);
+}
+
+TEST(SeparateRooms, DetailsEndAtWallsThatTheyAllButRunAlong)
+{
+  const PlanLoop outline = polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {0, 4}});
+  for (const double off : {1e-9, 3e-8, 1e-7, 1e-6, 1e-5, 1e-4, 9e-4})
+    for (const double side : {-1.0, 1.0}) {
+      Floorplan plan;
+      plan.rooms = {roomAt(1, outline)};
+      const double m = side * off;
+      plan.rooms[0].details = {
+          detailOf(polygon({{m, m}, {6.3, -m}, {6.3, 2 + m}, {m, 2 - m}}), 2.2)};
+      separate(plan, RoomPoints());
+      ASSERT_EQ(plan.rooms[0].details.size(), 1u) << m;
+      EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(), 12, 0.01) << m;
+      for (const PlanElement& e : plan.rooms[0].details[0].boundary.elements)
+        EXPECT_TRUE(outline.contains(e.start) || outline.distance(e.start) < 0.002)
+            << m << ": " << e.start.transpose();
+    }
+}
+
+TEST(SeparateRooms, ADetailInTwoPartsOfARoomIsTwo)
+{
+  Floorplan plan;
+  plan.rooms = {roomAt(
+      1, polygon({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {0, 3}}))};
+  plan.rooms[0].details = {detailOf(rectangle(0, 2, 5, 3), 2.2)};
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms[0].details.size(), 2u);
+  for (const PlanDetail& detail : plan.rooms[0].details)
+    EXPECT_NEAR(detail.boundary.area(), 2, 1e-9);
+}
+
 TEST(SeparateRooms, CornersInOnePlaceAreOne)
 {
   Floorplan plan;

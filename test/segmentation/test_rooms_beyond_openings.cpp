@@ -90,6 +90,23 @@ TEST(RoomsBeyondOpenings, ARoomWithAnUnseenWallThatNoOtherRoomIsBehindStays)
   EXPECT_EQ(scene.plan.rooms.size(), 2u);
 }
 
+TEST(RoomsBeyondOpenings, ARoomWithAGlassFrontAndADoorThatStandsOpenStays)
+{
+  // Of the boundary a metre of door, with the room behind it, is apart from the wall.
+  RoomAndHall scene;
+  scene.plan.rooms[1].boundary = polygon({{4.15, 0},
+                                          {6.65, 0},
+                                          {6.65, 3},
+                                          {4.15, 3},
+                                          {4.15, 2},
+                                          {4.1, 2},
+                                          {4.1, 1},
+                                          {4.15, 1}});
+  scene.addHall([](const Eigen::Vector3d& p) { return p.x() > 4.14 && p.x() < 6.64; });
+  EXPECT_TRUE(scene.drop().empty());
+  EXPECT_EQ(scene.plan.rooms.size(), 2u);
+}
+
 TEST(RoomsBeyondOpenings, AClosetWhoseDoorIsAsWideAsItIsStays)
 {
   RoomAndHall scene;
@@ -97,6 +114,45 @@ TEST(RoomsBeyondOpenings, AClosetWhoseDoorIsAsWideAsItIsStays)
   scene.addHall([](const Eigen::Vector3d& p) { return !isOnDoorWall(p); });
   EXPECT_TRUE(scene.drop().empty());
   EXPECT_EQ(scene.plan.rooms.size(), 2u);
+}
+
+TEST(RoomsBeyondOpenings, WhatIsOutOfViewIsAFifthOfTheWallsAndAMetreAndAHalfAtLeast)
+{
+  struct Hall {
+    PlanLoop outline;
+    bool is_dropped;
+  };
+  for (const Hall& hall : {Hall{rectangle(4.15, 0, 6.65, 3), true},        // 27 %
+                           Hall{rectangle(4.15, 0, 11.15, 3), false},      // 15 %
+                           Hall{rectangle(4.15, 0.5, 6.15, 2.5), true}}) { // 2 m
+    RoomAndHall scene;
+    scene.plan.rooms[1].boundary = hall.outline;
+    scene.addHall([](const Eigen::Vector3d& p) { return !isOnDoorWall(p); });
+    EXPECT_EQ(scene.drop().size(), hall.is_dropped ? 1u : 0u)
+        << hall.outline.area() << " m2";
+  }
+}
+
+TEST(RoomsBeyondOpenings, WhatIsMoreThanAMetreBeyondTheOpeningIsAnotherMatter)
+{
+  for (const double gap : {0.7, 1.3}) {
+    RoomAndHall scene;
+    const double near = 4 + gap;
+    scene.plan.rooms[1].boundary = rectangle(near, 0, near + 2.5, 3);
+    scene.addHall([&](const Eigen::Vector3d& p) { return p.x() > near + 0.01; });
+    EXPECT_EQ(scene.drop().size(), gap < 1 ? 1u : 0u) << gap;
+  }
+}
+
+TEST(RoomsBeyondOpenings, WhatIsAboveOrBelowIsNotBehind)
+{
+  for (const double up : {-2.8, 0.0, 2.8}) { // another storey
+    RoomAndHall scene;
+    scene.plan.rooms[1].floor = slabAt(up);
+    scene.plan.rooms[1].ceiling = slabAt(up + 2.5);
+    scene.addHall([](const Eigen::Vector3d& p) { return !isOnDoorWall(p); });
+    EXPECT_EQ(scene.drop().size(), up == 0 ? 1u : 0u) << up;
+  }
 }
 
 } // namespace

@@ -6,6 +6,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -63,6 +66,29 @@ TEST(ScanLean, OfALeaningRoomIsItsAngleAndAxis)
         EXPECT_GT(lean.up.dot(up), std::cos(0.2 * M_PI / 180));
         EXPECT_GT(lean.area, 20) << "of 48 square metres of floor and ceiling";
       }
+}
+
+TEST(ScanLean, IsTheSameForAnyNumberOfThreads)
+{
+  // Every block has but a few points of each patch; those between are nowhere.
+  const RoomPoints room = turnedRoom(7, {0.6, -0.8, 0}, 0.01);
+  const auto size = static_cast<int>(room.size());
+  constexpr int apart = 40;
+  constexpr int stride = 7919; // prime
+  RoomPoints points;
+  for (int k = 0; k < size; ++k) {
+    const Eigen::Vector3d p =
+        room[static_cast<int>(std::int64_t{k} * stride % size)].cast<double>();
+    points.point(p.x(), p.y(), p.z());
+    for (int i = 1; i < apart; ++i)
+      points.point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  }
+  const ScanLean one = leanOf(points.view(), points.all(), 1);
+  const ScanLean three = leanOf(points.view(), points.all(), 3);
+  EXPECT_NEAR(one.angle * 180 / M_PI, 7, 0.2);
+  EXPECT_EQ(one.up, three.up);
+  EXPECT_EQ(one.angle, three.angle);
+  EXPECT_EQ(one.area, three.area);
 }
 
 TEST(ScanLean, TheTurnThatIsNamedPutsTheScanRight)

@@ -42,6 +42,29 @@ TEST(SharedFaces, AShortWallOnALongOneOfTheNextRoomIsThatRooms)
   EXPECT_TRUE(facesOfOthers(plan, 1).empty());
 }
 
+TEST(SharedFaces, NoiseSharedOutBetweenTheRoomsPartsTheTwoByLessThanAnyPartition)
+{
+  const auto leftUpTo = [](double x) {
+    return polygon({{0, 0}, {4, 0}, {4, 1}, {x, 1}, {x, 2}, {4, 2}, {4, 3}, {0, 3}});
+  };
+  EXPECT_EQ(facesOfOthers(planOf({leftUpTo(4.065), rectangle(4.1, 0, 8, 3)}), 0).size(),
+            1u);
+  EXPECT_TRUE(
+      facesOfOthers(planOf({leftUpTo(4.05), rectangle(4.1, 0, 8, 3)}), 0).empty());
+}
+
+TEST(SharedFaces, OneThatLeadsFromTheRoomsOwnFaceToTheOtherIsDrawnByThat)
+{
+  // A wardrobe hides the left room's own wall beyond 1 m but for its end.
+  const auto leftUpTo = [](double x) {
+    return polygon({{0, 0}, {4, 0}, {4, 1}, {x, 3}, {0, 3}});
+  };
+  EXPECT_EQ(facesOfOthers(planOf({leftUpTo(4.08), rectangle(4.1, 0, 8, 3)}), 0).size(),
+            1u);
+  EXPECT_TRUE(
+      facesOfOthers(planOf({leftUpTo(4.05), rectangle(4.1, 0, 8, 3)}), 0).empty());
+}
+
 TEST(SharedFaces, HalfOfAWallOnTheNextRoomsWholeOneIsThatRooms)
 {
   // A wardrobe hides the left room's own wall beyond 1.2 m.

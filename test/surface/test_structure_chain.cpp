@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,6 +126,59 @@ TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
   EXPECT_EQ(chain.plan->rooms.size(), 4u);
 }
 
+TEST(StructureChain, KeepsASmallRoomWhoseFloorIsMostlyHidden)
+{
+  // Three rooms of 20 square metres and one of 6, which shows a third of its floor.
+  RoomPoints points;
+  for (const double x : {0.01, 5.21, 10.41})
+    points.room(rectangle(x, 0.01, x + 5, 4.01), 0, 2.5);
+  const PlanLoop small = rectangle(15.61, 0.01, 18.61, 2.01);
+  points.slab(small, 0, [](double x, double) { return x < 16.61; });
+  points.slab(small, 0.75, [](double x, double) { return x > 16.61; });
+  points.slab(small, 2.5);
+  for (const auto& wall : small.elements)
+    points.wall(wall, 0, 2.5);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 4u);
+  EXPECT_NEAR(chain.plan->rooms[3].area(), 6, 0.02);
+}
+
+TEST(StructureChain, LabelsTheCeilingOfEachRoomAsItsOwn)
+{
+  // Two rooms of one height and a higher one.
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  points.room(rectangle(4.11, 0.01, 8.11, 3.01), 0, 2.5);
+  points.room(rectangle(8.21, 0.01, 12.21, 3.01), 0, 3.2);
+  StructureChain chain;
+  std::map<int, std::map<std::uint32_t, std::size_t>> rooms_of; // by place
+  std::size_t elsewhere = 0;
+  chain.on_result = [&](const std::string& stage, std::uint32_t) {
+    if (stage != "RoomSegmentation")
+      return;
+    for (std::size_t i = 0; i < chain.cloud->size(); ++i) {
+      const auto& p = (*chain.cloud)[i];
+      const int place = p.x < 4.06f ? 0 : p.x < 8.16f ? 1 : 2;
+      const bool is_ceiling = std::abs(p.z - (place < 2 ? 2.5f : 3.2f)) < 0.07f;
+      if (chain.labels[i] != static_cast<std::uint32_t>(StructureLabel::Ceiling))
+        continue;
+      elsewhere += is_ceiling ? 0 : 1;
+      ++rooms_of[place][chain.rooms[i]];
+    }
+  };
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  EXPECT_EQ(elsewhere, 0u);
+  ASSERT_EQ(rooms_of.size(), 3u);
+  std::set<std::uint32_t> rooms;
+  for (const auto& [place, own] : rooms_of) {
+    ASSERT_EQ(own.size(), 1u) << "of one room each";
+    rooms.insert(own.begin()->first);
+    EXPECT_GE(own.begin()->second, 4600u) << "all but those at the walls";
+  }
+  EXPECT_EQ(rooms, (std::set<std::uint32_t>{1, 2, 3}));
+}
+
 TEST(StructureChain, FindsTheWallBehindCupboardsUpToTheCeiling)
 {
   RoomPoints points;
@@ -211,6 +265,27 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
 
   ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
   EXPECT_TRUE(chain.warnings.empty());
+}
+
+TEST(StructureChain, ARoomThatIsNotInThePlanKeepsNoPoints)
+{
+  // Behind a door a hall, of whose wall with the door nothing was seen from within.
+  const auto isDoor = [](const Eigen::Vector3d& p) {
+    return p.y() > 1 && p.y() < 2 && p.z() < 2;
+  };
+  RoomPoints points;
+  points.room(sedr_test::roomOf(rectangle(0, 0, 4, 3), 2.5),
+              [&](const Eigen::Vector3d& p) { return !(p.x() > 3.99 && isDoor(p)); });
+  points.room(sedr_test::roomOf(rectangle(4.15, 0, 6.65, 3), 2.5),
+              [](const Eigen::Vector3d& p) { return p.x() > 4.16; });
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.getRoomRegions().size(), 2u) << "both have a ceiling and a floor";
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  for (std::size_t i = 0; i < chain.cloud->size(); ++i) {
+    EXPECT_TRUE(chain.rooms[i] == 0 || chain.rooms[i] == chain.plan->rooms[0].id);
+    EXPECT_EQ(chain.labels[i] == 0, chain.rooms[i] == 0);
+  }
 }
 
 TEST(StructureChain, WarnsOfRoomsInFeet)

@@ -14,5 +14,10 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
  * hint, that changes nothing else. */
 void expectLarge(void* begin, std::size_t bytes);
 
+/** @brief Takes memory that holds nothing yet from the system, by large pages where it
+ * gives them, on up to `threads` threads (0 = all): whoever fills it then need not wait
+ * for it. Some of its bytes are zero after that. */
+void takeLarge(void* begin, std::size_t bytes, unsigned threads);
+
 } // namespace sedr
 } // namespace pcl

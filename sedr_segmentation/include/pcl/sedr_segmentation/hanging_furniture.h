@@ -32,23 +32,27 @@ struct HangingFurniture {
  * O(cells of the box), and 1000 cells looked at for each of such a front.
  * @param seen cells in which the ceiling was seen, within a box that has 0.8 m more on
  * each side
- * @param columns all points around them */
+ * @param columns all points around them
+ * @param threads 0: as many as there are processors */
 HangingFurniture hangingFurniture(const CellMask& seen,
                                   const CellGrid& grid,
                                   const PointView& points,
                                   const ColumnTable& columns,
                                   const PlanSlab& ceiling,
-                                  const PlanSlab& floor);
+                                  const PlanSlab& floor,
+                                  unsigned threads = 1);
 
 /** @brief The same below all ceilings of a scan.
  * @param levels classified, with cells and inliers
  * @param cell_size of their cells, metres
  * @param least_height from a floor to its ceiling, metres
+ * @param threads 0: as many as there are processors
  * O(n log n) plus the cells of the bounding boxes. */
 HangingFurniture hangingFurnitureBelow(const std::vector<Level>& levels,
                                        const PointView& points,
                                        double cell_size,
-                                       double least_height);
+                                       double least_height,
+                                       unsigned threads = 1);
 
 } // namespace sedr
 } // namespace pcl

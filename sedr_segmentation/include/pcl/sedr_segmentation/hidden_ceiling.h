@@ -14,7 +14,8 @@ namespace sedr {
  * There, the ceiling that was seen ends before the wall. The strip between the two is
  * the room's where a wall stands behind it along nearly all of its outer edge, none
  * before it, it is at most 0.6 m deep, and nothing closes it above as the lintel and
- * the top of a niche would. Above a window a wall is what rises 0.1 m above the ceiling.
+ * the top of a niche would. Above a window a wall is what rises 0.1 m above the
+ * ceiling.
  *
  * @param room cells in which its ceilings were seen, in the box of `columns`
  * @param others cells of other rooms

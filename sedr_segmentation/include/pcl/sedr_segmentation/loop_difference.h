@@ -25,5 +25,10 @@ PlanLoop widened(const PlanLoop& loop, double by);
  * where nothing is left. O(n m). */
 std::vector<PlanLoop> difference(const PlanLoop& loop, const PlanLoop& cutter);
 
+/** @brief What of the inside of `loop` is inside of `other` as well, both
+ * counter-clockwise, largest first. Segments and arcs of `other` that bound it come
+ * without inliers. Empty where they do not overlap. O(n m). */
+std::vector<PlanLoop> intersection(const PlanLoop& loop, const PlanLoop& other);
+
 } // namespace sedr
 } // namespace pcl

@@ -12,7 +12,7 @@ namespace sedr {
 /** @brief What a niche is; lengths in metres. */
 struct NicheParameters {
   double cell_size = 0.05;
-  double least_depth = 0.1;
+  double least_depth = 0.09; ///< of those built 0.1 deep, as they are measured
   double greatest_depth = 1.0;
   double view = 0.3;         ///< how far beyond a back is looked for what is seen there
   double least_size = 0.3;   ///< width and height

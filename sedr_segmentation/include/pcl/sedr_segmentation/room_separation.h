@@ -16,8 +16,8 @@ namespace sedr {
  * rooms of one storey have in common is left to the one whose walls were seen there;
  * where none were, to the smaller one. The other is cut back to a centimetre from it,
  * and its columns and details with it. Niches that reach into another room are dropped.
- * Last, slits and spikes of any outline are cut off, of its details too: see
- * cutNecks().
+ * Last, slits and spikes of any outline are cut off, see cutNecks(), and what of the
+ * details reaches out of their room.
  *
  * @param points thinned to a point in 5 cm or denser: they tell which walls were seen
  * @param indices those of them that count

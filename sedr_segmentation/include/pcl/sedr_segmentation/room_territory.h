@@ -31,6 +31,11 @@ public:
    * finite. */
   std::int32_t roomAt(const Eigen::Vector3f& p) const;
 
+  const CellGrid& grid() const { return grid_; }
+
+  /** @brief The cells of one room that touch one of another, at a corner perhaps. */
+  CellSet frontier() const;
+
 private:
   /** @brief Rooms near each other. */
   struct Quarter {

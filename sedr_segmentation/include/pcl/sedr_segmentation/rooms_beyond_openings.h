@@ -15,9 +15,10 @@ namespace sedr {
  *
  * Where a scanner stood in a room, each of its walls was seen, or something stands
  * before it. Through an opening all may be seen but the wall with that opening, from
- * within. So a room is left out if a fifth of its perimeter, and 1.5 m at least, were
- * neither seen nor are hidden by anything, and another room lies behind these walls
- * within a metre. A room that only such rooms are behind stays.
+ * within. So a room is left out if walls behind which another room lies within a metre,
+ * a fifth of its perimeter and 1.5 m at least, were neither seen nor are hidden by
+ * anything. A room that only such rooms are behind stays, and so does one with a glass
+ * front and an open door.
  *
  * @param plan with the evidence of its walls, see measureEvidence()
  * @param points thinned to a point in 5 cm or denser

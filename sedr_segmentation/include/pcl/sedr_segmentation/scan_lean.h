@@ -22,15 +22,21 @@ struct ScanLean {
  * what is more level than upright agree in one direction, few are across z, and the
  * walls stand along that direction rather than along z. A sloping roof between upright
  * walls does not lean. For thinned points; patches of half a metre are looked at,
- * O(n log n). */
-ScanLean leanOf(const PointView& points, const std::vector<int>& indices);
+ * O(n log n).
+ * @param threads 0: as many as there are processors */
+ScanLean leanOf(const PointView& points,
+                const std::vector<int>& indices,
+                unsigned threads = 1);
 
 /** @brief What to do about a scan that leans, a sentence with its numbers; empty if it
  * does not. Walls that stand at an angle to z lean too where y or x is up: then the
  * sentence says that, if across that axis two planes at the distance of a floor and a
  * ceiling are half as large again as across the direction that leans; where they are
- * about as large, it names the turns of both. */
-std::string leanProblem(const PointView& points, const std::vector<int>& indices);
+ * about as large, it names the turns of both.
+ * @param threads 0: as many as there are processors */
+std::string leanProblem(const PointView& points,
+                        const std::vector<int>& indices,
+                        unsigned threads = 1);
 
 } // namespace sedr
 } // namespace pcl

@@ -161,6 +161,11 @@ private:
   /** @brief Gives outlier removal its minimum back, unless another was set since. */
   void restoreSupportedCells();
   bool findPlanes(StageReport& report);
+
+  /** @brief Keeps the regions of a ceiling that floors or walls around support. */
+  bool keepRegions(std::size_t ceiling,
+                   const pcl::IndicesConstPtr& floors,
+                   const pcl::Indices& all);
   bool removeOutliers(StageReport& report);
   bool partRooms(StageReport& report);
   bool findDetails(StageReport& report);
@@ -190,6 +195,9 @@ private:
   /** @brief Takes the labels from all points of a room. */
   void giveUp(std::uint32_t room);
 
+  /** @brief The same of every room that the plan does not have. */
+  void giveUpRoomsWithoutPlan();
+
   void addStructure(std::uint32_t room, const RepairedRoom& repaired);
 
   void warnOfGuesses();
@@ -204,6 +212,10 @@ private:
 
   /** @brief Notes the points of every room. */
   void shareOut();
+
+  /** @brief Labels the points of a level that are of rooms' ceilings.
+   * @return how many */
+  std::size_t labelCeilings(std::size_t level);
 
   /** @brief Puts points where something hides a room's ceiling from all stations.
    * @return how many */
@@ -229,8 +241,13 @@ private:
    */
   void labelNiches();
 
-  /** @brief The points of a room's floor and of its platforms, increasing. */
-  pcl::IndicesPtr floorPoints(std::size_t region) const;
+  /** @brief The floor that each point belongs to; null for the others. */
+  std::vector<const Level*> floorsOfPoints() const;
+
+  /** @brief The points of a room's floor and of its platforms, increasing.
+   * @param floor_of floorsOfPoints() */
+  pcl::IndicesPtr floorPoints(std::size_t region,
+                              const std::vector<const Level*>& floor_of) const;
 
   double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
   std::size_t supported_cells_ = 0; ///< minimum of outlier removal at that size

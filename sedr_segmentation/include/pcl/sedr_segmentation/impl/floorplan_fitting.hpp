@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_evidence.h>
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
-#include <pcl/sedr_segmentation/room_separation.h>
-#include <pcl/sedr_segmentation/rooms_beyond_openings.h>
+#include <pcl/sedr_segmentation/settled_rooms.h>
 
 #include <cmath>
 #include <string>
@@ -107,14 +105,9 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   if (!problem.empty())
     return fail("FloorplanFitting", problem);
   fitToRaw(plan);
-  const std::vector<std::string> cuts =
-      sedr::separateRooms(plan, sedr::PointView(*input_), *indices_);
-  warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
-  sedr::measureEvidence(plan, sedr::PointView(*input_), *indices_, 0.05,
-                        parameters_.threads);
-  const std::vector<std::string> beyond =
-      sedr::dropRoomsBeyondOpenings(plan, sedr::PointView(*input_), *indices_);
-  warnings_.insert(warnings_.end(), beyond.begin(), beyond.end());
+  const std::vector<std::string> settled =
+      sedr::settleRooms(plan, sedr::PointView(*input_), *indices_, parameters_.threads);
+  warnings_.insert(warnings_.end(), settled.begin(), settled.end());
   return true;
 }
 

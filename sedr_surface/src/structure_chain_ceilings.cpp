@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "all_indices.h"
+#include "label_values.h"
+
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <pcl/sedr_segmentation/enclosed_regions.h>
+#include <pcl/sedr_segmentation/plane_list.h>
+#include <pcl/sedr_segmentation/room_territory.h>
+
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+bool
+StructureChain::keepRegions(std::size_t ceiling,
+                            const pcl::IndicesConstPtr& floors,
+                            const pcl::Indices& all)
+{
+  const pcl::IndicesConstPtr seen(new pcl::Indices(levels_[ceiling].inliers));
+  const auto filter = [&](const pcl::IndicesConstPtr& support) {
+    outlier_removal.setIndices(seen);
+    outlier_removal.setSupportIndices(support);
+    outlier_removal.filter(levels_[ceiling].inliers);
+    return outlier_removal.getErrorMessage().empty() ||
+           fail(outlier_removal.getErrorMessage());
+  };
+  if (!filter(floors))
+    return false;
+  const PointView points(*cloud);
+  const CellSet enclosed = enclosedRegions(outlier_removal.getRegionMap(), levels_,
+                                           ceiling, points, all, room_segmentation);
+  if (enclosed.empty())
+    return true;
+  const CellGrid grid(outlier_removal.getGridSize());
+  pcl::IndicesPtr support(new pcl::Indices(*floors));
+  for (const int i : *seen) { // walls around say as much as a floor below
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (enclosed.contains(grid.at(p.x(), p.y())))
+      support->push_back(i);
+  }
+  return filter(support);
+}
+
+bool
+StructureChain::removeOutliers(StageReport& report)
+{
+  pcl::IndicesPtr floors(new pcl::Indices);
+  for (const auto& plane : planes)
+    if (plane.kind == LevelKind::Floor)
+      floors->insert(floors->end(), plane.inliers.indices.begin(),
+                     plane.inliers.indices.end());
+  outlier_removal.setInputCloud(cloud);
+  levels_ = levelsOfPlanes(outlier_removal.getGridSize());
+  const pcl::IndicesPtr all = allIndices(cloud->size());
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    if (level.kind == LevelKind::Ceiling) {
+      if (!keepRegions(l, floors, *all))
+        return false;
+      level.cells = outlier_removal.getRegionMap().keptCells();
+      tellResult("GridRegionOutlierRemoval");
+    }
+    if (level.kind != LevelKind::Other)
+      report.points_out += level.inliers.size();
+  }
+  return true;
+}
+
+bool
+StructureChain::partRooms(StageReport& report)
+{
+  const RoomParameters& parameters = room_segmentation;
+  const PointView points(*cloud);
+  std::string reason;
+  regions_ =
+      segmentRooms(points, *allIndices(cloud->size()), levels_, parameters, reason);
+  if (!reason.empty())
+    return fail(reason);
+  if (regions_.empty()) {
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "no room of at least %.1f square metres with a floor below %.0f %% of its "
+        "ceiling and walls around it, along %.0f %% more of its outline than is open; "
+        "planes: ",
+        parameters.minimum_area, 100 * parameters.minimum_floor_share,
+        100 * parameters.minimum_enclosure);
+    return fail(text + listOf(planes));
+  }
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    report.points_out += labelCeilings(l);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    report.points_out += addHiddenCeiling(r);
+  territory_ = territories();
+  tellResult("RoomSegmentation");
+  return true;
+}
+
+std::size_t
+StructureChain::labelCeilings(std::size_t level)
+{
+  std::vector<CellKey> keys;
+  for (const RoomRegion& region : regions_)
+    if (region.ceiling_level == level)
+      keys.insert(keys.end(), region.ceiling.keys().begin(),
+                  region.ceiling.keys().end());
+  const CellSet cells(std::move(keys));
+  if (cells.empty())
+    return 0;
+  std::vector<std::uint32_t> room_of(cells.size(), 0);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    if (regions_[r].ceiling_level == level)
+      for (const CellKey key : regions_[r].ceiling.keys())
+        room_of[cells.find(cellOf(key))] = static_cast<std::uint32_t>(r + 1);
+  const CellGrid grid(room_segmentation.cell_size);
+  const PointView points(*cloud);
+  std::size_t labelled = 0;
+  for (const int i : levels_[level].inliers) {
+    const auto at = static_cast<std::size_t>(i);
+    const std::size_t cell = cells.find(grid.at(points[at].x(), points[at].y()));
+    if (cell == CellSet::npos)
+      continue;
+    labels[at] = valueOf(StructureLabel::Ceiling);
+    rooms[at] = room_of[cell];
+    ++labelled;
+  }
+  return labelled;
+}
+
+std::size_t
+StructureChain::addHiddenCeiling(std::size_t region)
+{
+  const CellGrid grid(room_segmentation.cell_size);
+  const CellSet& hidden = regions_[region].hidden;
+  const PlanSlab& slab = levels_[regions_[region].ceiling_level].slab;
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    const Eigen::Vector2d place = grid.centre(hidden[i]);
+    cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
+                      static_cast<float>(slab.heightAt(place))});
+    labels.push_back(valueOf(StructureLabel::Ceiling));
+    rooms.push_back(static_cast<std::uint32_t>(region + 1));
+  }
+  return hidden.size();
+}
+
+std::vector<CellSet>
+StructureChain::scopes() const
+{
+  std::vector<CellSet> scopes;
+  for (const auto& region : regions_)
+    scopes.push_back(region.scope);
+  return scopes;
+}
+
+std::vector<pcl::IndicesPtr>
+StructureChain::territories() const
+{
+  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes());
+  std::vector<pcl::IndicesPtr> result;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    result.emplace_back(new pcl::Indices);
+  const PointView points(*cloud);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t room = territory.roomAt(points[i]);
+    if (room >= 0)
+      result[static_cast<std::size_t>(room)]->push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "two_rooms.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_segmentation/plan_fit.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+TEST(FitPlan, SeesTheBacksOfDeepNiches)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.6);
+  room.niches = {{rectangle(5.01, 1, 5.91, 2.5), slabAt(0.5), slabAt(2)}};
+  RoomPoints points(0.04, 0.002);
+  const RoomEvidence own = evidenceOf(points, points.room(room));
+  PlanEvidence evidence;
+  evidence.all = points.all();
+  evidence.ceiling = own.ceiling;
+  evidence.floor = own.floor;
+  evidence.walls = own.walls;
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_LT(cornerError(plan.rooms[0].niches[0].boundary, room.niches[0].boundary),
+            0.01);
+}
+
+TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
+{
+  TwoRooms scene;
+  // What is no ceiling carries no room: it goes to the nearest.
+  for (const auto* part : {&scene.evidence.floor, &scene.evidence.walls})
+    for (const int i : *part)
+      scene.evidence.room[static_cast<std::size_t>(i)] = 0;
+  for (const bool walls_known : {true, false}) {
+    if (!walls_known)
+      scene.evidence.walls.clear();
+    std::string problem;
+    std::vector<std::string> warnings;
+    const Floorplan plan =
+        fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+    EXPECT_EQ(problem, "");
+    EXPECT_TRUE(warnings.empty());
+    ASSERT_EQ(plan.rooms.size(), 2u);
+    EXPECT_EQ(plan.rooms[0].id, 3u) << "by increasing number";
+    EXPECT_EQ(plan.rooms[1].id, 7u);
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
+    EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
+    EXPECT_NEAR(plan.rooms[0].ceiling.heightAt({5, 1}), 2.8, 0.001);
+    EXPECT_NEAR(plan.rooms[1].ceiling.heightAt({1, 1}), 2.5, 0.001);
+  }
+}
+
+TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
+{
+  // The left room's face of the partition is hidden over half a metre, and a bit of
+  // ceiling labelled as its own lies in the partition: behind is the other room's face.
+  TwoRooms scene;
+  const auto isHidden = [&](int i) {
+    const Eigen::Vector3f& p = scene.points[i];
+    return p.x() > 3.9F && p.x() < 4.05F && p.y() > 1 && p.y() < 1.5F;
+  };
+  auto& walls = scene.evidence.walls;
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isHidden), walls.end());
+  for (double y = 1.025; y < 1.5; y += 0.05) {
+    scene.evidence.ceiling.push_back(scene.points.point(4.05, y, 2.5));
+    scene.evidence.room.push_back(7);
+  }
+  scene.evidence.all = scene.points.all();
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan =
+      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_EQ(plan.rooms[1].boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
+}
+
+TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
+{
+  TwoRooms scene;
+  auto& floor = scene.evidence.floor;
+  floor.erase(std::remove_if(floor.begin(), floor.end(),
+                             [&](int i) { return scene.points[i].x() > 4; }),
+              floor.end());
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan =
+      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  EXPECT_EQ(plan.rooms[0].id, 7u);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("room 3"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("0 floor points"), std::string::npos) << warnings[0];
+}
+
+TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
+{
+  TwoRooms scene;
+  scene.evidence.floor.clear();
+  std::string problem;
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
+                  .rooms.empty());
+  EXPECT_NE(problem, "");
+  std::fill(scene.evidence.room.begin(), scene.evidence.room.end(), 0u);
+  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
+                  .rooms.empty());
+  EXPECT_NE(problem, "");
+}
+
+TEST(FitPlan, WithoutNumbersAllIsOneRoom)
+{
+  const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
+  RoomPoints points;
+  const RoomEvidence own = evidenceOf(points, points.room(truth, 0, 2.5));
+  PlanEvidence evidence;
+  evidence.all = points.all();
+  evidence.ceiling = own.ceiling;
+  evidence.floor = own.floor;
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  EXPECT_EQ(plan.rooms[0].id, 1u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.003);
+}
+
+TEST(FitPlan, TellsWhatEachRoomWasFittedTo)
+{
+  const TwoRooms scene;
+  std::string problem;
+  std::vector<std::string> warnings;
+  std::vector<FittedBoundary> boundaries;
+  fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings, &boundaries);
+  ASSERT_EQ(boundaries.size(), 2u);
+  EXPECT_EQ(boundaries[0].room, 3u);
+  EXPECT_EQ(boundaries[1].room, 7u);
+  for (const auto& sample : boundaries[1].samples)
+    EXPECT_LT(scene.left.distance(sample.place), 0.1);
+}
+
+TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
+{
+  TwoRooms scene;
+  for (const int i : scene.points.slab(rectangle(8.01, 0.01, 9.51, 1.01), 2.8)) {
+    scene.evidence.ceiling.push_back(i);
+    scene.evidence.room.push_back(3);
+  }
+  scene.evidence.all = scene.points.all();
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan =
+      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
+  ASSERT_EQ(warnings.size(), 1u);
+  const std::string& told = warnings[0];
+  EXPECT_EQ(told.substr(0, 8), "room 3: ");
+  EXPECT_NEAR(std::stod(told.substr(8)), 1.5, 0.1) << told;
+  EXPECT_NE(told.find("m2 of its ceiling lie apart and are left out"), told.npos);
+}
+
+TEST(FitPlan, IsTheSameForAnyNumberOfThreads)
+{
+  const TwoRooms scene;
+  RoomFitParameters parameters;
+  std::vector<std::string> plans;
+  for (const unsigned threads : {1u, 3u}) {
+    parameters.threads = threads;
+    std::string problem;
+    std::vector<std::string> warnings;
+    plans.push_back(floorplanToJson(
+        fitPlan(scene.points.view(), scene.evidence, parameters, problem, warnings)));
+  }
+  EXPECT_EQ(plans[0], plans[1]);
+}
+
+} // namespace
