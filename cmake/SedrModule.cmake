@@ -62,20 +62,15 @@ function(sedr_add_tool name)
   install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# sedr_add_test(name SOURCES ... LINK ... [LOCK resource]) makes the GoogleTest program test_<name>,
-# of whose tests, where they lock a resource, one runs at a time.
+# sedr_add_test(name SOURCES ... LINK ...) makes the GoogleTest program test_<name>.
 function(sedr_add_test name)
-  cmake_parse_arguments(ARG "" "LOCK" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
   sedr_set_warnings(test_${name})
   sedr_reuse_headers(test_${name} FROM test_headers)
-  set(properties)
-  if(ARG_LOCK)
-    set(properties PROPERTIES RESOURCE_LOCK ${ARG_LOCK})
-  endif()
-  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 ${properties})
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
 endfunction()
 
 # The files lie in a folder of their own: CMake looks for packages beside every bin/ of

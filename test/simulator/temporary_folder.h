@@ -16,7 +16,8 @@ public:
   TemporaryFolder()
   {
     std::string name =
-        (std::filesystem::temp_directory_path() / "sedr_simulator_XXXXXX").string();
+        (std::filesystem::temp_directory_path() / ("sedr_test_" + std::string(6, 'X')))
+            .string();
     if (mkdtemp(name.data()) == nullptr)
       throw std::runtime_error("no temporary folder");
     path_ = name;

@@ -4,11 +4,13 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 #include "tools/sample_result.h"
+#include "tools/virtual_screen.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 namespace {
 
@@ -39,20 +41,17 @@ protected:
     return (folder_.path() / name).string();
   }
 
-  static bool hasXvfb()
-  {
-    return std::system(
-               "command -v xvfb-run >/dev/null && command -v xauth >/dev/null") == 0;
-  }
-
   /** A screenshot, taken where nobody looks. */
   Image shoot(const std::string& input, std::vector<std::string> arguments)
   {
+    if (!screen_)
+      screen_ = std::make_unique<VirtualScreen>();
+    EXPECT_EQ(setenv("DISPLAY", screen_->name().c_str(), 1), 0);
     const std::string picture = in("view.png");
     std::filesystem::remove(picture);
-    arguments.insert(arguments.begin(), {"-a", SEDR_VIEWER, input, "--screenshot",
-                                         picture, "--size", "600x400"});
-    const ProgramRun result = run("xvfb-run", arguments);
+    arguments.insert(arguments.begin(),
+                     {input, "--screenshot", picture, "--size", "600x400"});
+    const ProgramRun result = run(SEDR_VIEWER, arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "") << "quiet when piped";
     const Image image = imageOf(bytesOf(picture));
@@ -78,11 +77,12 @@ protected:
 
   TemporaryFolder folder_;
   SampleResult sample_;
+  std::unique_ptr<VirtualScreen> screen_; ///< from the first screenshot on
 };
 
 #define SKIP_WITHOUT_XVFB                                                              \
-  if (!hasXvfb())                                                                      \
-  GTEST_SKIP() << "xvfb-run or xauth is missing: Debian packages xvfb and xauth"
+  if (!VirtualScreen::isInstalled())                                                   \
+  GTEST_SKIP() << "Xvfb is missing: Debian's package xvfb"
 
 TEST_F(ViewerTool, WithoutADisplaySaysSoInOneSentence)
 {
