@@ -3,29 +3,81 @@
 
 #include <pcl/sedr_filters/plane_fit.h>
 
+#include <algorithm>
+
 namespace pcl {
 namespace sedr {
 
-RefitCandidates::Upright::Upright(const RefitStretch& stretch)
+RefitCandidates::Upright::Upright(const RefitStretch& stretch, EvenShare share_of_it)
     : heights{stretch.low, stretch.high}
     , start(stretch.part.start)
     , way(stretch.part.end - stretch.part.start)
     , squared_length(way.squaredNorm())
     , arc(stretch.part.isArc() ? &stretch.part : nullptr)
     , curve(stretch.curve)
+    , share(share_of_it)
 {}
 
-RefitCandidates::RefitCandidates(const RefitTargets& targets, double far)
+RefitCandidates::RefitCandidates(const RefitTargets& targets,
+                                 double far,
+                                 const std::vector<EvenShare>& shares)
     : places_(targets.places())
     , far_(far)
+    , shares_(shares)
     , first_slab_(targets.size() - places_.slabs.size())
 {
   for (const RefitStretch& stretch : places_.stretches)
-    uprights_.emplace_back(stretch);
+    uprights_.emplace_back(stretch, shares[stretch.curve]);
   for (const RefitSlab& slab : places_.slabs)
     planes_.push_back(slab.slab->plane);
   for (const RefitRoomMap& map : places_.rooms)
     rooms_.push_back({heightsOf(map.ceilings, map), heightsOf(map.floors, map)});
+  tellParts();
+}
+
+/** @brief As many as any surface asks for that points of the cell may show: most points
+ * are passed over without looking up which that are. */
+void
+RefitCandidates::tellParts()
+{
+  const CellBox box = places_.box();
+  parts_ = CellMask(box);
+  low_ = RefitPlaces::table_cell * Eigen::Vector2d(box.low.x, box.low.y);
+  for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
+    for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
+      for (const std::uint32_t u : places_.stretches_near.ofCell({x, y}))
+        raiseParts({x, y}, uprights_[u].share);
+      for (const std::uint32_t n : places_.niches_near.ofCell({x, y})) {
+        raiseParts({x, y}, shares_[first_slab_ + places_.niches[n].bottom]);
+        raiseParts({x, y}, shares_[first_slab_ + places_.niches[n].top]);
+      }
+    }
+  for (const RefitRoomMap& map : places_.rooms)
+    tellParts(map);
+}
+
+void
+RefitCandidates::tellParts(const RefitRoomMap& map)
+{
+  for (std::int32_t y = 0; y < map.height; ++y)
+    for (std::int32_t x = 0; x < map.width; ++x) {
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                     static_cast<std::size_t>(x);
+      const Eigen::Vector2d low = map.low + map.cell * Eigen::Vector2d(x, y);
+      const Eigen::Vector2d high = low + Eigen::Vector2d::Constant(map.cell);
+      const CellBox box =
+          overlapOf(places_.rooms_near.boxAround(low, high), parts_.box());
+      for (const std::int32_t slab : {map.ceiling[i], map.floor[i]})
+        for (std::int32_t v = box.low.y; slab >= 0 && v <= box.high.y; ++v)
+          for (std::int32_t u = box.low.x; u <= box.high.x; ++u)
+            raiseParts({u, v}, shares_[first_slab_ + static_cast<std::size_t>(slab)]);
+    }
+}
+
+void
+RefitCandidates::raiseParts(Cell cell, const EvenShare& share)
+{
+  parts_.set(cell, std::max(parts_.at(cell), share.parts()));
 }
 
 /** @brief Over the whole map, and a little more than is needed. */

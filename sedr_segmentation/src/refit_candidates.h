@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "even_share.h"
 #include "refit_targets.h"
 
 #include <limits>
@@ -14,15 +15,32 @@ namespace sedr {
 class RefitCandidates {
 public:
   /** @param far slabs are told of points at most so many metres from them
-   * @param targets must outlive this */
-  RefitCandidates(const RefitTargets& targets, double far);
+   * @param shares of the points that may show each surface
+   * @param targets must outlive this, as `shares` must */
+  RefitCandidates(const RefitTargets& targets,
+                  double far,
+                  const std::vector<EvenShare>& shares);
 
-  /** @brief Calls `note(number, place)` for every surface that a point may show by its
-   * place: one before which it is, and any slab not too far from it. `place` is what
-   * does not change with the surface: the row of patches of an upright, the patch of a
-   * slab. */
+  /** @brief Whether point `k`, if it is finite, may be in the share of any surface near
+   * by: of most points no more is to be asked. */
+  bool mayShow(std::size_t k, const Eigen::Vector3f& p) const
+  {
+    const Eigen::Array2d at =
+        (p.head<2>().cast<double>() - low_).array() / RefitPlaces::table_cell;
+    if (!((at >= 0).all() && at.x() < parts_.width() &&
+          at.y() < parts_.height())) // nor a NaN
+      return false;
+    const auto i = static_cast<std::size_t>(static_cast<int>(at.y()) * parts_.width() +
+                                            static_cast<int>(at.x()));
+    return EvenShare::mayHold(parts_.values()[i], k);
+  }
+
+  /** @brief Calls `note(number, place)` for every surface that point `k` may show by
+   * its place, if it is one of the surface's share: one before which it is, and any
+   * slab not too far from it. `place` is what does not change with the surface: the row
+   * of patches of an upright, the patch of a slab. */
   template <typename Note>
-  void find(const Eigen::Vector3d& p, Note note)
+  void find(std::size_t k, const Eigen::Vector3d& p, Note note)
   {
     const CellGrid& grid = places_.stretches_near.grid(); // that of all tables
     if (!grid.holds(p.x(), p.y()))
@@ -31,11 +49,11 @@ public:
     if (!(cell == cell_))
       enter(cell);
     if (uprights_here_.holds(p.z()))
-      findUprights(p, note);
+      findUprights(k, p, note);
     for (const std::uint32_t r : rooms_here_)
-      findSlabs(r, p, note);
+      findSlabs(k, r, p, note);
     for (const std::uint32_t n : niches_here_)
-      findNiche(places_.niches[n], p, note);
+      findNiche(k, places_.niches[n], p, note);
   }
 
 private:
@@ -54,7 +72,7 @@ private:
 
   /** @brief What there is to know of a stretch, side by side. */
   struct Upright {
-    explicit Upright(const RefitStretch& stretch);
+    Upright(const RefitStretch& stretch, EvenShare share);
 
     bool isBeside(const Eigen::Vector2d& p) const
     {
@@ -70,6 +88,7 @@ private:
     double squared_length;
     const PlanElement* arc; ///< null of a line
     std::size_t curve;
+    EvenShare share;
   };
 
   /** @brief The heights that the slabs of a room may be shown at. */
@@ -80,19 +99,24 @@ private:
 
   void enter(Cell cell);
   Heights heightsOf(const RefitSlabRange& slabs, const RefitRoomMap& map) const;
+  void tellParts();
+  void tellParts(const RefitRoomMap& map);
+  void raiseParts(Cell cell, const EvenShare& share);
 
   template <typename Note>
-  void findUprights(const Eigen::Vector3d& p, Note note) const
+  void findUprights(std::size_t k, const Eigen::Vector3d& p, Note note) const
   {
-    for (const std::uint32_t k : stretches_here_) {
-      const Upright& upright = uprights_[k];
-      if (upright.heights.holds(p.z()) && upright.isBeside(p.head<2>()))
+    for (const std::uint32_t u : stretches_here_) {
+      const Upright& upright = uprights_[u];
+      if (upright.share.holds(k) && upright.heights.holds(p.z()) &&
+          upright.isBeside(p.head<2>()))
         note(upright.curve, RefitTargets::rowOf(upright.heights.high, p.z()));
     }
   }
 
   template <typename Note>
-  void findSlabs(std::size_t room, const Eigen::Vector3d& p, Note note) const
+  void
+  findSlabs(std::size_t k, std::size_t room, const Eigen::Vector3d& p, Note note) const
   {
     const bool may_be_ceiling = rooms_[room].ceiling.holds(p.z());
     const bool may_be_floor = rooms_[room].floor.holds(p.z());
@@ -106,35 +130,43 @@ private:
         static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(map.width) +
         static_cast<std::size_t>(at.x());
     if (may_be_ceiling && map.ceiling[i] >= 0)
-      noteNear(static_cast<std::size_t>(map.ceiling[i]), p, note);
+      noteNear(k, static_cast<std::size_t>(map.ceiling[i]), p, note);
     if (may_be_floor && map.floor[i] >= 0)
-      noteNear(static_cast<std::size_t>(map.floor[i]), p, note);
+      noteNear(k, static_cast<std::size_t>(map.floor[i]), p, note);
   }
 
   template <typename Note>
-  void findNiche(const RefitNiche& niche, const Eigen::Vector3d& p, Note note) const
+  void findNiche(std::size_t k,
+                 const RefitNiche& niche,
+                 const Eigen::Vector3d& p,
+                 Note note) const
   {
     constexpr double margin = 0.03;
     const PlanLoop& boundary = niche.niche->boundary;
     if (!boundary.contains(p.head<2>()) || boundary.distance(p.head<2>()) <= margin)
       return;
-    noteNear(niche.bottom, p, note);
-    noteNear(niche.top, p, note);
+    noteNear(k, niche.bottom, p, note);
+    noteNear(k, niche.top, p, note);
   }
 
   template <typename Note>
-  void noteNear(std::size_t k, const Eigen::Vector3d& p, Note note) const
+  void
+  noteNear(std::size_t k, std::size_t slab, const Eigen::Vector3d& p, Note note) const
   {
-    if (std::abs(planes_[k].head<3>().dot(p) + planes_[k][3]) <= far_)
-      note(first_slab_ + k, RefitTargets::patchOf(places_.slabs[k], p.head<2>()));
+    if (shares_[first_slab_ + slab].holds(k) &&
+        std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) <= far_)
+      note(first_slab_ + slab, RefitTargets::patchOf(places_.slabs[slab], p.head<2>()));
   }
 
   const RefitPlaces& places_;
   double far_;
+  const std::vector<EvenShare>& shares_;
   std::size_t first_slab_; ///< number of the first slab
   std::vector<Upright> uprights_;
   std::vector<Room> rooms_;
   std::vector<Eigen::Vector4d> planes_; ///< of the slabs
+  CellMask parts_; ///< of the points in a cell that are looked at, in 128ths
+  Eigen::Vector2d low_ = Eigen::Vector2d::Zero(); ///< its corner, metres
 
   Cell cell_{std::numeric_limits<std::int32_t>::min(), 0}; ///< none that a grid holds
   CellTable::Numbers stretches_here_;

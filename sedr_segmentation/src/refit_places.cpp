@@ -113,7 +113,13 @@ RefitPlaces::tabulate(double reach)
         niches_near.fill(of_niches)})
     if (!problem.empty())
       return problem;
-  return {};
+  return maskProblem(box());
+}
+
+CellBox
+RefitPlaces::box() const
+{
+  return around(stretches_near.box(), around(rooms_near.box(), niches_near.box()));
 }
 
 } // namespace sedr

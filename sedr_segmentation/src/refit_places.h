@@ -76,6 +76,9 @@ struct RefitPlaces {
    * being its own. */
   void addRoom(const PlanRoom& room, RefitSlabRange ceilings, RefitSlabRange floors);
 
+  /** @brief The cells in which anything may be seen, once they are sorted. */
+  CellBox box() const;
+
   /** @brief Sorts stretches, rooms and niches by cells; stretches are seen from
    * `reach` metres.
    * @return why that cannot be done, a sentence; empty otherwise */

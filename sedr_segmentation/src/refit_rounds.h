@@ -27,18 +27,15 @@ public:
       , targets_(plan, curves, parameters.reach)
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
-  {
-    const std::size_t enough =
-        std::max<std::size_t>(1, parameters.points_per_patch * targets_.shownPatches());
-    raw_.step *= std::max<std::size_t>(1, raw_.size() / enough); // of an excerpt too
-  }
+  {}
 
   void run()
   {
     constexpr int rounds = 3;
     std::vector<double> centre;
     std::vector<double> band;
-    Sightings sightings(raw_, targets_);
+    Sightings sightings(raw_, targets_,
+                        {parameters_.points_per_patch, parameters_.points_per_surface});
     scatters_ = sightings.scatters(parameters_.reach);
     settleScatters();
     for (std::size_t t = 0; t < targets_.size(); ++t) {

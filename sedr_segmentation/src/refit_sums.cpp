@@ -35,29 +35,45 @@ PatchSums::operator+=(const PatchSums& other)
   return *this;
 }
 
-Sightings::Sightings(const RawPoints& raw, const RefitTargets& targets)
+Sightings::Sightings(const RawPoints& raw,
+                     const RefitTargets& targets,
+                     const EnoughPoints& enough)
     : raw_(raw)
     , targets_(targets)
+    , looked_at_(sharesFor(enough))
 {
   find();
 }
 
-/** @brief In blocks whose number does not depend on that of the threads, so that no sum
- * over them does. */
+/** @brief What is enough of each surface, by what a few of the points show. */
+std::vector<EvenShare>
+Sightings::sharesFor(const EnoughPoints& enough) const
+{
+  constexpr std::size_t step = 16;
+  RawPoints few = raw_;
+  few.step *= step;
+  std::vector<std::size_t> counts(targets_.size(), 0);
+  for (const Block& block : lookAt(few, std::vector<EvenShare>(targets_.size())))
+    for (const Part& part : block)
+      for (std::size_t t = 0; t < counts.size(); ++t)
+        counts[t] += step * (part.first[t + 1] - part.first[t]);
+  std::vector<EvenShare> shares;
+  for (std::size_t t = 0; t < counts.size(); ++t) {
+    const std::size_t most =
+        std::max(enough.of_surface, enough.of_patch * targets_.shownPatches(t));
+    shares.emplace_back(static_cast<double>(most) /
+                        static_cast<double>(std::max<std::size_t>(1, counts[t])));
+  }
+  return shares;
+}
+
 void
 Sightings::find()
 {
-  constexpr std::size_t most_blocks = 8;
-  constexpr std::size_t least_block = std::size_t{1} << 16;
   slabs_were_.clear();
   for (std::size_t k = 0; k < targets_.slabCount(); ++k)
     slabs_were_.push_back(targets_.slab(k));
-  const std::size_t n = raw_.size();
-  const std::size_t block = std::max(least_block, n / most_blocks + 1);
-  blocks_ = std::vector<Block>((n + block - 1) / block);
-  parallelBlocks(n, block, raw_.threads, [&](std::size_t begin, std::size_t end) {
-    blocks_[begin / block] = lookAt(begin, end);
-  });
+  blocks_ = lookAt(raw_, looked_at_);
   shares_.clear();
   for (std::size_t t = 0; t < targets_.size(); ++t)
     for (std::size_t b = 0; b < blocks_.size(); ++b)
@@ -66,22 +82,41 @@ Sightings::find()
         shares_.push_back({t, b});
 }
 
+/** @brief In blocks whose number does not depend on that of the threads, so that no sum
+ * over them does. */
+std::vector<Sightings::Block>
+Sightings::lookAt(const RawPoints& raw, const std::vector<EvenShare>& shares) const
+{
+  constexpr std::size_t most_blocks = 8;
+  constexpr std::size_t least_block = std::size_t{1} << 16;
+  const std::size_t n = raw.size();
+  const std::size_t block = std::max(least_block, n / most_blocks + 1);
+  std::vector<Block> blocks((n + block - 1) / block);
+  // A slab that leans otherwise than before is a little farther from a point.
+  const RefitCandidates candidates(targets_, targets_.reach() + 2 * farthest_slab,
+                                   shares);
+  parallelBlocks(n, block, raw.threads, [&](std::size_t begin, std::size_t end) {
+    blocks[begin / block] = lookAt(raw, candidates, begin, end);
+  });
+  return blocks;
+}
+
 Sightings::Block
-Sightings::lookAt(std::size_t begin, std::size_t end) const
+Sightings::lookAt(const RawPoints& raw,
+                  RefitCandidates candidates,
+                  std::size_t begin,
+                  std::size_t end) const
 {
   constexpr std::size_t points_at_once = std::size_t{1} << 15;
-  // A slab that leans otherwise than before is a little farther from a point.
-  RefitCandidates candidates(targets_, targets_.reach() + 2 * farthest_slab);
   std::vector<Seen> seen;
   Block block;
   for (std::size_t k = begin; k < end; k += points_at_once) {
     seen.clear();
     for (std::size_t i = k; i < std::min(end, k + points_at_once); ++i) {
-      const std::size_t at = raw_.at(i);
-      if (!raw_.points.isFinite(at))
+      const Eigen::Vector3f p = raw.points[raw.at(i)];
+      if (!candidates.mayShow(i, p) || !std::isfinite(p.z()))
         continue;
-      const Eigen::Vector3f p = raw_.points[at];
-      candidates.find(p.cast<double>(), [&](std::size_t t, std::size_t place) {
+      candidates.find(i, p.cast<double>(), [&](std::size_t t, std::size_t place) {
         seen.push_back(
             {{p, static_cast<std::uint32_t>(place)}, static_cast<std::uint32_t>(t)});
       });

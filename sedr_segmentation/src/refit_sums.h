@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "refit_targets.h"
+#include "even_share.h"
+#include "refit_candidates.h"
 
 #include <pcl/sedr_filters/point_view.h>
 
@@ -61,12 +62,20 @@ struct RawPoints {
   }
 };
 
+/** @brief How many points of a surface are enough, see RefitParameters. */
+struct EnoughPoints {
+  std::size_t of_patch;
+  std::size_t of_surface;
+};
+
 /** @brief The points of a scan that may show a surface, and which: found once, as most
  * of what is to know of that is where they are. */
 class Sightings {
 public:
-  /** @brief Looks at all points, O(n). Both must outlive this. */
-  Sightings(const RawPoints& raw, const RefitTargets& targets);
+  /** @brief Looks at all points, O(n). `raw` and `targets` must outlive this. */
+  Sightings(const RawPoints& raw,
+            const RefitTargets& targets,
+            const EnoughPoints& enough);
 
   /** @brief Whether no other point may show a surface: no slab has moved far since. */
   bool areAll() const;
@@ -119,13 +128,20 @@ private:
   };
 
   void find();
-  Block lookAt(std::size_t begin, std::size_t end) const;
+  std::vector<EvenShare> sharesFor(const EnoughPoints& enough) const;
+  std::vector<Block> lookAt(const RawPoints& raw,
+                            const std::vector<EvenShare>& shares) const;
+  Block lookAt(const RawPoints& raw,
+               RefitCandidates candidates,
+               std::size_t begin,
+               std::size_t end) const;
 
   template <typename Sum, typename SizeOf, typename Add>
   std::vector<std::vector<Sum>> bySurface(SizeOf sizeOf, Add add) const;
 
   const RawPoints& raw_;
   const RefitTargets& targets_;
+  std::vector<EvenShare> looked_at_; ///< of the points of each surface
   std::vector<Block> blocks_;
   std::vector<Share> shares_; ///< by surface, then block
   std::vector<PlanSlab> slabs_were_;

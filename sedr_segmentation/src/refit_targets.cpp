@@ -225,14 +225,15 @@ RefitTargets::numberPatches()
     patch_.push_back(std::clamp(length_[c] / 4, least_patch, upright_patch));
     along_.push_back(static_cast<std::size_t>(length / patch_[c]) + 2);
     const auto rows = static_cast<std::size_t>(depth_[c] / upright_patch) + 1;
-    shown_patches_ += rows * (static_cast<std::size_t>(length_[c] / patch_[c]) + 1);
+    shown_patches_.push_back(rows *
+                             (static_cast<std::size_t>(length_[c] / patch_[c]) + 1));
     first_patch_.push_back(first_patch_.back() + along_.back() * rows);
   }
   for (RefitSlab& slab : places_.slabs) {
     slab.along = static_cast<std::size_t>(2 * slab.half.x() / slab_patch) + 2;
     slab.rows = static_cast<std::size_t>(2 * slab.half.y() / slab_patch) + 2;
     along_.push_back(slab.along);
-    shown_patches_ += slab.rows * slab.along;
+    shown_patches_.push_back(slab.rows * slab.along);
     first_patch_.push_back(first_patch_.back() + slab.along * slab.rows);
   }
 }

@@ -68,8 +68,9 @@ public:
   std::size_t patchCount() const { return first_patch_.back(); }
   std::size_t firstPatch(std::size_t number) const { return first_patch_[number]; }
 
-  /** @brief Number of the patches that the plan shows: curves go on beyond that. */
-  std::size_t shownPatches() const { return shown_patches_; }
+  /** @brief Number of the patches of a surface that the plan shows: curves go on beyond
+   * that. */
+  std::size_t shownPatches(std::size_t number) const { return shown_patches_[number]; }
 
   /** @brief Whether a patch, from the first of its surface, is at the top of a wall,
    * where least stands before it. */
@@ -152,7 +153,7 @@ private:
   std::vector<double> patch_;      ///< length of the patches of each curve
   std::vector<std::size_t> along_; ///< patches along each curve, and along x of a slab
   std::vector<std::size_t> first_patch_;
-  std::size_t shown_patches_ = 0;
+  std::vector<std::size_t> shown_patches_;
   RefitPlaces places_;
 };
 

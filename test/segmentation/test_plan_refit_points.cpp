@@ -42,21 +42,55 @@ TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
   EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);
 }
 
-TEST(RefitToRaw, OfADenseScanAsManyPointsAsItsPatchesNeedAreTaken)
+TEST(RefitToRaw, OfADenseSurfaceAsManyPointsAsAreEnoughAreTaken)
 {
-  RoomPoints raw(0.005, 0.005); // 400 points in a patch of a wall
+  RoomPoints raw(0.005, 0.005); // 400 points in a patch of a wall of 1040 patches
   raw.room(plainRoom());
-  const auto inliersFor = [&](std::size_t points_per_patch) {
+  const auto inliersFor = [&](std::size_t of_patch, std::size_t of_surface) {
     Floorplan plan = offPlan();
     RefitParameters parameters;
-    parameters.points_per_patch = points_per_patch;
+    parameters.points_per_patch = of_patch;
+    parameters.points_per_surface = of_surface;
     refitToRaw(plan, raw.view(), {}, parameters);
     EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
-    return plan.rooms[0].boundary.elements[0].inliers;
+    return static_cast<double>(plan.rooms[0].boundary.elements[0].inliers);
   };
-  const std::size_t all = inliersFor(100000);
-  EXPECT_LT(inliersFor(100), all / 2);
-  EXPECT_GT(inliersFor(100), all / 40);
+  const double all = inliersFor(100000, 1);
+  EXPECT_GT(all, 150000);
+  EXPECT_EQ(inliersFor(1, 1000000), all);
+  const double of_patches = inliersFor(100, 1);
+  EXPECT_GT(of_patches, 0.2 * all);
+  EXPECT_LT(of_patches, 0.3 * all);
+  const double of_surface = inliersFor(1, 50000);
+  EXPECT_GT(of_surface, 40000);
+  EXPECT_LT(of_surface, 55000);
+}
+
+TEST(RefitToRaw, OfASmallSurfaceBesideLargeOnesAllPointsAreTaken)
+{
+  RoomPoints raw(0.005, 0.005);
+  const PlanLoop l_room =
+      polygon({{0, 0}, {4, 0}, {4, 3}, {0.2, 3}, {0.2, 2.9}, {0, 2.9}});
+  raw.room(roomOf(l_room, 2.6));
+  const auto inliersFor = [&](std::size_t of_patch, std::size_t of_surface) {
+    Floorplan plan;
+    plan.rooms.push_back(roomOf(l_room, 2.6));
+    setSeen(plan.rooms[0].boundary, 0.01);
+    RefitParameters parameters;
+    parameters.points_per_patch = of_patch;
+    parameters.points_per_surface = of_surface;
+    refitToRaw(plan, raw.view(), {}, parameters);
+    std::vector<std::size_t> inliers;
+    for (const auto& e : plan.rooms[0].boundary.elements)
+      inliers.push_back(e.inliers);
+    return inliers;
+  };
+  const std::vector<std::size_t> all = inliersFor(100000, 1);
+  const std::vector<std::size_t> some = inliersFor(10, 20000);
+  ASSERT_EQ(all.size(), some.size());
+  EXPECT_LT(5 * some[0], all[0]) << "4 m";
+  EXPECT_EQ(some[3], all[3]) << "0.1 m";
+  EXPECT_EQ(some[4], all[4]) << "0.2 m";
 }
 
 TEST(RefitToRaw, NoPointsOrPointsElsewhereLeaveThePlanAsItIs)

@@ -46,6 +46,9 @@ public:
 
   const CellGrid& grid() const { return grid_; }
 
+  /** @brief The cells that may have numbers. */
+  const CellBox& box() const { return frame_.box(); }
+
   Numbers at(const Eigen::Vector2d& p) const
   {
     return grid_.holds(p.x(), p.y()) ? ofCell(grid_.at(p.x(), p.y())) : Numbers();

@@ -25,9 +25,11 @@ struct RefitParameters {
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
   std::size_t least_points = 20;     ///< of a surface that is fitted
   std::size_t most_points = 5000000; ///< of a larger scan, every k-th point is taken
-  /** @brief Of a scan of more points for every tenth of a metre of wall and quarter of
-   * a metre of slab, squared, every k-th point is taken. */
-  std::size_t points_per_patch = 500;
+  /** @brief Of a surface with more points than these for every tenth of a metre of wall
+   * and quarter of a metre of slab, squared, and than `points_per_surface` in all, an
+   * even share is taken: so many, but of small surfaces all. */
+  std::size_t points_per_patch = 100;
+  std::size_t points_per_surface = 20000;
   unsigned threads = 0; ///< 0: as many as there are processors
 };
 
