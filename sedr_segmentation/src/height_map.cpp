@@ -157,6 +157,10 @@ seenHeights(const PointView& points,
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells =
         intersect(cells, unite(dilated(eroded(cells, opening), opening + 1), beams));
+    // What is below a level, such as a beam, parts it.
+    for (std::size_t i = 0; i < map.label.size(); ++i)
+      if (map.label[i] > 0)
+        cells.values()[i] = 0;
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < std::max(least, enough))
@@ -167,7 +171,7 @@ seenHeights(const PointView& points,
       map.details.push_back(
           detailSlab(points, evidence, main_slab, level, region, parameters));
       for (std::size_t i = 0; i < map.label.size(); ++i)
-        if (regions.label[i] == static_cast<std::int32_t>(r) && map.label[i] < 0)
+        if (regions.label[i] == static_cast<std::int32_t>(r))
           map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }

@@ -13,7 +13,8 @@ namespace sedr {
 /** @brief A place in plan of a point on something upright. */
 struct UprightPlace {
   Eigen::Vector2d place;
-  double below = 0; ///< the ceiling, metres
+  double below = 0;      ///< the ceiling, metres
+  bool is_strip = false; ///< of a strip below the ceiling too low to tell what it is
 };
 
 /** @brief The places of those of some points that show walls or columns: upright things
@@ -25,7 +26,7 @@ std::vector<UprightPlace> uprightPlaces(const PointView& points,
                                         const CellGrid& grid,
                                         unsigned threads);
 
-/** @brief The same, heights forgotten. */
+/** @brief The same but for strips, heights forgotten. */
 PlanPoints inPlan(const std::vector<UprightPlace>& places);
 
 /** @brief What may show the walls of a room: what the growing found, and what is at the

@@ -58,6 +58,25 @@ TEST(FitDetails, TheEdgesOfASoffitAreTheWallsAndItsRiser)
   }
 }
 
+TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
+  const PlanDetail soffit = detailOf(rectangle(0.01, 3.51, 6.01, 5.01), 2.35);
+  const std::vector<PlanLoop> beams{rectangle(2.01, 3.51, 2.26, 5.01),
+                                    rectangle(4.01, 3.51, 4.26, 5.01)};
+  room.details = {soffit, detailOf(beams[0], 2.2), detailOf(beams[1], 2.2)};
+  for (const double noise : {0.0, 0.01}) {
+    PlanRoom found = room;
+    found.details = detailsOf(room, false, noise);
+    EXPECT_EQ(found.details.size(), 5u) << noise;
+    for (const double x : {1.0, 3.0, 5.0})
+      EXPECT_NEAR(found.ceilingAt({x, 4.2}), 2.35, 0.005) << noise << ' ' << x;
+    for (const PlanLoop& beam : beams)
+      EXPECT_NEAR(found.ceilingAt({beam.elements[0].start.x() + 0.12, 4.2}), 2.2, 0.01)
+          << noise;
+  }
+}
+
 TEST(FitDetails, TheLargestComesFirst)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
