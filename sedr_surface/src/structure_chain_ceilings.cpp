@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/enclosed_regions.h>
 #include <pcl/sedr_segmentation/plane_list.h>
 #include <pcl/sedr_segmentation/room_territory.h>
+#include <pcl/sedr_segmentation/sweep_gaps.h>
 
 #include <cstdio>
 
@@ -43,6 +44,26 @@ StructureChain::keepRegions(std::size_t ceiling,
   return filter(support);
 }
 
+void
+StructureChain::fillSweepGaps(const pcl::Indices& all)
+{
+  const double size = outlier_removal.getGridSize();
+  const CellGrid grid(size);
+  for (Level& level : levels_) {
+    if (level.kind != LevelKind::Ceiling)
+      continue;
+    const CellSet gaps = sweepGaps(level, size, PointView(*cloud), all);
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      level.inliers.push_back(static_cast<int>(cloud->size()));
+      const Eigen::Vector2d place = grid.centre(gaps[i]);
+      cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
+                        static_cast<float>(level.slab.heightAt(place))});
+    }
+  }
+  labels.resize(cloud->size(), 0);
+  rooms.resize(cloud->size(), 0);
+}
+
 bool
 StructureChain::removeOutliers(StageReport& report)
 {
@@ -53,6 +74,7 @@ StructureChain::removeOutliers(StageReport& report)
                      plane.inliers.indices.end());
   outlier_removal.setInputCloud(cloud);
   levels_ = levelsOfPlanes(outlier_removal.getGridSize());
+  fillSweepGaps(*allIndices(cloud->size()));
   const pcl::IndicesPtr all = allIndices(cloud->size());
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     Level& level = levels_[l];

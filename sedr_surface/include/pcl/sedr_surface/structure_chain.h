@@ -166,6 +166,10 @@ private:
   bool keepRegions(std::size_t ceiling,
                    const pcl::IndicesConstPtr& floors,
                    const pcl::Indices& all);
+
+  /** @brief Puts points where a sweep left gaps between its lines on a ceiling.
+   * @param all indices of the cloud */
+  void fillSweepGaps(const pcl::Indices& all);
   bool removeOutliers(StageReport& report);
   bool partRooms(StageReport& report);
   bool findDetails(StageReport& report);
