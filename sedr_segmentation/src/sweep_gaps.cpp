@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -23,60 +24,55 @@ constexpr double reach = 0.6;
 /** @brief As far from it there is noise of the ceiling itself, metres. */
 constexpr double noise = 0.08;
 
+/** @brief Empty cells that follow one another in a row, a column or a diagonal. */
+struct Gap {
+  Cell first;
+  Cell way; ///< to the next one
+  int length = 0;
+
+  Cell at(int k) const { return {first.x + k * way.x, first.y + k * way.y}; }
+};
+
+/** @brief Finds the gaps between a line of a sweep and what is on either side of it. */
 class GapFinder {
 public:
-  GapFinder(const Level& ceiling,
-            const CellBox& box,
-            double cell_size,
-            const PointView& points,
-            const std::vector<int>& indices)
-      : ceiling_(ceiling)
-      , grid_(cell_size)
-      , points_(points)
-      , indices_(indices)
-      , seen_(ceiling.cells, box)
-      , ways_(box)
-      , most_(cellsFor(widest_gap, cell_size))
+  GapFinder(const CellSet& ceiling, const CellBox& box, int widest)
+      : seen_(ceiling, box)
+      , widest_(widest)
   {}
 
-  /** @brief The gaps that are such in two of the four directions: past the corner of a
-   * column whose back was not seen there is a way in one of them. */
-  CellMask find()
+  void find(std::vector<Gap>& gaps) const
   {
     for (const Cell way : {Cell{1, 0}, Cell{0, 1}, Cell{1, 1}, Cell{-1, 1}})
-      scanAll(way);
-    CellMask gaps(seen_.box());
-    for (std::size_t i = 0; i < gaps.values().size(); ++i)
-      gaps.values()[i] = ways_.values()[i] >= 2 ? 1 : 0;
-    return gaps;
+      scanAll(way, gaps);
   }
 
 private:
   /** @brief Goes along all rows, columns or diagonals. */
-  void scanAll(Cell way)
+  void scanAll(Cell way, std::vector<Gap>& gaps) const
   {
     const Cell low = seen_.box().low;
     const Cell high = seen_.box().high;
     const std::int32_t first = way.x < 0 ? high.x : low.x;
     if (way.x != 0)
       for (std::int32_t y = low.y; y <= high.y; ++y)
-        scan({first, y}, way);
+        scan({first, y}, way, gaps);
     if (way.y != 0)
       for (std::int32_t x = low.x; x <= high.x; ++x)
         if (way.x == 0 || x != first)
-          scan({x, low.y}, way);
+          scan({x, low.y}, way, gaps);
   }
 
-  /** @brief Goes along a row, a column or a diagonal and fills the gaps between a line
-   * of the sweep and what is on either side of it. */
-  void scan(Cell start, Cell way)
+  void scan(Cell start, Cell way, std::vector<Gap>& gaps) const
   {
     int before = 0; // cells of the ceiling before the gap, none yet
     int gap = 0;
     int run = 0;
     const auto close = [&](Cell end) { // the first cell behind `run`
-      if (before > 0 && gap > 0 && gap <= most_ && std::min(before, run) <= line_width)
-        fill(end, way, run, gap);
+      const int back = run + gap;
+      if (before > 0 && gap > 0 && gap <= widest_ &&
+          std::min(before, run) <= line_width)
+        gaps.push_back({{end.x - back * way.x, end.y - back * way.y}, way, gap});
       before = run;
     };
     Cell cell = start;
@@ -95,58 +91,89 @@ private:
       close(cell);
   }
 
-  /** @brief Counts the way for the cells of a gap, unless something is in it.
-   * @param end the first cell behind the `run` of the ceiling that follows the gap */
-  void fill(Cell end, Cell way, int run, int gap)
-  {
-    const auto at = [&](int back) {
-      return Cell{end.x - back * way.x, end.y - back * way.y};
-    };
-    for (int k = run + 1; k <= run + gap; ++k)
-      if (isTaken(at(k)))
-        return;
-    for (int k = run + 1; k <= run + gap; ++k)
-      ++ways_.values()[ways_.indexOf(at(k))];
-  }
+  const CellMask seen_;
+  const int widest_;
+};
 
-  /** @brief Whether anything was seen just below or above the ceiling in the cell or
-   * one of its neighbours: a wall along which the scanner looks is as sparse. */
-  bool isTaken(Cell cell)
-  {
-    if (taken_.values().empty())
-      taken_ = takenCells();
+std::vector<Gap>
+gapsBetweenLines(const CellSet& ceiling, double cell_size)
+{
+  const int widest = cellsFor(widest_gap, cell_size);
+  std::vector<CellBox> boxes;
+  for (const CellSet& region : connectedRegions(ceiling))
+    if (region.size() >= least_region)
+      boxes.push_back(boxOf(region));
+  std::vector<Gap> gaps;
+  for (const CellBox& box : clusterBoxes(boxes, widest))
+    if (maskProblem(box).empty())
+      GapFinder(ceiling, box, widest).find(gaps);
+  return gaps;
+}
+
+CellSet
+cellsOf(const std::vector<Gap>& gaps)
+{
+  std::vector<CellKey> keys;
+  for (const Gap& gap : gaps)
+    for (int k = 0; k < gap.length; ++k)
+      keys.push_back(keyOf(gap.at(k)));
+  return CellSet(std::move(keys));
+}
+
+/** @brief The cells and their neighbours. */
+CellSet
+withNeighbours(const CellSet& cells)
+{
+  std::vector<CellKey> keys;
+  keys.reserve(9 * cells.size());
+  for (const CellKey key : cells.keys())
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
-        if (taken_.at({cell.x + dx, cell.y + dy}))
-          return true;
-    return false;
-  }
+        keys.push_back(keyOf({cellOf(key).x + dx, cellOf(key).y + dy}));
+  return CellSet(std::move(keys));
+}
 
-  CellMask takenCells() const
-  {
-    CellMask taken(seen_.box());
-    for (const int i : indices_) {
-      const Eigen::Vector3f p = points_[static_cast<std::size_t>(i)];
-      if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
-        continue;
-      const double off =
-          std::abs(p.z() - ceiling_.slab.heightAt(p.head<2>().cast<double>()));
-      const Cell cell = grid_.at(p.x(), p.y());
-      if (off > noise && off < reach && taken.isInside(cell))
-        taken.set(cell, 1);
+/** @brief The lowest and the highest place of a slab above some cells, metres. */
+std::pair<double, double>
+heightsAbove(const CellSet& cells, const PlanSlab& slab, const CellGrid& grid)
+{
+  const CellBox box = grown(boxOf(cells), 1);
+  std::pair<double, double> heights{std::numeric_limits<double>::infinity(),
+                                    -std::numeric_limits<double>::infinity()};
+  for (const std::int32_t x : {box.low.x, box.high.x})
+    for (const std::int32_t y : {box.low.y, box.high.y}) {
+      const double z = slab.heightAt(grid.centre({x, y}));
+      heights = {std::min(heights.first, z), std::max(heights.second, z)};
     }
-    return taken;
-  }
+  return heights;
+}
 
-  const Level& ceiling_;
-  const CellGrid grid_;
-  const PointView& points_;
-  const std::vector<int>& indices_;
-  const CellMask seen_;
-  CellMask ways_; ///< in how many directions a cell is in a gap
-  const int most_;
-  CellMask taken_; ///< empty until it is asked for: few ceilings need it
-};
+/** @brief Which of some cells hold anything just below or above the ceiling. */
+std::vector<std::uint8_t>
+takenOf(const CellSet& cells,
+        const PlanSlab& ceiling,
+        const CellGrid& grid,
+        const PointView& points,
+        const std::vector<int>& indices)
+{
+  std::vector<std::uint8_t> taken(cells.size(), 0);
+  const CellBox box = boxOf(cells);
+  const auto [low, high] = heightsAbove(cells, ceiling, grid);
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!(p.z() > low - reach && p.z() < high + reach) || !grid.holds(p.x(), p.y()))
+      continue;
+    const double off = std::abs(p.z() - ceiling.heightAt(p.head<2>().cast<double>()));
+    const Cell cell = grid.at(p.x(), p.y());
+    if (off <= noise || off >= reach || cell.x < box.low.x || cell.x > box.high.x ||
+        cell.y < box.low.y || cell.y > box.high.y)
+      continue;
+    const std::size_t at = cells.find(cell);
+    if (at != CellSet::npos)
+      taken[at] = 1;
+  }
+  return taken;
+}
 
 } // namespace
 
@@ -156,18 +183,32 @@ sweepGaps(const Level& ceiling,
           const PointView& points,
           const std::vector<int>& indices)
 {
-  std::vector<CellBox> boxes;
-  for (const CellSet& region : connectedRegions(ceiling.cells))
-    if (region.size() >= least_region)
-      boxes.push_back(boxOf(region));
-  std::vector<CellKey> gaps;
-  for (const CellBox& box : clusterBoxes(boxes, cellsFor(widest_gap, cell_size)))
-    if (maskProblem(box).empty()) {
-      const CellSet found =
-          GapFinder(ceiling, box, cell_size, points, indices).find().toSet();
-      gaps.insert(gaps.end(), found.keys().begin(), found.keys().end());
-    }
-  return CellSet(std::move(gaps));
+  const std::vector<Gap> gaps = gapsBetweenLines(ceiling.cells, cell_size);
+  if (gaps.empty())
+    return {};
+  const CellSet cells = cellsOf(gaps);
+  // A wall along which the scanner looks is as sparse: its neighbours count.
+  const CellSet around = withNeighbours(cells);
+  const std::vector<std::uint8_t> taken =
+      takenOf(around, ceiling.slab, CellGrid(cell_size), points, indices);
+  const auto isTaken = [&](Cell cell) {
+    return anyAround(around, cell, 1, [&](std::size_t i) { return taken[i] != 0; });
+  };
+  std::vector<std::uint8_t> ways(cells.size(), 0);
+  for (const Gap& gap : gaps) {
+    bool is_free = true;
+    for (int k = 0; k < gap.length && is_free; ++k)
+      is_free = !isTaken(gap.at(k));
+    for (int k = 0; k < gap.length && is_free; ++k)
+      ++ways[cells.find(gap.at(k))];
+  }
+  // Past the corner of a column whose back was not seen there is a way in one
+  // direction.
+  std::vector<CellKey> found;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (ways[i] >= 2)
+      found.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(found));
 }
 
 } // namespace sedr

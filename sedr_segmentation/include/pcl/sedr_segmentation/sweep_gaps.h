@@ -21,7 +21,7 @@ namespace sedr {
  * @param ceiling with cells of `cell_size`
  * @param points, indices all that was scanned
  * @return by increasing key; none of them is a cell of the ceiling
- * O(cells of the boxes around the ceiling), O(n) more if there are such gaps. */
+ * O(cells of the boxes around the ceiling), O(n) more if there may be such gaps. */
 CellSet sweepGaps(const Level& ceiling,
                   double cell_size,
                   const PointView& points,
