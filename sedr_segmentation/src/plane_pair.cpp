@@ -43,10 +43,11 @@ levelsOf(const PointView& points,
   levels.reserve(indices.size());
   for (const int i : indices) {
     const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
-    const bool is_near = p.cwiseAbs().maxCoeff() < farthest; // no NaN is
-    levels.push_back(is_near && p.allFinite() ? static_cast<std::int32_t>(std::floor(
-                                                    across.dot(p) / slab_height))
-                                              : no_level);
+    const bool is_near = std::abs(p.x()) < farthest && std::abs(p.y()) < farthest &&
+                         std::abs(p.z()) < farthest; // no NaN is
+    const double height = is_near ? across.dot(p) / slab_height : 0;
+    const auto whole = static_cast<std::int32_t>(height); // std::floor() is a call
+    levels.push_back(is_near ? whole - (height < whole ? 1 : 0) : no_level);
   }
   return levels;
 }

@@ -81,7 +81,10 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
     outlier_removal.setMinimumSupportedCells(supported);
   }
   enlarged_from_ = 0;
-  cloud.reset(new Cloud(*thinned));
+  // Points are added where something hides a ceiling: a thirtieth at most, mostly.
+  cloud.reset(new Cloud);
+  cloud->reserve(thinned->size() + thinned->size() / 30);
+  *cloud = *thinned;
   scanned_points_ = cloud->size();
   labels.assign(cloud->size(), 0);
   rooms.assign(cloud->size(), 0);
