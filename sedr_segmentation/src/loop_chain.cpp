@@ -76,7 +76,7 @@ findCorner(const PlanCurve& a,
   const bool run_alike = sineBetween(a, b, place) < alike;
   if (run_alike && gap > parameters.tolerance)
     return false;
-  double nearest = 4 * parameters.corner_reach;
+  double nearest = corner_reaches * parameters.corner_reach;
   bool is_found = false;
   for (const auto& p : intersections(a, b))
     if ((p - place).norm() < nearest) {

@@ -55,6 +55,9 @@ Eigen::Vector2d nearestPass(const PlanCurve& a, const PlanCurve& b);
 /** @brief A straight link that nobody saw. */
 LoopLink bridgeBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
+/** @brief How many corner reaches from its place a corner may be. */
+constexpr double corner_reaches = 4;
+
 /** @brief Where two curves that follow each other join, near `place`: where they cross
  * or, of curves that run alike there and pass each other within half the tolerance,
  * where they are nearest to each other.

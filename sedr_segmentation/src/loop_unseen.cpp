@@ -2,6 +2,7 @@
 #include "loop_unseen.h"
 
 #include "link_fit.h"
+#include "link_replacement.h"
 #include "link_views.h"
 #include "loop_window.h"
 #include "main_directions.h"
@@ -106,32 +107,6 @@ chordOf(const LoopChain& chain, std::size_t i)
   return chord;
 }
 
-/** @brief Puts a line in the place of a link; false where it does not meet those beside
- * it, or one would run backwards. */
-bool
-putLine(std::size_t i,
-        const PlanCurve& line,
-        const LoopParameters& parameters,
-        LoopChain& chain)
-{
-  const PlanElement e = chain.element(i);
-  const std::size_t before = chain.before(i);
-  const std::size_t after = chain.after(i);
-  LoopChain changed = chain;
-  changed.links[i].curve = line;
-  changed.links[i].is_bridge = false;
-  if (!findCorner(chain.links[before].curve, line, e.start, parameters,
-                  changed.corners[i]) ||
-      !findCorner(line, chain.links[after].curve, e.end, parameters,
-                  changed.corners[after]))
-    return false;
-  for (const std::size_t k : {before, i, after})
-    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
-      return false;
-  chain = std::move(changed);
-  return true;
-}
-
 /** @brief Puts a line in the place of a link and of a shorter one beside it that runs
  * alike, so that the line does not meet it, and is hardly seen.
  * @return the position of that one, which is left out; the number of links where there
@@ -165,29 +140,6 @@ putLineOverBoth(std::size_t i,
     return k;
   }
   return chain.size();
-}
-
-/** @brief Leaves a link out where those beside it meet near it; false where they do
- * not, or one would run backwards. */
-bool
-dropLink(std::size_t i, const LoopParameters& parameters, LoopChain& chain)
-{
-  const PlanElement e = chain.element(i);
-  const std::size_t before = chain.before(i);
-  const std::size_t after = chain.after(i);
-  LoopChain changed = chain;
-  if (chain.size() < 4 ||
-      !findCorner(chain.links[before].curve, chain.links[after].curve,
-                  (e.start + e.end) / 2, parameters, changed.corners[after]))
-    return false;
-  changed.corners[i] = changed.corners[after];
-  for (const std::size_t k : {before, after})
-    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
-      return false;
-  changed.links.erase(changed.links.begin() + static_cast<std::ptrdiff_t>(i));
-  changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(i));
-  chain = std::move(changed);
-  return true;
 }
 
 /** @brief Root mean square distance of points from a curve. */
@@ -228,6 +180,27 @@ straightenArcs(const PlanPoints& evidence,
   }
 }
 
+/** @brief Leaves out the links beside one that are shorter than `least_length` and as
+ * little seen: they lead to where the view ended.
+ * @param[in,out] i the position of the link */
+void
+dropShortBeside(std::size_t& i,
+                double least_length,
+                const LoopParameters& parameters,
+                std::vector<double>& shares,
+                LoopChain& chain)
+{
+  for (const bool is_before : {true, false}) {
+    const std::size_t k = is_before ? chain.before(i) : chain.after(i);
+    if (chain.element(k).length() >= least_length ||
+        shares[k] >= oblique_unseen_below ||
+        !dropLink(k, least_length, parameters, chain))
+      continue;
+    shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(k));
+    i -= k < i ? 1 : 0;
+  }
+}
+
 /** @brief Mends an unseen link that runs along no wall, as the end of what can be seen
  * of a ceiling does: links beside it that are about square to each other meet; those
  * that run alike are joined by a line square to them.
@@ -238,14 +211,15 @@ straightenOblique(std::size_t i,
                   const LoopParameters& parameters,
                   LoopChain& chain)
 {
-  constexpr double square = 0.7; // sines
+  constexpr double square = 0.7;         // sines
+  constexpr double deepest_corner = 1.2; // that a wardrobe across it hides, metres
   constexpr double alike = 0.35;
   const PlanElement e = chain.element(i);
   const Eigen::Vector2d middle = (e.start + e.end) / 2;
   const PlanCurve& before = chain.links[chain.before(i)].curve;
   const double sine = sineBetween(before, chain.links[chain.after(i)].curve, middle);
   if (sine >= square)
-    return dropLink(i, parameters, chain);
+    return dropLink(i, deepest_corner, parameters, chain);
   if (sine > alike)
     return false;
   PlanCurve line;
@@ -285,6 +259,7 @@ squareUnseenLinks(LoopChain& chain,
       line.point = line.project((e.start + e.end) / 2);
       if (!turnTo(directionsBeside(chain, i, directions), line) &&
           !turnTo(directions, line)) {
+        dropShortBeside(i, least_length, parameters, shares, chain);
         if (straightenOblique(i, samples, parameters, chain)) {
           shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));
           continue;

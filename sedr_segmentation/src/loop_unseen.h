@@ -12,8 +12,9 @@ namespace sedr {
  * seen, which says little of its shape: it becomes straight, gets the direction of a
  * wall that was seen, or square to it, if that is within 20 degrees, and lies where the
  * ceiling reaches farthest, as what is below it is inside. What runs along no wall ends
- * where the view did: walls beside it that are about square meet instead, and such that
- * run alike are joined squarely. A short step beside it that is hardly seen gives way.
+ * where the view did: walls beside it that are about square meet instead, up to 1.2 m
+ * behind it, as behind a wardrobe across a corner, and such that run alike are joined
+ * squarely. A short step beside it that is hardly seen gives way.
  * An arc of which less than half was seen becomes a segment, too, where that agrees as
  * well. */
 void squareUnseenLinks(LoopChain& chain,

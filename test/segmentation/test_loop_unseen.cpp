@@ -60,6 +60,27 @@ TEST(SquareUnseenLinks, AStepThatIsHardlySeenGivesWay)
       }
 }
 
+TEST(SquareUnseenLinks, WallsMeetInACornerThatAWardrobeAcrossItHides)
+{
+  // The ceiling was seen up to the shadow of the wardrobe, which starts a little before
+  // one of the walls.
+  const PlanLoop truth = rectangle(0, 0, 5, 4);
+  for (const double hidden : {0.9, 1.5}) {
+    const Corners straight{{hidden, 0}, {5, 0}, {5, 4}, {0, 4}, {0, hidden}};
+    const Corners stepped{{hidden, 0.08}, {hidden, 0}, {5, 0},
+                          {5, 4},         {0, 4},      {0, hidden}};
+    for (const Corners& corners : {straight, stepped})
+      for (std::size_t by = 0; by < corners.size(); ++by) {
+        LoopChain chain = chainAlong(rotated(corners, by));
+        std::vector<Vector2d> points = wallPoints(truth, 0, [&](const Vector2d& p) {
+          return p.x() > hidden + 0.1 || p.y() > hidden + 0.1;
+        });
+        squareUnseenLinks(chain, {}, PlanPoints(std::move(points), 0.1), {});
+        expectLoop(chain.loop(), truth, 0.01);
+      }
+  }
+}
+
 TEST(SquareUnseenLinks, AnArcOfWhichOnlyAStraightPieceWasSeenIsStraight)
 {
   // A circle of 16 m radius through (6, 0) and (6, 4), a room to the left of it.
