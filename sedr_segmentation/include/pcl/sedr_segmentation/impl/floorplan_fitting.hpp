@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_segmentation/ceiling_slits.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
@@ -77,8 +78,9 @@ FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
   sedr::RefitParameters parameters;
   parameters.threads = parameters_.threads;
   const Indices all; // by none are all meant there; a temporary would copy the others
-  const sedr::RefitReport report =
-      sedr::refitToRaw(plan, raw_(), raw_indices_ ? *raw_indices_ : all, parameters);
+  const Indices& indices = raw_indices_ ? *raw_indices_ : all;
+  sedr::leaveOutBelowSlits(plan, raw_(), indices, parameters_.threads);
+  const sedr::RefitReport report = sedr::refitToRaw(plan, raw_(), indices, parameters);
   if (!report.problem.empty())
     warnings_.push_back("the plan is not fitted to the raw cloud: " + report.problem);
   sedr::regularisePlan(plan);

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slit_faces.h"
+
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_segmentation/plan_refit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double reach = 0.05;      ///< of the points of a face, metres from it
+constexpr double end_margin = 0.05; ///< from its ends, where other faces are
+constexpr double before_low = 0.08; ///< where the ceiling before a face is looked at
+constexpr double before_high = 0.4; ///< from it, metres
+constexpr double body_low = 0.1;    ///< below the ceiling, where the face is for sure
+constexpr double body_high = 0.25;  ///< metres
+constexpr double slit_low = 0.045;  ///< below the ceiling: of a slit of 5 cm, and noise
+constexpr double least_slit = 0.01; ///< that noise must leave, metres
+constexpr double least_noise = 0.015; ///< of a ceiling, metres
+constexpr std::size_t most_points = 1000000;
+
+using Bins = std::array<std::size_t, SlitFace::Counts::bins>;
+
+/** @brief The bin of a distance below the ceiling. */
+std::size_t
+binOf(double below)
+{
+  const double bin = (below - SlitFace::Counts::highest) / SlitFace::Counts::step;
+  return static_cast<std::size_t>(
+      std::clamp(bin, 0.0, static_cast<double>(SlitFace::Counts::bins)));
+}
+
+std::size_t
+countBetween(const Bins& counts, double low, double high)
+{
+  const std::size_t first = binOf(low);
+  const std::size_t last = std::max(first, binOf(high));
+  return std::accumulate(counts.begin() + static_cast<std::ptrdiff_t>(first),
+                         counts.begin() + static_cast<std::ptrdiff_t>(last),
+                         std::size_t{0});
+}
+
+/** @brief The distance below the ceiling that a share of the points is above. */
+double
+quantileOf(const Bins& counts, double share)
+{
+  const double all = static_cast<double>(
+      std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  double passed = 0;
+  for (std::size_t b = 0; b < counts.size(); ++b) {
+    const auto here = static_cast<double>(counts[b]);
+    if (passed + here >= share * all && here > 0)
+      return SlitFace::Counts::highest +
+             SlitFace::Counts::step *
+                 (static_cast<double>(b) + (share * all - passed) / here);
+    passed += here;
+  }
+  return 0;
+}
+
+} // namespace
+
+SlitFace::SlitFace(const PlanRoom& room, const PlanElement& element)
+    : element_(element)
+{
+  const double middle = element.length() / 2;
+  const Eigen::Vector2d before =
+      element.pointAt(middle) + 0.1 * element.normalAt(middle);
+  ceiling_ = room.ceilingSlab(room.detailAt(before));
+  low_ = high_ = element.start.array();
+  constexpr int parts = 8;
+  for (int k = 0; k <= parts; ++k) {
+    const Eigen::Array2d place = element.pointAt(element.length() * k / parts).array();
+    low_ = low_.min(place);
+    high_ = high_.max(place);
+  }
+  low_ -= before_high;
+  high_ += before_high;
+}
+
+void
+SlitFace::Counts::add(const Counts& other)
+{
+  for (std::size_t b = 0; b < bins; ++b) {
+    face[b] += other.face[b];
+    ceiling[b] += other.ceiling[b];
+  }
+}
+
+void
+SlitFace::count(const Eigen::Vector3f& point, Counts& counts) const
+{
+  const Eigen::Vector2d p = point.head<2>().cast<double>();
+  if ((p.array() < low_).any() || (p.array() > high_).any())
+    return;
+  const double below = ceiling_.heightAt(p) - point.z();
+  if (!(below >= Counts::highest && binOf(below) < Counts::bins))
+    return;
+  const double s = element_.project(p);
+  const double margin = std::min(end_margin, element_.length() / 4);
+  if (s < margin || s > element_.length() - margin)
+    return;
+  const double before = element_.normalAt(s).dot(p - element_.pointAt(s));
+  if (std::abs(before) <= reach)
+    ++counts.face[binOf(below)];
+  else if (before >= before_low && before <= before_high && below < -Counts::highest)
+    ++counts.ceiling[binOf(below)];
+}
+
+double
+SlitFace::lowest() const
+{
+  double height = std::numeric_limits<double>::infinity();
+  for (const double x : {low_.x(), high_.x()})
+    for (const double y : {low_.y(), high_.y()})
+      height = std::min(height, ceiling_.heightAt({x, y}));
+  return height - Counts::highest - Counts::step * static_cast<double>(Counts::bins);
+}
+
+SlitFace::Top
+SlitFace::top() const
+{
+  constexpr double least_expected = 8; // points
+  constexpr double most_share = 0.4;
+  constexpr double sigma = 0.341; // share of the points up to one above: no lamps there
+  const double plane = quantileOf(counts_.ceiling, 0.5);
+  const double spread = plane - quantileOf(counts_.ceiling, 0.5 - sigma);
+  const double noise = std::max(least_noise, 3 * spread);
+  const std::size_t body =
+      countBetween(counts_.face, plane + body_low, plane + body_high);
+  const double slit = std::max(slit_low, noise + least_slit);
+  if (slit > body_low)
+    return Top::Unknown;
+  const double bins = static_cast<double>(binOf(plane + slit)) -
+                      static_cast<double>(binOf(plane + noise));
+  const double expected =
+      static_cast<double>(body) * bins * Counts::step / (body_high - body_low);
+  if (expected < least_expected)
+    return Top::Unknown;
+  const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
+  return static_cast<double>(seen) <= most_share * expected ? Top::Slit : Top::Ceiling;
+}
+
+void
+countAtFaces(const std::vector<SlitFace*>& faces,
+             const PointView& raw,
+             const std::vector<int>& indices,
+             unsigned threads)
+{
+  const std::size_t all = indices.empty() ? raw.size() : indices.size();
+  const std::size_t step = rawStep(all, most_points);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const SlitFace* face : faces)
+    lowest = std::min(lowest, face->lowest());
+  std::mutex adding;
+  constexpr std::size_t points_a_block = 65536;
+  parallelBlocks(
+      all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<SlitFace::Counts> counts(faces.size());
+        for (std::size_t k = begin; k < end; ++k) {
+          const std::size_t i = k * step;
+          const Eigen::Vector3f p =
+              raw[indices.empty() ? i : static_cast<std::size_t>(indices[i])];
+          if (!(p.z() >= lowest) || !std::isfinite(p.z()))
+            continue;
+          for (std::size_t f = 0; f < faces.size(); ++f)
+            faces[f]->count(p, counts[f]);
+        }
+        const std::lock_guard<std::mutex> lock(adding);
+        for (std::size_t f = 0; f < faces.size(); ++f)
+          faces[f]->add(counts[f]);
+      });
+}
+
+} // namespace sedr
+} // namespace pcl
