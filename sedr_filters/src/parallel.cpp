@@ -1,47 +1,145 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/parallel.h>
 
-#include <omp.h>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
 
 #include <algorithm>
-#include <cstdint>
+#include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
 
 namespace pcl {
 namespace sedr {
 
+namespace {
+
+using Body = std::function<void(std::size_t, std::size_t)>;
+
+/** @brief Whether this thread is one of several on some blocks: what these call is not
+ * shared out once more. */
+thread_local bool shares_blocks = false;
+
+/** @brief The blocks of a call, which threads take one after another. */
+class Blocks {
+public:
+  Blocks(std::size_t n, std::size_t block, const Body& body)
+      : n_(n)
+      , block_(block)
+      , count_((n + block - 1) / block)
+      , body_(body)
+  {}
+
+  std::size_t count() const { return count_; }
+
+  /** @brief Works on blocks until none is left to take. Who comes later does nothing,
+   * and not look at the body, which may be gone. */
+  void work()
+  {
+    for (std::size_t b = next_++; b < count_; b = next_++) {
+      try {
+        body_(b * block_, std::min(n_, (b + 1) * block_));
+      }
+      catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!failure_)
+          failure_ = std::current_exception();
+      }
+      if (++finished_ == count_) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        all_finished_.notify_all();
+      }
+    }
+  }
+
+  /** @brief Waits for those that others have taken. Throws the first exception of any.
+   */
+  void finish()
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    all_finished_.wait(lock, [&] { return finished_ == count_; });
+    if (failure_)
+      std::rethrow_exception(failure_);
+  }
+
+private:
+  const std::size_t n_;
+  const std::size_t block_;
+  const std::size_t count_;
+  const Body& body_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::size_t> finished_{0};
+  std::mutex mutex_;
+  std::condition_variable all_finished_;
+  std::exception_ptr failure_;
+};
+
+/** @brief Threads that sleep until there is work for them: such that wait busily, as
+ * OpenMP's do, take the processor from those who work where other programs run. */
+class Helpers {
+public:
+  /** @brief Never destroyed: a process may end while they sleep. */
+  static Helpers& shared()
+  {
+    static auto* const helpers = new Helpers;
+    return *helpers;
+  }
+
+  /** @brief Lets `count` threads help with blocks. */
+  void help(const std::shared_ptr<Blocks>& blocks, std::size_t count)
+  {
+    attach(count);
+    for (std::size_t k = 0; k < count; ++k)
+      boost::asio::post(pool_, [blocks] {
+        shares_blocks = true;
+        blocks->work();
+      });
+  }
+
+private:
+  Helpers()
+      : pool_(1)
+  {}
+
+  void attach(std::size_t count)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (; threads_ < count; ++threads_)
+      std::thread([this] { pool_.attach(); }).detach();
+  }
+
+  boost::asio::thread_pool pool_;
+  std::mutex mutex_;
+  std::size_t threads_ = 1;
+};
+
+} // namespace
+
 unsigned
 resolveThreads(unsigned requested)
 {
-  return requested > 0 ? requested
-                       : static_cast<unsigned>(std::max(1, omp_get_num_procs()));
+  return requested > 0 ? requested : std::max(1u, std::thread::hardware_concurrency());
 }
 
 void
-parallelBlocks(std::size_t n,
-               std::size_t block,
-               unsigned threads,
-               const std::function<void(std::size_t, std::size_t)>& body)
+parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& body)
 {
-  block = std::max<std::size_t>(block, 1);
-  const auto blocks = static_cast<std::int64_t>((n + block - 1) / block);
-  const auto team = static_cast<int>(std::min<std::int64_t>(
-      resolveThreads(threads), std::max<std::int64_t>(blocks, 1)));
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(team)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    try {
-      const std::size_t begin = static_cast<std::size_t>(b) * block;
-      body(begin, std::min(n, begin + block));
-    }
-    catch (...) {
-#pragma omp critical(sedr_parallel_blocks)
-      if (!failure)
-        failure = std::current_exception();
-    }
+  const auto blocks =
+      std::make_shared<Blocks>(n, std::max<std::size_t>(block, 1), body);
+  const std::size_t team =
+      shares_blocks ? 1
+                    : std::min<std::size_t>(resolveThreads(threads), blocks->count());
+  if (team > 1) {
+    Helpers::shared().help(blocks, team - 1);
+    shares_blocks = true;
   }
-  if (failure)
-    std::rethrow_exception(failure);
+  blocks->work();
+  if (team > 1)
+    shares_blocks = false;
+  blocks->finish();
 }
 
 } // namespace sedr

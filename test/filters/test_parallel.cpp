@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,66 @@ TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
     });
   };
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST(ParallelBlocks, AllAreVisitedThoughSomeThrow)
+{
+  std::vector<int> visits(1000, 0);
+  const auto run = [&] {
+    pcl::sedr::parallelBlocks(visits.size(), 1, 3, [&](std::size_t k, std::size_t) {
+      ++visits[k];
+      if (k % 100 == 7)
+        throw std::runtime_error("7");
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+TEST(ParallelBlocks, WithinABlockAreWorkedOnByItsThread)
+{
+  std::vector<int> visits(100, 0);
+  pcl::sedr::parallelBlocks(10, 1, 4, [&](std::size_t k, std::size_t) {
+    const auto own = std::this_thread::get_id();
+    pcl::sedr::parallelBlocks(10, 1, 4, [&](std::size_t i, std::size_t) {
+      EXPECT_EQ(std::this_thread::get_id(), own);
+      ++visits[10 * k + i];
+    });
+  });
+  EXPECT_EQ(visits, std::vector<int>(100, 1));
+}
+
+TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
+{
+  // Each waits for the others: fewer threads would never end.
+  for (const unsigned threads : {2u, 5u}) {
+    std::atomic<unsigned> here{0};
+    pcl::sedr::parallelBlocks(threads, 1, threads, [&](std::size_t, std::size_t) {
+      ++here;
+      while (here < threads)
+        std::this_thread::yield();
+    });
+    EXPECT_EQ(here, threads);
+  }
+}
+
+TEST(ParallelBlocks, OfSeveralCallersAreAllVisited)
+{
+  std::vector<std::vector<int>> visits(4, std::vector<int>(2000, 0));
+  std::vector<std::thread> callers;
+  for (auto& own : visits)
+    callers.emplace_back([&own] {
+      for (int round = 0; round < 20; ++round)
+        pcl::sedr::parallelBlocks(own.size(), 10, 3,
+                                  [&](std::size_t begin, std::size_t end) {
+                                    for (std::size_t i = begin; i < end; ++i)
+                                      ++own[i];
+                                  });
+    });
+  for (auto& caller : callers)
+    caller.join();
+  for (const auto& own : visits)
+    EXPECT_EQ(own, std::vector<int>(2000, 20));
 }
 
 TEST(SortParallel, LeavesEqualValuesAsTheyStandForAnyNumberOfThreads)
