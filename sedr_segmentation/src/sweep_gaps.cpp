@@ -14,9 +14,9 @@ namespace sedr {
 
 namespace {
 
-constexpr double widest_gap = 0.6; ///< between two lines of a sweep, metres
-constexpr int line_width = 3;      ///< cells of a line across, at most
-constexpr int least_region = 4;    ///< cells of a part of a line
+constexpr double widest_gap = 0.6;  ///< between two lines of a sweep, metres
+constexpr double line_width = 0.15; ///< at most, metres
+constexpr double least_line = 0.4;  ///< of the part of a line that is seen, metres
 
 /** @brief How near the ceiling what stands or hangs in a gap is looked for, metres. */
 constexpr double reach = 0.6;
@@ -36,9 +36,10 @@ struct Gap {
 /** @brief Finds the gaps between a line of a sweep and what is on either side of it. */
 class GapFinder {
 public:
-  GapFinder(const CellSet& ceiling, const CellBox& box, int widest)
+  GapFinder(const CellSet& ceiling, const CellBox& box, double cell_size)
       : seen_(ceiling, box)
-      , widest_(widest)
+      , widest_(cellsFor(widest_gap, cell_size))
+      , line_(std::max(1, cellsFor(line_width, cell_size)))
   {}
 
   void find(std::vector<Gap>& gaps) const
@@ -70,8 +71,7 @@ private:
     int run = 0;
     const auto close = [&](Cell end) { // the first cell behind `run`
       const int back = run + gap;
-      if (before > 0 && gap > 0 && gap <= widest_ &&
-          std::min(before, run) <= line_width)
+      if (before > 0 && gap > 0 && gap <= widest_ && std::min(before, run) <= line_)
         gaps.push_back({{end.x - back * way.x, end.y - back * way.y}, way, gap});
       before = run;
     };
@@ -92,21 +92,30 @@ private:
   }
 
   const CellMask seen_;
-  const int widest_;
+  const int widest_; ///< gap, and
+  const int line_;   ///< line, in cells
 };
 
+/** @brief The gaps between parts of the ceiling that are as long as what is seen of a
+ * line: specks at its height are none. */
 std::vector<Gap>
 gapsBetweenLines(const CellSet& ceiling, double cell_size)
 {
-  const int widest = cellsFor(widest_gap, cell_size);
   std::vector<CellBox> boxes;
-  for (const CellSet& region : connectedRegions(ceiling))
-    if (region.size() >= least_region)
-      boxes.push_back(boxOf(region));
+  std::vector<CellKey> keys;
+  for (const CellSet& region : connectedRegions(ceiling)) {
+    const CellBox box = boxOf(region);
+    const int length = std::max(box.high.x - box.low.x, box.high.y - box.low.y) + 1;
+    if (length * cell_size < least_line)
+      continue;
+    boxes.push_back(box);
+    keys.insert(keys.end(), region.keys().begin(), region.keys().end());
+  }
+  const CellSet lines(std::move(keys));
   std::vector<Gap> gaps;
-  for (const CellBox& box : clusterBoxes(boxes, widest))
+  for (const CellBox& box : clusterBoxes(boxes, cellsFor(widest_gap, cell_size)))
     if (maskProblem(box).empty())
-      GapFinder(ceiling, box, widest).find(gaps);
+      GapFinder(lines, box, cell_size).find(gaps);
   return gaps;
 }
 
@@ -120,24 +129,10 @@ cellsOf(const std::vector<Gap>& gaps)
   return CellSet(std::move(keys));
 }
 
-/** @brief The cells and their neighbours. */
-CellSet
-withNeighbours(const CellSet& cells)
-{
-  std::vector<CellKey> keys;
-  keys.reserve(9 * cells.size());
-  for (const CellKey key : cells.keys())
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
-        keys.push_back(keyOf({cellOf(key).x + dx, cellOf(key).y + dy}));
-  return CellSet(std::move(keys));
-}
-
 /** @brief The lowest and the highest place of a slab above some cells, metres. */
 std::pair<double, double>
-heightsAbove(const CellSet& cells, const PlanSlab& slab, const CellGrid& grid)
+heightsAbove(const CellBox& box, const PlanSlab& slab, const CellGrid& grid)
 {
-  const CellBox box = grown(boxOf(cells), 1);
   std::pair<double, double> heights{std::numeric_limits<double>::infinity(),
                                     -std::numeric_limits<double>::infinity()};
   for (const std::int32_t x : {box.low.x, box.high.x})
@@ -148,57 +143,57 @@ heightsAbove(const CellSet& cells, const PlanSlab& slab, const CellGrid& grid)
   return heights;
 }
 
-/** @brief Which of some cells hold anything just below or above the ceiling. */
-std::vector<std::uint8_t>
-takenOf(const CellSet& cells,
-        const PlanSlab& ceiling,
-        const CellGrid& grid,
-        const PointView& points,
-        const std::vector<int>& indices)
+/** @brief The cells that hold anything just below or above the ceiling, and those
+ * between such as are a gap apart: far away walls are seen as sparsely. */
+CellMask
+takenCells(const CellBox& box,
+           const PlanSlab& ceiling,
+           const CellGrid& grid,
+           const PointView& points,
+           const std::vector<int>& indices)
 {
-  std::vector<std::uint8_t> taken(cells.size(), 0);
-  const CellBox box = boxOf(cells);
-  const auto [low, high] = heightsAbove(cells, ceiling, grid);
+  CellMask taken(box);
+  const auto [low, high] = heightsAbove(grown(box, 1), ceiling, grid);
   for (const int i : indices) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     if (!(p.z() > low - reach && p.z() < high + reach) || !grid.holds(p.x(), p.y()))
       continue;
-    const double off = std::abs(p.z() - ceiling.heightAt(p.head<2>().cast<double>()));
     const Cell cell = grid.at(p.x(), p.y());
-    if (off <= noise || off >= reach || cell.x < box.low.x || cell.x > box.high.x ||
-        cell.y < box.low.y || cell.y > box.high.y)
+    if (!taken.isInside(cell))
       continue;
-    const std::size_t at = cells.find(cell);
-    if (at != CellSet::npos)
-      taken[at] = 1;
+    const double off = std::abs(p.z() - ceiling.heightAt(p.head<2>().cast<double>()));
+    if (off > noise && off < reach)
+      taken.set(cell, 1);
   }
-  return taken;
+  const int half = cellsFor(widest_gap / 2, grid.size());
+  return eroded(dilated(taken, half), half);
 }
 
 } // namespace
 
 CellSet
 sweepGaps(const Level& ceiling,
+          const CellSet& others,
           double cell_size,
           const PointView& points,
           const std::vector<int>& indices)
 {
   const std::vector<Gap> gaps = gapsBetweenLines(ceiling.cells, cell_size);
-  if (gaps.empty())
-    return {};
   const CellSet cells = cellsOf(gaps);
-  // A wall along which the scanner looks is as sparse: its neighbours count.
-  const CellSet around = withNeighbours(cells);
-  const std::vector<std::uint8_t> taken =
-      takenOf(around, ceiling.slab, CellGrid(cell_size), points, indices);
-  const auto isTaken = [&](Cell cell) {
-    return anyAround(around, cell, 1, [&](std::size_t i) { return taken[i] != 0; });
-  };
+  const CellBox box = grown(boxOf(cells), cellsFor(widest_gap, cell_size));
+  if (gaps.empty() || !maskProblem(box).empty())
+    return {};
+  CellMask taken = takenCells(box, ceiling.slab, CellGrid(cell_size), points, indices);
+  for (const CellKey key : others.keys())
+    if (taken.isInside(cellOf(key)))
+      taken.set(cellOf(key), 1);
+  // A wall along which the scanner looks is sparse: its neighbours count.
+  taken = dilated(taken, 1);
   std::vector<std::uint8_t> ways(cells.size(), 0);
   for (const Gap& gap : gaps) {
     bool is_free = true;
     for (int k = 0; k < gap.length && is_free; ++k)
-      is_free = !isTaken(gap.at(k));
+      is_free = taken.at(gap.at(k)) == 0;
     for (int k = 0; k < gap.length && is_free; ++k)
       ++ways[cells.find(gap.at(k))];
   }

@@ -4,11 +4,13 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/enclosed_regions.h>
 #include <pcl/sedr_segmentation/plane_list.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/sweep_gaps.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace pcl {
@@ -47,21 +49,42 @@ StructureChain::keepRegions(std::size_t ceiling,
 void
 StructureChain::fillSweepGaps(const pcl::Indices& all)
 {
+  constexpr double one_storey = 1;   // metres between ceilings, at most
+  constexpr double worth_a_word = 1; // square metres
   const double size = outlier_removal.getGridSize();
   const CellGrid grid(size);
-  for (Level& level : levels_) {
-    if (level.kind != LevelKind::Ceiling)
-      continue;
-    const CellSet gaps = sweepGaps(level, size, PointView(*cloud), all);
-    for (std::size_t i = 0; i < gaps.size(); ++i) {
-      level.inliers.push_back(static_cast<int>(cloud->size()));
-      const Eigen::Vector2d place = grid.centre(gaps[i]);
+  std::vector<CellSet> gaps(levels_.size());
+  parallelBlocks(
+      levels_.size(), 1, room_segmentation.threads, [&](std::size_t l, std::size_t) {
+        if (levels_[l].kind != LevelKind::Ceiling)
+          return;
+        CellSet others;
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+          if (k != l && levels_[k].kind == LevelKind::Ceiling &&
+              std::abs(levels_[k].height - levels_[l].height) < one_storey)
+            others = unite(others, levels_[k].cells);
+        gaps[l] = sweepGaps(levels_[l], others, size, PointView(*cloud), all);
+      });
+  std::size_t filled = 0;
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    for (std::size_t i = 0; i < gaps[l].size(); ++i, ++filled) {
+      levels_[l].inliers.push_back(static_cast<int>(cloud->size()));
+      const Eigen::Vector2d place = grid.centre(gaps[l][i]);
       cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
-                        static_cast<float>(level.slab.heightAt(place))});
+                        static_cast<float>(levels_[l].slab.heightAt(place))});
     }
-  }
   labels.resize(cloud->size(), 0);
   rooms.resize(cloud->size(), 0);
+  const double area = static_cast<double>(filled) * size * size;
+  if (area < worth_a_word)
+    return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "%.1f square metres of ceilings were seen in lines of a scanner's sweep "
+      "only: what is between these was filled in",
+      area);
+  warnings.push_back(text);
 }
 
 bool

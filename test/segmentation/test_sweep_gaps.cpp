@@ -33,14 +33,16 @@ sweptCeiling()
 }
 
 CellSet
-gapsOf(const RoomPoints& points, const std::vector<int>& ceiling)
+gapsOf(const RoomPoints& points,
+       const std::vector<int>& ceiling,
+       const CellSet& others = {})
 {
   Level level;
   level.kind = LevelKind::Ceiling;
   level.slab = slabAt(top);
   level.inliers = ceiling;
   level.cells = CellSet(CellGrid(cell), points.view(), ceiling);
-  return sweepGaps(level, cell, points.view(), points.all());
+  return sweepGaps(level, others, cell, points.view(), points.all());
 }
 
 bool
