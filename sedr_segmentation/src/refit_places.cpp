@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_places.h"
 
+#include <pcl/sedr_segmentation/plan_curve.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,6 +46,28 @@ boundsOf(const PlanLoop& loop)
     high = high.cwiseMax(p);
   }
   return {low, high};
+}
+
+double
+widthOf(const PlanLoop& loop)
+{
+  const std::vector<Eigen::Vector2d> corners = loop.polygon(0.01);
+  const auto [low, high] = boundsOf(loop);
+  double width = (high - low).minCoeff();
+  for (const PlanElement& e : loop.elements) {
+    const Eigen::Vector2d chord = e.end - e.start;
+    if (!(chord.norm() > 0))
+      continue;
+    const Eigen::Vector2d across = leftOf(chord).normalized();
+    double least = across.dot(e.start);
+    double most = least;
+    for (const Eigen::Vector2d& p : corners) {
+      least = std::min(least, across.dot(p));
+      most = std::max(most, across.dot(p));
+    }
+    width = std::min(width, most - least);
+  }
+  return width;
 }
 
 void

@@ -29,6 +29,7 @@ struct RefitSlab {
   std::size_t parent = 0; ///< whose direction it has
   Eigen::Vector2d half =
       Eigen::Vector2d::Zero(); ///< extent of its loop about the middle
+  double width = 0;            ///< of its loop, where that is narrowest, metres
   std::size_t along = 0;       ///< patches along x
   std::size_t rows = 0;        ///< patches along y
 };
@@ -84,6 +85,9 @@ struct RefitPlaces {
 
 /** @brief Smallest box around a loop, which must not be empty. */
 std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOf(const PlanLoop& loop);
+
+/** @brief The least extent of a loop square to any of its elements' chords. */
+double widthOf(const PlanLoop& loop);
 
 } // namespace sedr
 } // namespace pcl

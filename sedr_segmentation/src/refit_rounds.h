@@ -74,6 +74,10 @@ private:
    * only, radians. */
   static constexpr double largest_deviation_of_turn = 0.005;
 
+  /** @brief A narrower slab, such as the bottom of a niche, is shifted only: the walls
+   * on its sides would turn it, metres. */
+  static constexpr double least_width = 0.5;
+
   /** @brief Half width of the band of points that count, in standard deviations. */
   static constexpr double band_sigmas = 3;
 
@@ -158,8 +162,10 @@ private:
     };
     if (t >= curves_.curves.size()) {
       const std::size_t k = t - curves_.curves.size();
-      return targets_.parent(k) == k && tellsDirection(targets_.narrowExtent(k)) ? 3
-                                                                                 : 1;
+      const double width = targets_.widthOfSlab(k);
+      return targets_.parent(k) == k && width >= least_width && tellsDirection(width)
+                 ? 3
+                 : 1;
     }
     if (curves_.curves[t].curve.isCircle())
       return 3;

@@ -179,34 +179,35 @@ RefitTargets::findGaps()
 /** @brief Numbers a slab; one that is parallel to `parallel_to` follows `parent`. */
 std::size_t
 RefitTargets::addSlab(PlanSlab& slab,
-                      const Eigen::Vector2d& middle,
-                      const Eigen::Vector2d& half,
+                      const PlanLoop& loop,
                       const PlanSlab* parallel_to,
                       std::size_t parent)
 {
   const bool follows = parallel_to && isParallel(slab, *parallel_to);
-  places_.slabs.push_back(
-      {&slab, middle, follows ? parent : places_.slabs.size(), half});
+  const auto [from, to] = boundsOf(loop);
+  RefitSlab added;
+  added.slab = &slab;
+  added.middle = (from + to) / 2;
+  added.parent = follows ? parent : places_.slabs.size();
+  added.half = (to - from) / 2;
+  added.width = widthOf(loop);
+  places_.slabs.push_back(added);
   return places_.slabs.size() - 1;
 }
 
 void
 RefitTargets::addSlabs(PlanRoom& room)
 {
-  const auto add = [&](PlanSlab& slab, const PlanLoop& loop,
-                       const PlanSlab* parallel_to, std::size_t parent) {
-    const auto [from, to] = boundsOf(loop);
-    return addSlab(slab, (from + to) / 2, (to - from) / 2, parallel_to, parent);
-  };
-  const std::size_t ceiling = add(room.ceiling, room.boundary, nullptr, 0);
+  const std::size_t ceiling = addSlab(room.ceiling, room.boundary, nullptr, 0);
   for (auto& detail : room.details)
-    add(detail.slab, detail.boundary, &room.ceiling, ceiling);
-  const std::size_t floor = add(room.floor, room.boundary, nullptr, 0);
+    addSlab(detail.slab, detail.boundary, &room.ceiling, ceiling);
+  const std::size_t floor = addSlab(room.floor, room.boundary, nullptr, 0);
   for (auto& detail : room.floor_details)
-    add(detail.slab, detail.boundary, &room.floor, floor);
+    addSlab(detail.slab, detail.boundary, &room.floor, floor);
   for (auto& niche : room.niches) {
-    const std::size_t bottom = add(niche.bottom, niche.boundary, &room.floor, floor);
-    const std::size_t top = add(niche.top, niche.boundary, &room.ceiling, ceiling);
+    const std::size_t bottom =
+        addSlab(niche.bottom, niche.boundary, &room.floor, floor);
+    const std::size_t top = addSlab(niche.top, niche.boundary, &room.ceiling, ceiling);
     places_.niches.push_back({&niche, bottom, top});
   }
 

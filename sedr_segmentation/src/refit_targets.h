@@ -47,11 +47,8 @@ public:
   /** @brief The slab whose direction slab `k` has; `k` itself where it has its own. */
   std::size_t parent(std::size_t k) const { return places_.slabs[k].parent; }
 
-  /** @brief Width or depth of a slab, whichever is less, metres. */
-  double narrowExtent(std::size_t k) const
-  {
-    return 2 * places_.slabs[k].half.minCoeff();
-  }
+  /** @brief Width of a slab where it is narrowest, metres. */
+  double widthOfSlab(std::size_t k) const { return places_.slabs[k].width; }
 
   /** @brief Length of the shown part of a curve that is looked at, metres. */
   double lengthOf(std::size_t curve) const { return length_[curve]; }
@@ -138,8 +135,7 @@ private:
   void findGaps();
   void addSlabs(PlanRoom& room);
   std::size_t addSlab(PlanSlab& slab,
-                      const Eigen::Vector2d& middle,
-                      const Eigen::Vector2d& half,
+                      const PlanLoop& loop,
                       const PlanSlab* parallel_to,
                       std::size_t parent);
 
