@@ -98,6 +98,45 @@ isLamp(const CellMask& region,
          10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
+/** @brief Adds a piece of a ceiling or floor to a map as a detail, or as one for each
+ * field into which what is below it parts it, such as beams below a soffit. What is
+ * left of it beside these goes with the largest.
+ * @param least cells of a detail */
+void
+addFields(const PointView& points,
+          const SlabEvidence& evidence,
+          const PlanSlab& main_slab,
+          const Level& level,
+          CellMask piece,
+          std::size_t least,
+          const RoomFitParameters& parameters,
+          HeightMap& map)
+{
+  constexpr std::size_t least_part = 4; // of the least area of a detail
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] > 0)
+      piece.values()[i] = 0;
+  const MaskRegions fields = labelRegions(piece, true);
+  if (fields.sizes.empty())
+    return;
+  const PlanSlab slab =
+      detailSlab(points, evidence, main_slab, level, piece, parameters);
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(fields.sizes.begin(), fields.sizes.end()) -
+      fields.sizes.begin());
+  std::vector<std::int32_t> number(fields.sizes.size(), 0);
+  for (std::size_t f = 0; f < fields.sizes.size(); ++f)
+    if (f == largest || least_part * fields.sizes[f] >= least) {
+      map.details.push_back(slab);
+      number[f] = static_cast<std::int32_t>(map.details.size());
+    }
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (fields.label[i] >= 0) {
+      const auto field = static_cast<std::size_t>(fields.label[i]);
+      map.label[i] = number[field] > 0 ? number[field] : number[largest];
+    }
+}
+
 } // namespace
 
 double
@@ -157,10 +196,6 @@ seenHeights(const PointView& points,
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     cells =
         intersect(cells, unite(dilated(eroded(cells, opening), opening + 1), beams));
-    // What is below a level, such as a beam, parts it.
-    for (std::size_t i = 0; i < map.label.size(); ++i)
-      if (map.label[i] > 0)
-        cells.values()[i] = 0;
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < std::max(least, enough))
@@ -168,11 +203,7 @@ seenHeights(const PointView& points,
       const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
       if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size()))
         continue;
-      map.details.push_back(
-          detailSlab(points, evidence, main_slab, level, region, parameters));
-      for (std::size_t i = 0; i < map.label.size(); ++i)
-        if (regions.label[i] == static_cast<std::int32_t>(r))
-          map.label[i] = static_cast<std::int32_t>(map.details.size());
+      addFields(points, evidence, main_slab, level, region, least, parameters, map);
     }
   }
   if (!evidence.is_floor)

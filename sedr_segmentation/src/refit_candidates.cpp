@@ -20,16 +20,18 @@ RefitCandidates::Upright::Upright(const RefitStretch& stretch, EvenShare share_o
 
 RefitCandidates::RefitCandidates(const RefitTargets& targets,
                                  double far,
-                                 const std::vector<EvenShare>& shares)
+                                 const LookedAt& looked_at)
     : places_(targets.places())
     , far_(far)
-    , shares_(shares)
+    , looked_at_(looked_at)
     , first_slab_(targets.size() - places_.slabs.size())
 {
   for (const RefitStretch& stretch : places_.stretches)
-    uprights_.emplace_back(stretch, shares[stretch.curve]);
+    uprights_.emplace_back(stretch, looked_at.of_surface[stretch.curve]);
   for (const RefitSlab& slab : places_.slabs)
     planes_.push_back(slab.slab->plane);
+  for (std::size_t k = 0; k < places_.slabs.size(); ++k)
+    first_patches_.push_back(targets.firstPatch(first_slab_ + k));
   for (const RefitRoomMap& map : places_.rooms)
     rooms_.push_back({heightsOf(map.ceilings, map), heightsOf(map.floors, map)});
   tellParts();
@@ -48,16 +50,17 @@ RefitCandidates::tellParts()
       for (const std::uint32_t u : places_.stretches_near.ofCell({x, y}))
         raiseParts({x, y}, uprights_[u].share);
       for (const std::uint32_t n : places_.niches_near.ofCell({x, y})) {
-        raiseParts({x, y}, shares_[first_slab_ + places_.niches[n].bottom]);
-        raiseParts({x, y}, shares_[first_slab_ + places_.niches[n].top]);
+        raiseParts({x, y},
+                   looked_at_.of_surface[first_slab_ + places_.niches[n].bottom]);
+        raiseParts({x, y}, looked_at_.of_surface[first_slab_ + places_.niches[n].top]);
       }
     }
   for (const RefitRoomMap& map : places_.rooms)
-    tellParts(map);
+    tellPartsOf(map);
 }
 
 void
-RefitCandidates::tellParts(const RefitRoomMap& map)
+RefitCandidates::tellPartsOf(const RefitRoomMap& map)
 {
   for (std::int32_t y = 0; y < map.height; ++y)
     for (std::int32_t x = 0; x < map.width; ++x) {
@@ -68,10 +71,25 @@ RefitCandidates::tellParts(const RefitRoomMap& map)
       const CellBox box =
           overlapOf(places_.rooms_near.boxAround(low, high), parts_.box());
       for (const std::int32_t slab : {map.ceiling[i], map.floor[i]})
-        for (std::int32_t v = box.low.y; slab >= 0 && v <= box.high.y; ++v)
-          for (std::int32_t u = box.low.x; u <= box.high.x; ++u)
-            raiseParts({u, v}, shares_[first_slab_ + static_cast<std::size_t>(slab)]);
+        if (slab >= 0)
+          tellPartsOf(static_cast<std::size_t>(slab), {low, high}, box);
     }
+}
+
+/** @brief Those of the patches of a slab in a rectangle. */
+void
+RefitCandidates::tellPartsOf(std::size_t slab,
+                             const std::array<Eigen::Vector2d, 2>& corners,
+                             const CellBox& box)
+{
+  for (const Eigen::Vector2d& p :
+       {corners[0], corners[1], Eigen::Vector2d(corners[0].x(), corners[1].y()),
+        Eigen::Vector2d(corners[1].x(), corners[0].y())}) {
+    const std::size_t patch = RefitTargets::patchOf(places_.slabs[slab], p);
+    for (std::int32_t v = box.low.y; v <= box.high.y; ++v)
+      for (std::int32_t u = box.low.x; u <= box.high.x; ++u)
+        raiseParts({u, v}, looked_at_.of_patch[first_patches_[slab] + patch]);
+  }
 }
 
 void

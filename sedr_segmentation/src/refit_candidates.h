@@ -4,10 +4,22 @@
 #include "even_share.h"
 #include "refit_targets.h"
 
+#include <array>
 #include <limits>
 
 namespace pcl {
 namespace sedr {
+
+/** @brief Which of the points that may show a surface are looked at: all, at first. */
+struct LookedAt {
+  explicit LookedAt(const RefitTargets& targets)
+      : of_surface(targets.size())
+      , of_patch(targets.patchCount())
+  {}
+
+  std::vector<EvenShare> of_surface;
+  std::vector<EvenShare> of_patch; ///< of slabs; no more than of the surface
+};
 
 /** @brief Tells which surfaces of a plan a point of the scan may show by its place, as
  * they are when this is made. For one thread: it notes the cell that it was last asked
@@ -15,11 +27,8 @@ namespace sedr {
 class RefitCandidates {
 public:
   /** @param far slabs are told of points at most so many metres from them
-   * @param shares of the points that may show each surface
-   * @param targets must outlive this, as `shares` must */
-  RefitCandidates(const RefitTargets& targets,
-                  double far,
-                  const std::vector<EvenShare>& shares);
+   * @param targets must outlive this, as `looked_at` must */
+  RefitCandidates(const RefitTargets& targets, double far, const LookedAt& looked_at);
 
   /** @brief Whether point `k`, if it is finite, may be in the share of any surface near
    * by: of most points no more is to be asked. */
@@ -100,7 +109,10 @@ private:
   void enter(Cell cell);
   Heights heightsOf(const RefitSlabRange& slabs, const RefitRoomMap& map) const;
   void tellParts();
-  void tellParts(const RefitRoomMap& map);
+  void tellPartsOf(const RefitRoomMap& map);
+  void tellPartsOf(std::size_t slab,
+                   const std::array<Eigen::Vector2d, 2>& corners,
+                   const CellBox& box);
   void raiseParts(Cell cell, const EvenShare& share);
 
   template <typename Note>
@@ -153,18 +165,21 @@ private:
   void
   noteNear(std::size_t k, std::size_t slab, const Eigen::Vector3d& p, Note note) const
   {
-    if (shares_[first_slab_ + slab].holds(k) &&
-        std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) <= far_)
-      note(first_slab_ + slab, RefitTargets::patchOf(places_.slabs[slab], p.head<2>()));
+    if (std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) > far_)
+      return;
+    const std::size_t patch = RefitTargets::patchOf(places_.slabs[slab], p.head<2>());
+    if (looked_at_.of_patch[first_patches_[slab] + patch].holds(k))
+      note(first_slab_ + slab, patch);
   }
 
   const RefitPlaces& places_;
   double far_;
-  const std::vector<EvenShare>& shares_;
+  const LookedAt& looked_at_;
   std::size_t first_slab_; ///< number of the first slab
   std::vector<Upright> uprights_;
   std::vector<Room> rooms_;
-  std::vector<Eigen::Vector4d> planes_; ///< of the slabs
+  std::vector<Eigen::Vector4d> planes_;    ///< of the slabs
+  std::vector<std::size_t> first_patches_; ///< of the slabs
   CellMask parts_; ///< of the points in a cell that are looked at, in 128ths
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero(); ///< its corner, metres
 

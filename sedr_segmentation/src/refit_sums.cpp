@@ -40,31 +40,45 @@ Sightings::Sightings(const RawPoints& raw,
                      const EnoughPoints& enough)
     : raw_(raw)
     , targets_(targets)
-    , looked_at_(sharesFor(enough))
+    , looked_at_(enoughOf(enough))
 {
   find();
 }
 
-/** @brief What is enough of each surface, by what a few of the points show. */
-std::vector<EvenShare>
-Sightings::sharesFor(const EnoughPoints& enough) const
+/** @brief What is enough of each surface, by what a few of the points show; of slabs of
+ * each patch, as those far from the scanner tell how a slab leans. */
+LookedAt
+Sightings::enoughOf(const EnoughPoints& enough) const
 {
-  constexpr std::size_t step = 16;
+  constexpr std::size_t step = 17; // no rhythm in which a scanner turns
   RawPoints few = raw_;
   few.step *= step;
-  std::vector<std::size_t> counts(targets_.size(), 0);
-  for (const Block& block : lookAt(few, std::vector<EvenShare>(targets_.size())))
+  LookedAt looked_at(targets_);
+  std::vector<std::size_t> of_surface(targets_.size(), 0);
+  std::vector<std::size_t> of_patch(targets_.patchCount(), 0);
+  const std::size_t first_slab = targets_.size() - targets_.slabCount();
+  for (const Block& block : lookAt(few, looked_at))
     for (const Part& part : block)
-      for (std::size_t t = 0; t < counts.size(); ++t)
-        counts[t] += step * (part.first[t + 1] - part.first[t]);
-  std::vector<EvenShare> shares;
-  for (std::size_t t = 0; t < counts.size(); ++t) {
-    const std::size_t most =
-        std::max(enough.of_surface, enough.of_patch * targets_.shownPatches(t));
-    shares.emplace_back(static_cast<double>(most) /
-                        static_cast<double>(std::max<std::size_t>(1, counts[t])));
+      for (std::size_t t = 0; t < targets_.size(); ++t) {
+        of_surface[t] += step * (part.first[t + 1] - part.first[t]);
+        for (std::size_t k = part.first[t]; k < part.first[t + 1] && t >= first_slab;
+             ++k)
+          of_patch[targets_.firstPatch(t) + part.sightings[k].place] += step;
+      }
+  const auto shareOf = [](std::size_t most, std::size_t all) {
+    return EvenShare(static_cast<double>(most) /
+                     static_cast<double>(std::max<std::size_t>(1, all)));
+  };
+  for (std::size_t t = 0; t < targets_.size(); ++t) {
+    const std::size_t shown = std::max<std::size_t>(1, targets_.shownPatches(t));
+    const std::size_t most = std::max(enough.of_surface, enough.of_patch * shown);
+    if (t < first_slab)
+      looked_at.of_surface[t] = shareOf(most, of_surface[t]);
+    for (std::size_t p = targets_.firstPatch(t);
+         p < targets_.firstPatch(t + 1) && t >= first_slab; ++p)
+      looked_at.of_patch[p] = shareOf(most / shown, of_patch[p]);
   }
-  return shares;
+  return looked_at;
 }
 
 void
@@ -85,7 +99,7 @@ Sightings::find()
 /** @brief In blocks whose number does not depend on that of the threads, so that no sum
  * over them does. */
 std::vector<Sightings::Block>
-Sightings::lookAt(const RawPoints& raw, const std::vector<EvenShare>& shares) const
+Sightings::lookAt(const RawPoints& raw, const LookedAt& looked_at) const
 {
   constexpr std::size_t most_blocks = 8;
   constexpr std::size_t least_block = std::size_t{1} << 16;
@@ -94,7 +108,7 @@ Sightings::lookAt(const RawPoints& raw, const std::vector<EvenShare>& shares) co
   std::vector<Block> blocks((n + block - 1) / block);
   // A slab that leans otherwise than before is a little farther from a point.
   const RefitCandidates candidates(targets_, targets_.reach() + 2 * farthest_slab,
-                                   shares);
+                                   looked_at);
   parallelBlocks(n, block, raw.threads, [&](std::size_t begin, std::size_t end) {
     blocks[begin / block] = lookAt(raw, candidates, begin, end);
   });

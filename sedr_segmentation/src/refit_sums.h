@@ -128,9 +128,8 @@ private:
   };
 
   void find();
-  std::vector<EvenShare> sharesFor(const EnoughPoints& enough) const;
-  std::vector<Block> lookAt(const RawPoints& raw,
-                            const std::vector<EvenShare>& shares) const;
+  LookedAt enoughOf(const EnoughPoints& enough) const;
+  std::vector<Block> lookAt(const RawPoints& raw, const LookedAt& looked_at) const;
   Block lookAt(const RawPoints& raw,
                RefitCandidates candidates,
                std::size_t begin,
@@ -141,7 +140,7 @@ private:
 
   const RawPoints& raw_;
   const RefitTargets& targets_;
-  std::vector<EvenShare> looked_at_; ///< of the points of each surface
+  LookedAt looked_at_;
   std::vector<Block> blocks_;
   std::vector<Share> shares_; ///< by surface, then block
   std::vector<PlanSlab> slabs_were_;

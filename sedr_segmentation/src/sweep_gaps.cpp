@@ -33,13 +33,15 @@ struct Gap {
   Cell at(int k) const { return {first.x + k * way.x, first.y + k * way.y}; }
 };
 
-/** @brief Finds the gaps between a line of a sweep and what is on either side of it. */
+/** @brief Finds the gaps between a line and what is on either side of it. */
 class GapFinder {
 public:
-  GapFinder(const CellSet& ceiling, const CellBox& box, double cell_size)
-      : seen_(ceiling, box)
-      , widest_(cellsFor(widest_gap, cell_size))
-      , line_(std::max(1, cellsFor(line_width, cell_size)))
+  /** @param widest gap, and
+   * @param line widest line, in cells */
+  GapFinder(CellMask seen, int widest, int line)
+      : seen_(std::move(seen))
+      , widest_(widest)
+      , line_(line)
   {}
 
   void find(std::vector<Gap>& gaps) const
@@ -92,8 +94,8 @@ private:
   }
 
   const CellMask seen_;
-  const int widest_; ///< gap, and
-  const int line_;   ///< line, in cells
+  const int widest_;
+  const int line_;
 };
 
 /** @brief The gaps between parts of the ceiling that are as long as what is seen of a
@@ -113,9 +115,11 @@ gapsBetweenLines(const CellSet& ceiling, double cell_size)
   }
   const CellSet lines(std::move(keys));
   std::vector<Gap> gaps;
-  for (const CellBox& box : clusterBoxes(boxes, cellsFor(widest_gap, cell_size)))
+  const int widest = cellsFor(widest_gap, cell_size);
+  for (const CellBox& box : clusterBoxes(boxes, widest))
     if (maskProblem(box).empty())
-      GapFinder(lines, box, cell_size).find(gaps);
+      GapFinder(CellMask(lines, box), widest, cellsFor(line_width, cell_size))
+          .find(gaps);
   return gaps;
 }
 
@@ -165,8 +169,13 @@ takenCells(const CellBox& box,
     if (off > noise && off < reach)
       taken.set(cell, 1);
   }
-  const int half = cellsFor(widest_gap / 2, grid.size());
-  return eroded(dilated(taken, half), half);
+  std::vector<Gap> gaps;
+  GapFinder(taken, cellsFor(widest_gap, grid.size()), std::numeric_limits<int>::max())
+      .find(gaps);
+  for (const Gap& gap : gaps)
+    for (int k = 0; k < gap.length; ++k)
+      taken.set(gap.at(k), 1);
+  return taken;
 }
 
 } // namespace

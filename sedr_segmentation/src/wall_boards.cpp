@@ -24,6 +24,8 @@ constexpr double corner = 0.1;         ///< whose points may be those of the nex
 constexpr double least_behind = 0.012; ///< of the wall, from the line
 constexpr double least_width = 0.4;    ///< of all parts before which boards hang
 constexpr double least_depth = 0.02;   ///< of a board
+constexpr double low_band = 0.3;       ///< where a slot may be
+constexpr double least_beside = 0.4;   ///< of the wall, beside what ends in a low band
 constexpr double most_scatter = 0.012; ///< of the parts of a straight wall
 
 constexpr std::size_t least_points = 3; ///< of a part
@@ -98,6 +100,7 @@ struct WallPart {
   double board = 0;
   bool has_wall = false;
   bool has_board = false;
+  bool goes_down = false; ///< what is under is the wall, too
 };
 
 std::vector<WallPart>
@@ -117,6 +120,7 @@ partsOf(const PlanElement& wall,
     own.board = middleOf(own.under);
     own.has_board = own.has_wall && own.under.size() >= least_points &&
                     own.board - own.wall > least_depth;
+    own.goes_down = own.has_wall && own.under.size() >= least_points && !own.has_board;
   }
   return parts;
 }
@@ -156,9 +160,13 @@ struct Board {
 };
 
 /** @brief The board before a wall, if what is seen just below the ceiling is straight
- * and behind the line. */
+ * and behind the line.
+ * @param is_beside_wall whether the wall must be seen beside it, too: else what a low
+ * band shows may be a slot along the ceiling */
 std::optional<Board>
-boardBefore(const PlanElement& wall, const std::vector<WallPart>& parts)
+boardBefore(const PlanElement& wall,
+            const std::vector<WallPart>& parts,
+            bool is_beside_wall)
 {
   const auto lengthOf = [&](bool WallPart::*has) {
     return part * static_cast<double>(
@@ -166,7 +174,8 @@ boardBefore(const PlanElement& wall, const std::vector<WallPart>& parts)
                                     [&](const WallPart& own) { return own.*has; }));
   };
   if (lengthOf(&WallPart::has_wall) < least_share * wall.length() ||
-      lengthOf(&WallPart::has_board) < least_width)
+      lengthOf(&WallPart::has_board) < least_width ||
+      (is_beside_wall && lengthOf(&WallPart::goes_down) < least_beside))
     return {};
   std::ptrdiff_t above_boards = 0;
   std::ptrdiff_t surplus = 0;
@@ -192,17 +201,28 @@ boardBefore(const PlanElement& wall, const std::vector<WallPart>& parts)
   return Board{line, middleOf(depths), behind.size()};
 }
 
+/** @brief Whether an element is a wall from corner to corner, and not what stands
+ * forward between short steps. */
+bool
+isWhole(const PlanLoop& boundary, std::size_t i)
+{
+  const std::size_t n = boundary.elements.size();
+  return boundary.elements[(i + n - 1) % n].length() > least_length &&
+         boundary.elements[(i + 1) % n].length() > least_length;
+}
+
 /** @brief The board that most of the wall shows, as high a band below the ceiling as
  * may be. */
 std::optional<Board>
 largestBoard(const PlanElement& wall,
              const std::vector<UprightPlace>& places,
-             const std::vector<Beside>& beside)
+             const std::vector<Beside>& beside,
+             bool is_whole)
 {
   std::optional<Board> largest;
   for (const double band : top_bands) {
-    const std::optional<Board> board =
-        boardBefore(wall, partsOf(wall, places, beside, band));
+    const std::optional<Board> board = boardBefore(
+        wall, partsOf(wall, places, beside, band), is_whole && band < low_band);
     if (board && (!largest || board->parts > largest->parts))
       largest = board;
   }
@@ -216,11 +236,13 @@ leaveOutBoards(const PlanLoop& boundary, std::vector<UprightPlace>& places)
 {
   std::vector<std::uint8_t> is_board(places.size(), 0);
   bool has_any = false;
-  for (const PlanElement& wall : boundary.elements) {
+  for (std::size_t i = 0; i < boundary.elements.size(); ++i) {
+    const PlanElement& wall = boundary.elements[i];
     if (wall.length() < least_length || isOfPartition(wall, boundary))
       continue;
     const std::vector<Beside> beside = placesBeside(wall, places);
-    const std::optional<Board> board = largestBoard(wall, places, beside);
+    const std::optional<Board> board =
+        largestBoard(wall, places, beside, isWhole(boundary, i));
     if (!board)
       continue;
     for (const Beside& b : beside) {

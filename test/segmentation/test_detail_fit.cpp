@@ -77,6 +77,21 @@ TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
   }
 }
 
+TEST(FitDetails, FieldsBetweenBeamsMayBeSmallerThanADetail)
+{
+  // Of 0.27 square metres, of which beams take their edges.
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
+  room.details = {detailOf(rectangle(0.01, 4.11, 6.01, 5.01), 2.35)};
+  for (double x = 0.31; x < 6; x += 0.6)
+    room.details.push_back(detailOf(rectangle(x, 4.11, x + 0.3, 5.01), 2.2));
+  PlanRoom found = room;
+  found.details = detailsOf(room, false, 0.001);
+  int right = 0;
+  for (int k = 1; k < 10; ++k)
+    right += std::abs(found.ceilingAt({0.16 + 0.6 * k, 4.56}) - 2.35) < 0.02 ? 1 : 0;
+  EXPECT_GE(right, 8);
+}
+
 TEST(FitDetails, TheLargestComesFirst)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);

@@ -110,3 +110,37 @@ TEST(SweepGaps, StayOutOfAColumnWhoseBackWasNotSeen)
     for (double x = 3.78; x < 4.2; x += cell)
       EXPECT_FALSE(isGapAt(gaps, x, y)) << x << ' ' << y;
 }
+
+TEST(SweepGaps, AreNoneBetweenSpecks)
+{
+  RoomPoints points(cell);
+  points.slab(rectangle(0, 0, 4, 4), top, [](double x, double y) {
+    return std::fmod(x, 0.3) < cell && std::fmod(y, 0.3) < cell;
+  });
+  EXPECT_TRUE(gapsOf(points, points.all()).empty());
+}
+
+TEST(SweepGaps, AreNoneWhereAnotherCeilingWasSeen)
+{
+  const RoomPoints points = sweptCeiling();
+  const CellGrid grid(cell);
+  std::vector<CellKey> coffer;
+  for (double y = 2.43; y < 2.78; y += cell)
+    for (double x = 3.03; x < 5; x += cell)
+      coffer.push_back(keyOf(grid.at(x, y)));
+  const CellSet gaps = gapsOf(points, points.all(), CellSet(std::move(coffer)));
+  EXPECT_FALSE(isGapAt(gaps, 4.03, 2.63));
+  EXPECT_TRUE(isGapAt(gaps, 1.03, 2.63));
+}
+
+TEST(SweepGaps, EndAtAWallThatIsSeenAsSparsely)
+{
+  RoomPoints points = sweptCeiling();
+  const std::vector<int> ceiling = points.all();
+  for (double x = 1; x < 7; x += 0.4)
+    for (double z = 1; z < top - 0.1; z += cell)
+      points.point(x, 2.63, z);
+  const CellSet gaps = gapsOf(points, ceiling);
+  for (double x = 2.03; x < 6; x += cell)
+    EXPECT_FALSE(isGapAt(gaps, x, 2.63)) << x;
+}

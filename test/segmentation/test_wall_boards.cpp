@@ -82,6 +82,21 @@ TEST(FitRoom, NorIsAPictureBeforeAPartOfAWall)
   }
 }
 
+TEST(FitRoom, AWallBelowASlotAlongTheCeilingIsNoBoard)
+{
+  for (const double high : {0.13, 0.2})
+    for (const double depth : {0.02, 0.05}) {
+      // What hangs before the wall goes from corner to corner: it is the wall.
+      const RoomWithBoard scene(depth, 0, ceiling - high, 0.001, 0.02, 5);
+      const PlanRoom room = fitted(scene.points, scene.parts);
+      EXPECT_EQ(room.boundary.elements.size(), 4u) << high << ' ' << depth;
+      double lowest = 1;
+      for (const PlanElement& e : room.boundary.elements)
+        lowest = std::min(lowest, e.start.y());
+      EXPECT_NEAR(lowest, 0.01 + depth, 0.02) << high << ' ' << depth;
+    }
+}
+
 TEST(FitRoom, APartOfAWallThatStandsForwardUpToTheCeilingStays)
 {
   const PlanLoop outline = polygon({{0.01, 0.01},

@@ -55,9 +55,9 @@ struct RefitReport {
  *
  * Where the other face of a partition is near, points between the faces are left to it.
  *
- * O(n) for n points, in a pass over all and four over those near a surface; the same
- * for any number of threads. It notes which points show what: 16 bytes for each
- * surface that a point may show, mostly one: of 5 million about 80 MiB. A plan with an
+ * O(n) for n points, in a pass over all and four over a share of those near a surface;
+ * the same for any number of threads. It notes which points show what, 16 bytes for
+ * each surface that one may show: of 5 million 80 MiB at most, mostly. A plan with an
  * empty loop, or one larger than a table of its cells may be, stays as it is, and the
  * report says why.
  * @param raw the scan; points that are not finite are left out
