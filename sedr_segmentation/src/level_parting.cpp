@@ -29,60 +29,14 @@ fitsAll(const Eigen::Vector3d& normal,
   });
 }
 
-Moments
-momentsOf(const std::vector<const LevelRegion*>& regions)
-{
-  Moments all = regions.front()->moments;
-  for (std::size_t r = 1; r < regions.size(); ++r)
-    all = all + regions[r]->moments;
-  return all;
-}
-
 /** @brief Whether one plane through all of some regions fits each of them. */
 bool
 areOnOnePlane(const std::vector<const LevelRegion*>& regions)
 {
-  const Moments all = momentsOf(regions);
+  Moments all = regions.front()->moments;
+  for (std::size_t r = 1; r < regions.size(); ++r)
+    all = all + regions[r]->moments;
   return fitsAll(all.normal(), all.mean, regions);
-}
-
-/** @brief How far off the plane of some moments a region is, more than off its own:
- * metres, squared. */
-double
-excessOf(const Moments& all, const LevelRegion& region)
-{
-  return region.moments.variance(all.normal(), all.mean) - region.variance;
-}
-
-/** @brief Gives those regions that stay only because the plane leans towards them to
- * those that do not and are clearly of one plane with them: the other parts of their
- * own ceiling, which beams part from them. Low steps are not told so: what is beyond
- * one is hardly known apart from it. */
-void
-followTheirOwn(std::vector<const LevelRegion*>& stay,
-               std::vector<const LevelRegion*>& others)
-{
-  constexpr double least = 0.002 * 0.002; // noise of planes
-  constexpr double clearly = 4;           // twice as near
-  for (std::size_t r = 1; r < stay.size();) {
-    const LevelRegion* region = stay[r];
-    const double here = excessOf(momentsOf(stay), *region);
-    const bool is_theirs =
-        here > least && region->beyond_steps.empty() &&
-        std::any_of(others.begin(), others.end(), [&](const LevelRegion* other) {
-          const Moments both = other->moments + region->moments;
-          return other->beyond_steps.empty() &&
-                 clearly * std::max(excessOf(both, *region), excessOf(both, *other)) <
-                     here;
-        });
-    if (!is_theirs) {
-      ++r;
-      continue;
-    }
-    others.push_back(region);
-    stay.erase(stay.begin() + static_cast<std::ptrdiff_t>(r));
-    r = 1;
-  }
 }
 
 /** @brief Whether the plane of a level fits each of some regions of it. */
@@ -195,7 +149,6 @@ partLevel(const LevelColumns& columns,
   }
   if (stay.empty())
     return false;
-  followTheirOwn(stay, others);
   std::vector<std::uint8_t> kept(cells.size(), 0);
   std::vector<int> own;
   for (const LevelRegion* region : stay) {

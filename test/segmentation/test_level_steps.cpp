@@ -60,32 +60,6 @@ TEST(LevelSteps, LowOnesPartRegionsThatTheyBoundButNotRoomsBeyondAWall)
   EXPECT_EQ(levelsOf(points).size(), 2u);
 }
 
-TEST(LevelSteps, PartsOfACeilingBetweenBeamsAreNotSplitOverALeaningLevel)
-{
-  // Of 2.65 m; beyond a hall, 13 m away, is one of 2.72 m, to which a plane through two
-  // parts of it would lean by a quarter of a degree.
-  RoomPoints points(0.05, 0.01);
-  PlanRoom low = roomOf(rectangle(0, 0.75, 7.2, 5.8), 2.65);
-  for (const double x : {2.25, 4.65})
-    low.details.push_back(detailOf(rectangle(x, 0.75, x + 0.3, 5.8), 2.3));
-  const RoomParts parts = points.room(low);
-  PlanRoom hall = roomOf(rectangle(7.3, -0.4, 14.7, 4.5), 3.3);
-  for (const double x : {9.0, 10.85, 12.7})
-    hall.details.push_back(detailOf(rectangle(x, -0.4, x + 0.3, 4.5), 2.74));
-  points.room(hall);
-  points.room(rectangle(14.9, 0.1, 21.8, 4.95), 0, 2.72);
-  for (const Level& level : levelsOf(points)) {
-    std::size_t own = 0;
-    for (const int i : level.inliers)
-      own += std::binary_search(parts.ceiling.begin(), parts.ceiling.end(), i) ? 1 : 0;
-    if (own > 100) {
-      EXPECT_NEAR(level.slab.heightAt({1, 3}), 2.65, 0.005);
-      EXPECT_NEAR(level.slab.heightAt({7, 3}), 2.65, 0.005);
-      EXPECT_GT(own, parts.ceiling.size() * 8 / 10);
-    }
-  }
-}
-
 TEST(LevelSteps, WhatNoiseBringsNearALevelStaysWithItsOwn)
 {
   // Beyond a partition, ten centimetres above: half of its points within the tolerance.
