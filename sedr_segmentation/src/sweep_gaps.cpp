@@ -178,6 +178,30 @@ takenCells(const CellBox& box,
   return taken;
 }
 
+/** @brief The gaps but for those that are few beside each other: between two lines, or
+ * rough edges. */
+CellMask
+withoutSmall(const CellMask& gaps, double cell_size)
+{
+  constexpr double least_area = 1; // square metres
+  const CellMask joined = dilated(gaps, cellsFor(line_width, cell_size));
+  const MaskRegions regions = labelRegions(joined, true);
+  std::vector<std::size_t> counts(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < gaps.values().size(); ++i)
+    if (gaps.values()[i])
+      ++counts[static_cast<std::size_t>(regions.label[i])];
+  CellMask large(gaps.box());
+  for (std::size_t i = 0; i < gaps.values().size(); ++i)
+    if (gaps.values()[i])
+      large.values()[i] =
+          static_cast<double>(counts[static_cast<std::size_t>(regions.label[i])]) *
+                      cell_size * cell_size >=
+                  least_area
+              ? 1
+              : 0;
+  return large;
+}
+
 } // namespace
 
 CellSet
@@ -208,11 +232,11 @@ sweepGaps(const Level& ceiling,
   }
   // Past the corner of a column whose back was not seen there is a way in one
   // direction.
-  std::vector<CellKey> found;
+  CellMask found(box);
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (ways[i] >= 2)
-      found.push_back(cells.keys()[i]);
-  return CellSet::fromSorted(std::move(found));
+      found.set(cells[i], 1);
+  return withoutSmall(found, cell_size).toSet();
 }
 
 } // namespace sedr

@@ -10,14 +10,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes out what hangs before walls and ends below the ceiling: pictures,
- * boards, panels, screens.
+/** @brief Takes out what hangs before walls and ends below the ceiling: boards, panels,
+ * screens.
  *
  * A board may cover so much of a wall that a line through most of the points is the
- * board's, or turned to it. But the wall reaches the ceiling. Where the 10 to 40 cm
- * below the ceiling show one straight surface behind the line, along most of it, and
- * what is under them stands before that, it is no wall. Strips are upright where they
- * show one behind a board.
+ * board's. But the wall reaches the ceiling. Where the 40 cm below the ceiling show one
+ * straight surface behind the line, along most of it, and what is under them stands
+ * before that, it is no wall.
  *
  * @param[in,out] places within reach of walls and elsewhere; the order stays
  * @return whether any were taken out. O(n m) for n places and m walls. */

@@ -11,22 +11,13 @@ namespace sedr {
 
 namespace {
 
-/** @brief Of what a point is part. */
-enum class Part { None, Upright, Strip };
-
-/** @brief What a point is part of: something upright, whose column is occupied without
- * a gap over at least 20 cm there, or a lower strip that goes up to the ceiling, of
- * which what hangs before a wall may hide the rest.
- * @param ceiling its height, metres */
-Part
-partAt(const ColumnTable& columns,
-       const CellGrid& grid,
-       const Eigen::Vector3f& p,
-       double ceiling)
+/** @brief Whether a point is part of something upright: its column is occupied without
+ * a gap over at least 20 cm there. */
+bool
+isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
 {
   constexpr double gap = 0.15;
   constexpr double least_length = 0.2;
-  constexpr double least_strip = 0.1;
   const Cell cell = grid.at(p.x(), p.y());
   const ColumnTable::Entry* const begin = columns.begin(cell);
   const ColumnTable::Entry* const end = columns.end(cell);
@@ -36,16 +27,13 @@ partAt(const ColumnTable& columns,
   const ColumnTable::Entry* low = std::lower_bound(
       begin, end, p.z(), [](const ColumnTable::Entry& e, float z) { return e.z < z; });
   if (low == end || (low->z > p.z() && isAfterGap(low)))
-    return Part::None;
+    return false;
   const ColumnTable::Entry* high = low + 1;
   while (!isAfterGap(low))
     --low;
   while (high != end && !isAfterGap(high))
     ++high;
-  if ((high - 1)->z - low->z >= least_length)
-    return Part::Upright;
-  return (high - 1)->z > ceiling - gap && ceiling - low->z >= least_strip ? Part::Strip
-                                                                          : Part::None;
+  return (high - 1)->z - low->z >= least_length;
 }
 
 } // namespace
@@ -62,26 +50,24 @@ uprightPlaces(const PointView& points,
   const auto placeOf = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
   };
-  const auto partOf = [&](int i) {
+  const auto isWall = [&](int i) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const double top = room.ceiling.heightAt(placeOf(i));
     const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
-    return p.z() > middle && p.z() < top - 0.05 ? partAt(columns, grid, p, top)
-                                                : Part::None;
+    return p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p);
   };
-  std::vector<Part> parts(indices.size(), Part::None);
+  std::vector<std::uint8_t> is_wall(indices.size(), 0);
   parallelBlocks(indices.size(), points_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t k = begin; k < end; ++k)
-                     parts[k] = partOf(indices[k]);
+                     is_wall[k] = isWall(indices[k]);
                  });
   std::vector<UprightPlace> upper;
   for (std::size_t k = 0; k < indices.size(); ++k)
-    if (parts[k] != Part::None) {
+    if (is_wall[k]) {
       const Eigen::Vector2d place = placeOf(indices[k]);
       const float z = points[static_cast<std::size_t>(indices[k])].z();
-      upper.push_back(
-          {place, room.ceiling.heightAt(place) - z, parts[k] == Part::Strip});
+      upper.push_back({place, room.ceiling.heightAt(place) - z});
     }
   return upper;
 }
@@ -92,8 +78,7 @@ inPlan(const std::vector<UprightPlace>& places)
   std::vector<Eigen::Vector2d> points;
   points.reserve(places.size());
   for (const UprightPlace& upright : places)
-    if (!upright.is_strip)
-      points.push_back(upright.place);
+    points.push_back(upright.place);
   return {std::move(points), 0.1};
 }
 

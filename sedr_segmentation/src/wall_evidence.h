@@ -13,8 +13,7 @@ namespace sedr {
 /** @brief A place in plan of a point on something upright. */
 struct UprightPlace {
   Eigen::Vector2d place;
-  double below = 0;      ///< the ceiling, metres
-  bool is_strip = false; ///< of a strip below the ceiling too low to tell what it is
+  double below = 0; ///< the ceiling, metres
 };
 
 /** @brief The places of those of some points that show walls or columns: upright things
@@ -26,7 +25,7 @@ std::vector<UprightPlace> uprightPlaces(const PointView& points,
                                         const CellGrid& grid,
                                         unsigned threads);
 
-/** @brief The same but for strips, heights forgotten. */
+/** @brief The same, heights forgotten. */
 PlanPoints inPlan(const std::vector<UprightPlace>& places);
 
 /** @brief What may show the walls of a room: what the growing found, and what is at the

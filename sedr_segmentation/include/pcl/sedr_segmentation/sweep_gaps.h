@@ -17,7 +17,8 @@ namespace sedr {
  * no wider than a line, 0.15 m, both are of parts of the ceiling at least 0.4 m long,
  * and where in it no other ceiling was seen and nothing stands or hangs 8 to 60 cm
  * below the ceiling or goes on as far above: walls, lintels, beams and columns stay
- * out, skylights without a shaft do not. A cell is such in two of these directions.
+ * out, skylights without a shaft do not. A cell is such in two of these directions,
+ * and there is a square metre of such cells together.
  *
  * @param ceiling with cells of `cell_size`
  * @param others cells where other ceilings were seen
