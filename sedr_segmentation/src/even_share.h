@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
+#include <Eigen/Core>
+
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief An even share of what is numbered: about as many of any numbers that follow
- * one another, or that a step apart, are in it. Told by the fractional part of their
- * multiples of the golden ratio (Knuth 1973, section 6.4). */
+/** @brief A share of points that is told by where each of them is, and by nothing else:
+ * not by their order nor by points beside them. */
 class EvenShare {
 public:
   /** @param share from 0 on; 1 or more for all */
@@ -19,28 +20,34 @@ public:
                         : std::numeric_limits<std::uint32_t>::max())
   {}
 
-  bool holds(std::size_t number) const { return placeOf(number) <= last_; }
+  /** @brief The number by which a point is in shares, as if drawn at random: that in
+   * some share is in all larger ones. */
+  static std::uint32_t numberOf(const Eigen::Vector3f& p)
+  {
+    std::uint32_t bits[3];
+    std::memcpy(bits, p.data(), sizeof bits);
+    std::uint64_t mixed = bits[0] * 0x9E3779B97F4A7C15U;
+    mixed = (mixed ^ (mixed >> 32) ^ bits[1]) * 0xBF58476D1CE4E5B9U;
+    mixed = (mixed ^ (mixed >> 32) ^ bits[2]) * 0x94D049BB133111EBU;
+    return static_cast<std::uint32_t>(mixed >> 32);
+  }
+
+  bool holds(std::uint32_t number) const { return number <= last_; }
 
   /** @brief The share in 128ths, rounded up. */
   std::uint8_t parts() const
   {
-    return static_cast<std::uint8_t>((last_ >> bits_of_place) + 1);
+    return static_cast<std::uint8_t>((last_ >> bits_of_part) + 1);
   }
 
   /** @brief Whether a number may be in a share of at most so many 128ths. */
-  static bool mayHold(std::uint8_t parts, std::size_t number)
+  static bool mayHold(std::uint8_t parts, std::uint32_t number)
   {
-    return placeOf(number) >> bits_of_place < parts;
+    return number >> bits_of_part < parts;
   }
 
 private:
-  static constexpr std::uint32_t golden_ratio = 2654435769; ///< of 2^32
-  static constexpr int bits_of_place = 25;                  ///< within a 128th
-
-  static std::uint32_t placeOf(std::size_t number)
-  {
-    return static_cast<std::uint32_t>(number) * golden_ratio;
-  }
+  static constexpr int bits_of_part = 25; ///< of the numbers in a 128th
 
   std::uint32_t last_;
 };

@@ -12,9 +12,9 @@ namespace sedr {
 
 /** @brief Which of the points that may show a surface are looked at: all, at first. */
 struct LookedAt {
-  explicit LookedAt(const RefitTargets& targets)
-      : of_surface(targets.size())
-      , of_patch(targets.patchCount())
+  explicit LookedAt(const RefitTargets& targets, EvenShare share = EvenShare())
+      : of_surface(targets.size(), share)
+      , of_patch(targets.patchCount(), share)
   {}
 
   std::vector<EvenShare> of_surface;
@@ -30,9 +30,9 @@ public:
    * @param targets must outlive this, as `looked_at` must */
   RefitCandidates(const RefitTargets& targets, double far, const LookedAt& looked_at);
 
-  /** @brief Whether point `k`, if it is finite, may be in the share of any surface near
-   * by: of most points no more is to be asked. */
-  bool mayShow(std::size_t k, const Eigen::Vector3f& p) const
+  /** @brief Whether a point of that number, if it is finite, may be in the share of any
+   * surface near by: of most points no more is to be asked. */
+  bool mayShow(std::uint32_t number, const Eigen::Vector3f& p) const
   {
     const Eigen::Array2d at =
         (p.head<2>().cast<double>() - low_).array() / RefitPlaces::table_cell;
@@ -41,15 +41,15 @@ public:
       return false;
     const auto i = static_cast<std::size_t>(static_cast<int>(at.y()) * parts_.width() +
                                             static_cast<int>(at.x()));
-    return EvenShare::mayHold(parts_.values()[i], k);
+    return EvenShare::mayHold(parts_.values()[i], number);
   }
 
-  /** @brief Calls `note(number, place)` for every surface that point `k` may show by
+  /** @brief Calls `note(number, place)` for every surface that a point may show by
    * its place, if it is one of the surface's share: one before which it is, and any
    * slab not too far from it. `place` is what does not change with the surface: the row
    * of patches of an upright, the patch of a slab. */
   template <typename Note>
-  void find(std::size_t k, const Eigen::Vector3d& p, Note note)
+  void find(std::uint32_t number, const Eigen::Vector3d& p, Note note)
   {
     const CellGrid& grid = places_.stretches_near.grid(); // that of all tables
     if (!grid.holds(p.x(), p.y()))
@@ -58,11 +58,11 @@ public:
     if (!(cell == cell_))
       enter(cell);
     if (uprights_here_.holds(p.z()))
-      findUprights(k, p, note);
+      findUprights(number, p, note);
     for (const std::uint32_t r : rooms_here_)
-      findSlabs(k, r, p, note);
+      findSlabs(number, r, p, note);
     for (const std::uint32_t n : niches_here_)
-      findNiche(k, places_.niches[n], p, note);
+      findNiche(number, places_.niches[n], p, note);
   }
 
 private:
@@ -116,19 +116,21 @@ private:
   void raiseParts(Cell cell, const EvenShare& share);
 
   template <typename Note>
-  void findUprights(std::size_t k, const Eigen::Vector3d& p, Note note) const
+  void findUprights(std::uint32_t number, const Eigen::Vector3d& p, Note note) const
   {
     for (const std::uint32_t u : stretches_here_) {
       const Upright& upright = uprights_[u];
-      if (upright.share.holds(k) && upright.heights.holds(p.z()) &&
+      if (upright.share.holds(number) && upright.heights.holds(p.z()) &&
           upright.isBeside(p.head<2>()))
         note(upright.curve, RefitTargets::rowOf(upright.heights.high, p.z()));
     }
   }
 
   template <typename Note>
-  void
-  findSlabs(std::size_t k, std::size_t room, const Eigen::Vector3d& p, Note note) const
+  void findSlabs(std::uint32_t number,
+                 std::size_t room,
+                 const Eigen::Vector3d& p,
+                 Note note) const
   {
     const bool may_be_ceiling = rooms_[room].ceiling.holds(p.z());
     const bool may_be_floor = rooms_[room].floor.holds(p.z());
@@ -142,13 +144,13 @@ private:
         static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(map.width) +
         static_cast<std::size_t>(at.x());
     if (may_be_ceiling && map.ceiling[i] >= 0)
-      noteNear(k, static_cast<std::size_t>(map.ceiling[i]), p, note);
+      noteNear(number, static_cast<std::size_t>(map.ceiling[i]), p, note);
     if (may_be_floor && map.floor[i] >= 0)
-      noteNear(k, static_cast<std::size_t>(map.floor[i]), p, note);
+      noteNear(number, static_cast<std::size_t>(map.floor[i]), p, note);
   }
 
   template <typename Note>
-  void findNiche(std::size_t k,
+  void findNiche(std::uint32_t number,
                  const RefitNiche& niche,
                  const Eigen::Vector3d& p,
                  Note note) const
@@ -157,18 +159,20 @@ private:
     const PlanLoop& boundary = niche.niche->boundary;
     if (!boundary.contains(p.head<2>()) || boundary.distance(p.head<2>()) <= margin)
       return;
-    noteNear(k, niche.bottom, p, note);
-    noteNear(k, niche.top, p, note);
+    noteNear(number, niche.bottom, p, note);
+    noteNear(number, niche.top, p, note);
   }
 
   template <typename Note>
-  void
-  noteNear(std::size_t k, std::size_t slab, const Eigen::Vector3d& p, Note note) const
+  void noteNear(std::uint32_t number,
+                std::size_t slab,
+                const Eigen::Vector3d& p,
+                Note note) const
   {
     if (std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) > far_)
       return;
     const std::size_t patch = RefitTargets::patchOf(places_.slabs[slab], p.head<2>());
-    if (looked_at_.of_patch[first_patches_[slab] + patch].holds(k))
+    if (looked_at_.of_patch[first_patches_[slab] + patch].holds(number))
       note(first_slab_ + slab, patch);
   }
 

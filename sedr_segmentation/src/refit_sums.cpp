@@ -50,14 +50,13 @@ Sightings::Sightings(const RawPoints& raw,
 LookedAt
 Sightings::enoughOf(const EnoughPoints& enough) const
 {
-  constexpr std::size_t step = 17; // no rhythm in which a scanner turns
-  RawPoints few = raw_;
-  few.step *= step;
+  constexpr std::size_t step = 16;
+  const LookedAt few(targets_, EvenShare(1.0 / step));
   LookedAt looked_at(targets_);
   std::vector<std::size_t> of_surface(targets_.size(), 0);
   std::vector<std::size_t> of_patch(targets_.patchCount(), 0);
   const std::size_t first_slab = targets_.size() - targets_.slabCount();
-  for (const Block& block : lookAt(few, looked_at))
+  for (const Block& block : lookAt(raw_, few))
     for (const Part& part : block)
       for (std::size_t t = 0; t < targets_.size(); ++t) {
         of_surface[t] += step * (part.first[t + 1] - part.first[t]);
@@ -128,9 +127,10 @@ Sightings::lookAt(const RawPoints& raw,
     seen.clear();
     for (std::size_t i = k; i < std::min(end, k + points_at_once); ++i) {
       const Eigen::Vector3f p = raw.points[raw.at(i)];
-      if (!candidates.mayShow(i, p) || !std::isfinite(p.z()))
+      const std::uint32_t number = EvenShare::numberOf(p);
+      if (!candidates.mayShow(number, p) || !std::isfinite(p.z()))
         continue;
-      candidates.find(i, p.cast<double>(), [&](std::size_t t, std::size_t place) {
+      candidates.find(number, p.cast<double>(), [&](std::size_t t, std::size_t place) {
         seen.push_back(
             {{p, static_cast<std::uint32_t>(place)}, static_cast<std::uint32_t>(t)});
       });
