@@ -66,6 +66,29 @@ TEST(RefitToRaw, OfADenseSurfaceAsManyPointsAsAreEnoughAreTaken)
   EXPECT_LT(of_surface, 55000);
 }
 
+TEST(RefitToRaw, OfASlabAsManyPointsOfEachPatchAreTaken)
+{
+  // Of one half of the floor a tenth as many points were scanned.
+  RoomPoints raw(0.005, 0.005);
+  int k = 0;
+  raw.slab(rectangle(0, 0, 4, 3), 0,
+           [&](double x, double) { return x < 2 || k++ % 10 == 0; });
+  const auto inliersFor = [&](std::size_t of_patch) {
+    Floorplan plan = offPlan();
+    RefitParameters parameters;
+    parameters.points_per_patch = of_patch;
+    parameters.points_per_surface = 1;
+    refitToRaw(plan, raw.view(), {}, parameters);
+    return static_cast<double>(plan.rooms[0].floor.inliers);
+  };
+  const double all = inliersFor(100000); // 2,500 in a patch, and 250
+  EXPECT_GT(all, 200000);
+  const double some = inliersFor(200);
+  // By the surface, the sparse half would have a tenth of them.
+  EXPECT_GT(some, 25000);
+  EXPECT_LT(some, 45000);
+}
+
 TEST(RefitToRaw, OfASmallSurfaceBesideLargeOnesAllPointsAreTaken)
 {
   RoomPoints raw(0.005, 0.005);

@@ -144,3 +144,31 @@ TEST(SweepGaps, EndAtAWallThatIsSeenAsSparsely)
   for (double x = 2.03; x < 6; x += cell)
     EXPECT_FALSE(isGapAt(gaps, x, 2.63)) << x;
 }
+
+TEST(SweepGaps, EndAtABeamButNotAtFurniture)
+{
+  for (const double below : {0.15, 0.9}) {
+    RoomPoints points = sweptCeiling();
+    const std::vector<int> ceiling = points.all();
+    points.slab(rectangle(3, 2.3, 5, 3), top - below);
+    EXPECT_EQ(isGapAt(gapsOf(points, ceiling), 4.03, 2.63), below > 0.6) << below;
+  }
+}
+
+TEST(SweepGaps, AreNoneBetweenStripsThatAreNoLines)
+{
+  RoomPoints points(cell);
+  points.slab(rectangle(0, 0, 4, 4), top,
+              [](double, double y) { return std::fmod(y, 0.8) < 0.4; });
+  EXPECT_TRUE(gapsOf(points, points.all()).empty());
+}
+
+TEST(SweepGaps, AreASquareMetreTogether)
+{
+  for (const double width : {0.8, 4.0}) {
+    RoomPoints points(cell);
+    points.slab(rectangle(0, 0, width, 1.25), top,
+                [](double, double y) { return isOnLine(y); });
+    EXPECT_EQ(gapsOf(points, points.all()).empty(), width < 1) << width;
+  }
+}
