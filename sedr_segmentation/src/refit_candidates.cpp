@@ -33,69 +33,53 @@ RefitCandidates::RefitCandidates(const RefitTargets& targets,
   for (std::size_t k = 0; k < places_.slabs.size(); ++k)
     first_patches_.push_back(targets.firstPatch(first_slab_ + k));
   for (const RefitRoomMap& map : places_.rooms)
-    rooms_.push_back({heightsOf(map.ceilings, map), heightsOf(map.floors, map)});
-  tellParts();
+    rooms_.push_back({&map, 1 / map.cell, heightsOf(map.ceilings, map),
+                      heightsOf(map.floors, map)});
+  tellCells();
 }
 
-/** @brief As many as any surface asks for that points of the cell may show: most points
- * are passed over without looking up which that are. */
+/** @brief The surfaces near each cell, and as many of its points as any of them asks
+ * for: most points are passed over without looking up which that are. */
 void
-RefitCandidates::tellParts()
+RefitCandidates::tellCells()
 {
   const CellBox box = places_.box();
-  parts_ = CellMask(box);
   low_ = RefitPlaces::table_cell * Eigen::Vector2d(box.low.x, box.low.y);
+  width_ = box.high.x - box.low.x + 1;
+  height_ = box.high.y - box.low.y + 1;
+  cells_.reserve(box.count());
   for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
     for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
-      for (const std::uint32_t u : places_.stretches_near.ofCell({x, y}))
-        raiseParts({x, y}, uprights_[u].share);
-      for (const std::uint32_t n : places_.niches_near.ofCell({x, y})) {
-        raiseParts({x, y},
-                   looked_at_.of_surface[first_slab_ + places_.niches[n].bottom]);
-        raiseParts({x, y}, looked_at_.of_surface[first_slab_ + places_.niches[n].top]);
+      Here here;
+      here.stretches = places_.stretches_near.ofCell({x, y});
+      here.rooms = places_.rooms_near.ofCell({x, y});
+      here.niches = places_.niches_near.ofCell({x, y});
+      for (const std::uint32_t u : here.stretches) {
+        here.heights.unite(uprights_[u].heights.low, uprights_[u].heights.high);
+        here.raiseParts(uprights_[u].share);
       }
+      cells_.push_back(here);
     }
-  for (const RefitRoomMap& map : places_.rooms)
-    tellPartsOf(map);
+  for (std::size_t k = 0; k < places_.slabs.size(); ++k)
+    tellPartsOf(k);
 }
 
+/** @brief Those of the patches of a slab, wherever it may be shown. */
 void
-RefitCandidates::tellPartsOf(const RefitRoomMap& map)
+RefitCandidates::tellPartsOf(std::size_t slab)
 {
-  for (std::int32_t y = 0; y < map.height; ++y)
-    for (std::int32_t x = 0; x < map.width; ++x) {
-      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                     static_cast<std::size_t>(x);
-      const Eigen::Vector2d low = map.low + map.cell * Eigen::Vector2d(x, y);
-      const Eigen::Vector2d high = low + Eigen::Vector2d::Constant(map.cell);
-      const CellBox box =
-          overlapOf(places_.rooms_near.boxAround(low, high), parts_.box());
-      for (const std::int32_t slab : {map.ceiling[i], map.floor[i]})
-        if (slab >= 0)
-          tellPartsOf(static_cast<std::size_t>(slab), {low, high}, box);
-    }
-}
-
-/** @brief Those of the patches of a slab in a rectangle. */
-void
-RefitCandidates::tellPartsOf(std::size_t slab,
-                             const std::array<Eigen::Vector2d, 2>& corners,
-                             const CellBox& box)
-{
-  for (const Eigen::Vector2d& p :
-       {corners[0], corners[1], Eigen::Vector2d(corners[0].x(), corners[1].y()),
-        Eigen::Vector2d(corners[1].x(), corners[0].y())}) {
-    const std::size_t patch = RefitTargets::patchOf(places_.slabs[slab], p);
-    for (std::int32_t v = box.low.y; v <= box.high.y; ++v)
-      for (std::int32_t u = box.low.x; u <= box.high.x; ++u)
-        raiseParts({u, v}, looked_at_.of_patch[first_patches_[slab] + patch]);
+  const RefitSlab& s = places_.slabs[slab];
+  const CellBox all = places_.box();
+  for (std::size_t patch = 0; patch < s.along * s.rows; ++patch) {
+    const auto [low, high] = RefitTargets::boundsOfPatch(s, patch);
+    const CellBox box = overlapOf(places_.rooms_near.boxAround(low, high), all);
+    for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
+      for (std::int32_t x = box.low.x; x <= box.high.x; ++x)
+        cells_[static_cast<std::size_t>(y - all.low.y) *
+                   static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x - all.low.x)]
+            .raiseParts(looked_at_.of_patch[first_patches_[slab] + patch]);
   }
-}
-
-void
-RefitCandidates::raiseParts(Cell cell, const EvenShare& share)
-{
-  parts_.set(cell, std::max(parts_.at(cell), share.parts()));
 }
 
 /** @brief Over the whole map, and a little more than is needed. */
@@ -115,18 +99,6 @@ RefitCandidates::heightsOf(const RefitSlabRange& slabs, const RefitRoomMap& map)
       }
   }
   return heights;
-}
-
-void
-RefitCandidates::enter(Cell cell)
-{
-  cell_ = cell;
-  stretches_here_ = places_.stretches_near.ofCell(cell);
-  rooms_here_ = places_.rooms_near.ofCell(cell);
-  niches_here_ = places_.niches_near.ofCell(cell);
-  uprights_here_ = Heights();
-  for (const std::uint32_t k : stretches_here_)
-    uprights_here_.unite(uprights_[k].heights.low, uprights_[k].heights.high);
 }
 
 } // namespace sedr

@@ -4,7 +4,7 @@
 #include "even_share.h"
 #include "refit_targets.h"
 
-#include <array>
+#include <algorithm>
 #include <limits>
 
 namespace pcl {
@@ -22,50 +22,44 @@ struct LookedAt {
 };
 
 /** @brief Tells which surfaces of a plan a point of the scan may show by its place, as
- * they are when this is made. For one thread: it notes the cell that it was last asked
- * for, as points that follow one another in a scan lie mostly in one. */
+ * they are when this is made. */
 class RefitCandidates {
 public:
   /** @param far slabs are told of points at most so many metres from them
    * @param targets must outlive this, as `looked_at` must */
   RefitCandidates(const RefitTargets& targets, double far, const LookedAt& looked_at);
 
-  /** @brief Whether a point of that number, if it is finite, may be in the share of any
-   * surface near by: of most points no more is to be asked. */
-  bool mayShow(std::uint32_t number, const Eigen::Vector3f& p) const
-  {
-    const Eigen::Array2d at =
-        (p.head<2>().cast<double>() - low_).array() / RefitPlaces::table_cell;
-    if (!((at >= 0).all() && at.x() < parts_.width() &&
-          at.y() < parts_.height())) // nor a NaN
-      return false;
-    const auto i = static_cast<std::size_t>(static_cast<int>(at.y()) * parts_.width() +
-                                            static_cast<int>(at.x()));
-    return EvenShare::mayHold(parts_.values()[i], number);
-  }
-
   /** @brief Calls `note(number, place)` for every surface that a point may show by
    * its place, if it is one of the surface's share: one before which it is, and any
    * slab not too far from it. `place` is what does not change with the surface: the row
-   * of patches of an upright, the patch of a slab. */
+   * of patches of an upright, the patch of a slab. A point that is not finite shows
+   * none. */
   template <typename Note>
-  void find(std::uint32_t number, const Eigen::Vector3d& p, Note note)
+  void find(const Eigen::Vector3f& point, Note note) const
   {
-    const CellGrid& grid = places_.stretches_near.grid(); // that of all tables
-    if (!grid.holds(p.x(), p.y()))
+    const Eigen::Array2d at =
+        (point.head<2>().cast<double>() - low_).array() * cells_per_metre;
+    if (!((at >= 0).all() && at.x() < width_ && at.y() < height_)) // nor a NaN
       return;
-    const Cell cell = grid.at(p.x(), p.y());
-    if (!(cell == cell_))
-      enter(cell);
-    if (uprights_here_.holds(p.z()))
-      findUprights(number, p, note);
-    for (const std::uint32_t r : rooms_here_)
-      findSlabs(number, r, p, note);
-    for (const std::uint32_t n : niches_here_)
+    const Here& here = cells_[static_cast<std::size_t>(static_cast<int>(at.y())) *
+                                  static_cast<std::size_t>(width_) +
+                              static_cast<std::size_t>(static_cast<int>(at.x()))];
+    const std::uint32_t number = EvenShare::numberOf(point);
+    if (!EvenShare::mayHold(here.parts, number)) // most points of a dense scan
+      return;
+    const Eigen::Vector3d p = point.cast<double>();
+    if (here.heights.holds(p.z()))
+      for (const std::uint32_t u : here.stretches)
+        noteUpright(uprights_[u], number, p, note);
+    for (const std::uint32_t r : here.rooms)
+      findSlabs(rooms_[r], number, p, note);
+    for (const std::uint32_t n : here.niches)
       findNiche(number, places_.niches[n], p, note);
   }
 
 private:
+  static constexpr double cells_per_metre = 1 / RefitPlaces::table_cell;
+
   struct Heights {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -100,44 +94,52 @@ private:
     EvenShare share;
   };
 
-  /** @brief The heights that the slabs of a room may be shown at. */
+  /** @brief The map of a room, and the heights that its slabs may be shown at. */
   struct Room {
+    const RefitRoomMap* map;
+    double cells_per_metre;
     Heights ceiling;
     Heights floor;
   };
 
-  void enter(Cell cell);
+  /** @brief What may be shown in a cell. */
+  struct Here {
+    CellTable::Numbers stretches;
+    CellTable::Numbers rooms;
+    CellTable::Numbers niches;
+    Heights heights;        ///< of the stretches
+    std::uint8_t parts = 0; ///< of its points that are looked at, in 128ths
+
+    void raiseParts(const EvenShare& share) { parts = std::max(parts, share.parts()); }
+  };
+
+  void tellCells();
   Heights heightsOf(const RefitSlabRange& slabs, const RefitRoomMap& map) const;
-  void tellParts();
-  void tellPartsOf(const RefitRoomMap& map);
-  void tellPartsOf(std::size_t slab,
-                   const std::array<Eigen::Vector2d, 2>& corners,
-                   const CellBox& box);
-  void raiseParts(Cell cell, const EvenShare& share);
+  void tellPartsOf(std::size_t slab);
 
   template <typename Note>
-  void findUprights(std::uint32_t number, const Eigen::Vector3d& p, Note note) const
+  static void noteUpright(const Upright& upright,
+                          std::uint32_t number,
+                          const Eigen::Vector3d& p,
+                          Note note)
   {
-    for (const std::uint32_t u : stretches_here_) {
-      const Upright& upright = uprights_[u];
-      if (upright.share.holds(number) && upright.heights.holds(p.z()) &&
-          upright.isBeside(p.head<2>()))
-        note(upright.curve, RefitTargets::rowOf(upright.heights.high, p.z()));
-    }
+    if (upright.share.holds(number) && upright.heights.holds(p.z()) &&
+        upright.isBeside(p.head<2>()))
+      note(upright.curve, RefitTargets::rowOf(upright.heights.high, p.z()));
   }
 
   template <typename Note>
-  void findSlabs(std::uint32_t number,
-                 std::size_t room,
+  void findSlabs(const Room& room,
+                 std::uint32_t number,
                  const Eigen::Vector3d& p,
                  Note note) const
   {
-    const bool may_be_ceiling = rooms_[room].ceiling.holds(p.z());
-    const bool may_be_floor = rooms_[room].floor.holds(p.z());
+    const bool may_be_ceiling = room.ceiling.holds(p.z());
+    const bool may_be_floor = room.floor.holds(p.z());
     if (!may_be_ceiling && !may_be_floor)
       return;
-    const RefitRoomMap& map = places_.rooms[room];
-    const Eigen::Vector2d at = (p.head<2>() - map.low) / map.cell;
+    const RefitRoomMap& map = *room.map;
+    const Eigen::Vector2d at = (p.head<2>() - map.low) * room.cells_per_metre;
     if (at.x() < 0 || at.y() < 0 || at.x() >= map.width || at.y() >= map.height)
       return;
     const auto i =
@@ -169,8 +171,8 @@ private:
                 const Eigen::Vector3d& p,
                 Note note) const
   {
-    if (std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) > far_)
-      return;
+    if (!(std::abs(planes_[slab].head<3>().dot(p) + planes_[slab][3]) <= far_))
+      return; // a NaN, too
     const std::size_t patch = RefitTargets::patchOf(places_.slabs[slab], p.head<2>());
     if (looked_at_.of_patch[first_patches_[slab] + patch].holds(number))
       note(first_slab_ + slab, patch);
@@ -184,14 +186,10 @@ private:
   std::vector<Room> rooms_;
   std::vector<Eigen::Vector4d> planes_;    ///< of the slabs
   std::vector<std::size_t> first_patches_; ///< of the slabs
-  CellMask parts_; ///< of the points in a cell that are looked at, in 128ths
+  std::vector<Here> cells_; ///< of the tables' box, row by row
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero(); ///< its corner, metres
-
-  Cell cell_{std::numeric_limits<std::int32_t>::min(), 0}; ///< none that a grid holds
-  CellTable::Numbers stretches_here_;
-  Heights uprights_here_;
-  CellTable::Numbers rooms_here_;
-  CellTable::Numbers niches_here_;
+  int width_ = 0;
+  int height_ = 0;
 };
 
 } // namespace sedr

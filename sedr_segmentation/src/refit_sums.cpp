@@ -116,7 +116,7 @@ Sightings::lookAt(const RawPoints& raw, const LookedAt& looked_at) const
 
 Sightings::Block
 Sightings::lookAt(const RawPoints& raw,
-                  RefitCandidates candidates,
+                  const RefitCandidates& candidates,
                   std::size_t begin,
                   std::size_t end) const
 {
@@ -127,10 +127,7 @@ Sightings::lookAt(const RawPoints& raw,
     seen.clear();
     for (std::size_t i = k; i < std::min(end, k + points_at_once); ++i) {
       const Eigen::Vector3f p = raw.points[raw.at(i)];
-      const std::uint32_t number = EvenShare::numberOf(p);
-      if (!candidates.mayShow(number, p) || !std::isfinite(p.z()))
-        continue;
-      candidates.find(number, p.cast<double>(), [&](std::size_t t, std::size_t place) {
+      candidates.find(p, [&](std::size_t t, std::size_t place) {
         seen.push_back(
             {{p, static_cast<std::uint32_t>(place)}, static_cast<std::uint32_t>(t)});
       });

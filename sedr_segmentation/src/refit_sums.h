@@ -131,7 +131,7 @@ private:
   LookedAt enoughOf(const EnoughPoints& enough) const;
   std::vector<Block> lookAt(const RawPoints& raw, const LookedAt& looked_at) const;
   Block lookAt(const RawPoints& raw,
-               RefitCandidates candidates,
+               const RefitCandidates& candidates,
                std::size_t begin,
                std::size_t end) const;
 

@@ -195,6 +195,22 @@ RefitTargets::addSlab(PlanSlab& slab,
   return places_.slabs.size() - 1;
 }
 
+std::pair<Eigen::Vector2d, Eigen::Vector2d>
+RefitTargets::boundsOfPatch(const RefitSlab& slab, std::size_t patch)
+{
+  const std::size_t x = patch % slab.along;
+  const std::size_t y = patch / slab.along;
+  const Eigen::Vector2d first = slab.middle - slab.half;
+  const Eigen::Vector2d low = first + slab_patch * Eigen::Vector2d(x, y);
+  Eigen::Vector2d high = low + Eigen::Vector2d::Constant(slab_patch);
+  // The last ones take what is beyond.
+  if (x + 1 == slab.along)
+    high.x() = std::max(high.x(), (slab.middle + slab.half).x());
+  if (y + 1 == slab.rows)
+    high.y() = std::max(high.y(), (slab.middle + slab.half).y());
+  return {low, high};
+}
+
 void
 RefitTargets::addSlabs(PlanRoom& room)
 {

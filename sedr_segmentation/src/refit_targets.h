@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -96,6 +97,10 @@ public:
     const auto y = std::min(slab.rows - 1, static_cast<std::size_t>(at.y()));
     return y * slab.along + x;
   }
+
+  /** @brief The corners of the least and of the greatest coordinates of such a patch. */
+  static std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOfPatch(const RefitSlab& slab,
+                                                                   std::size_t patch);
 
   /** @brief Calls `see(view)` by the kind of a surface: a LineView, CircleView or
    * SlabView. */
