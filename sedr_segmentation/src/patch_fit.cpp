@@ -47,6 +47,7 @@ public:
       mean_.push_back(patches_[i]->mean());
       own_variance_.push_back(ownVariance(i));
       vote_.push_back(voteOf(i));
+      all_votes_ += vote_[i];
       deviation_.push_back(deviationOf(i));
       spread_.push_back(std::hypot(deviation_[i], unevenness));
     }
@@ -54,13 +55,17 @@ public:
 
   PatchFit run(Eigen::Index parameters)
   {
-    constexpr int rounds = 12;
+    constexpr int most_rounds = 12;
+    constexpr double settled = 1e-7; // metres, radians
     PatchFit fit;
     fit.step = start(parameters);
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
       weigh(fit.step);
+      const Eigen::Vector3d before = fit.step;
       if (!solve(parameters, fit.step))
         return {};
+      if ((fit.step - before).cwiseAbs().maxCoeff() < settled)
+        break;
     }
     judge(fit);
     return fit;
@@ -77,7 +82,7 @@ private:
     for (std::size_t i = 0; i < patches_.size(); ++i)
       means.push_back({patches_[i]->mean(), vote_[i]});
     Eigen::Vector3d best(shortestHalf(std::move(means)).middle, 0, 0);
-    double most = agreement(best);
+    double most = agreement(best, 0);
     std::mt19937_64 random(1);
     for (std::size_t k = 0; parameters > 1 && k < tries; ++k) {
       std::fill(weight_.begin(), weight_.end(), k == 0 ? 1.0 : 0.0);
@@ -86,7 +91,7 @@ private:
       Eigen::Vector3d step;
       if (!solve(parameters, step))
         continue;
-      const double agreed = agreement(step);
+      const double agreed = agreement(step, most);
       if (agreed <= most)
         continue;
       most = agreed;
@@ -96,13 +101,17 @@ private:
     return best;
   }
 
-  /** @brief How many patches a step explains. */
-  double agreement(const Eigen::Vector3d& step) const
+  /** @brief How many patches a step explains, counted no farther than until they cannot
+   * be more than `enough`. */
+  double agreement(const Eigen::Vector3d& step, double enough) const
   {
     constexpr double sigmas = 4;
     double sum = 0;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
+    double left = all_votes_;
+    for (std::size_t i = 0; i < patches_.size() && sum + left > enough; ++i) {
       sum += vote_[i] * biweight(residual(i, step) / (sigmas * spread_[i]));
+      left -= vote_[i];
+    }
     return sum;
   }
 
@@ -229,6 +238,7 @@ private:
   std::vector<double> mean_;         ///< distance of each patch, metres
   std::vector<double> own_variance_; ///< see ownVariance()
   std::vector<double> vote_;
+  double all_votes_ = 0;
   std::vector<double> deviation_; ///< of the mean of each patch, metres
   std::vector<double> spread_;    ///< the same, of a wall that is not quite even
 };

@@ -133,9 +133,8 @@ refitToRaw(Floorplan& plan,
   report.problem = loopProblem(plan);
   if (!report.problem.empty())
     return report;
-  RawPoints points{raw, indices.empty() ? nullptr : &indices, 1, parameters.threads};
-  points.step =
-      rawStep(points.size(), std::max<std::size_t>(parameters.most_points, 1));
+  const RawPoints points{raw, indices.empty() ? nullptr : &indices, 1,
+                         parameters.threads};
   PlanCurves curves(plan);
   const std::vector<MeasuredCurve> was = curves.curves;
   const std::vector<std::vector<Eigen::Vector2d>> places = placesAlong(curves);

@@ -33,8 +33,8 @@ RefitCandidates::RefitCandidates(const RefitTargets& targets,
   for (std::size_t k = 0; k < places_.slabs.size(); ++k)
     first_patches_.push_back(targets.firstPatch(first_slab_ + k));
   for (const RefitRoomMap& map : places_.rooms)
-    rooms_.push_back({&map, 1 / map.cell, heightsOf(map.ceilings, map),
-                      heightsOf(map.floors, map)});
+    rooms_.push_back(
+        {&map, 1 / map.cell, heightsOf(map.ceilings, map), heightsOf(map.floors, map)});
   tellCells();
 }
 
@@ -62,6 +62,8 @@ RefitCandidates::tellCells()
     }
   for (std::size_t k = 0; k < places_.slabs.size(); ++k)
     tellPartsOf(k);
+  for (const Here& here : cells_)
+    most_parts_ = std::max(most_parts_, here.parts);
 }
 
 /** @brief Those of the patches of a slab, wherever it may be shown. */

@@ -37,6 +37,9 @@ public:
   template <typename Note>
   void find(const Eigen::Vector3f& point, Note note) const
   {
+    const std::uint32_t number = EvenShare::numberOf(point);
+    if (!EvenShare::mayHold(most_parts_, number))
+      return;
     const Eigen::Array2d at =
         (point.head<2>().cast<double>() - low_).array() * cells_per_metre;
     if (!((at >= 0).all() && at.x() < width_ && at.y() < height_)) // nor a NaN
@@ -44,7 +47,6 @@ public:
     const Here& here = cells_[static_cast<std::size_t>(static_cast<int>(at.y())) *
                                   static_cast<std::size_t>(width_) +
                               static_cast<std::size_t>(static_cast<int>(at.x()))];
-    const std::uint32_t number = EvenShare::numberOf(point);
     if (!EvenShare::mayHold(here.parts, number)) // most points of a dense scan
       return;
     const Eigen::Vector3d p = point.cast<double>();
@@ -184,12 +186,13 @@ private:
   std::size_t first_slab_; ///< number of the first slab
   std::vector<Upright> uprights_;
   std::vector<Room> rooms_;
-  std::vector<Eigen::Vector4d> planes_;    ///< of the slabs
-  std::vector<std::size_t> first_patches_; ///< of the slabs
-  std::vector<Here> cells_; ///< of the tables' box, row by row
+  std::vector<Eigen::Vector4d> planes_;           ///< of the slabs
+  std::vector<std::size_t> first_patches_;        ///< of the slabs
+  std::vector<Here> cells_;                       ///< of the tables' box, row by row
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero(); ///< its corner, metres
   int width_ = 0;
   int height_ = 0;
+  std::uint8_t most_parts_ = 0; ///< of any cell
 };
 
 } // namespace sedr

@@ -27,7 +27,9 @@ public:
       , targets_(plan, curves, parameters.reach)
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
-  {}
+  {
+    raw_.step = rawStep(raw_.size(), mostPoints());
+  }
 
   void run()
   {
@@ -80,6 +82,17 @@ private:
 
   /** @brief Half width of the narrowest band, metres. */
   static constexpr double least_band = 0.0015;
+
+  /** @brief How many points of the scan are looked at. */
+  std::size_t mostPoints() const
+  {
+    std::size_t patches = 0;
+    for (std::size_t t = 0; t < targets_.size(); ++t)
+      patches += targets_.shownPatches(t);
+    const std::size_t enough =
+        std::max(parameters_.enough_points, patches * parameters_.points_per_patch);
+    return std::max<std::size_t>(1, std::min(parameters_.most_points, enough));
+  }
 
   /** @brief The scatter of few points is known by that of others better. */
   void settleScatters()

@@ -98,9 +98,10 @@ public:
     return y * slab.along + x;
   }
 
-  /** @brief The corners of the least and of the greatest coordinates of such a patch. */
-  static std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOfPatch(const RefitSlab& slab,
-                                                                   std::size_t patch);
+  /** @brief The corners of the least and of the greatest coordinates of such a patch.
+   */
+  static std::pair<Eigen::Vector2d, Eigen::Vector2d>
+  boundsOfPatch(const RefitSlab& slab, std::size_t patch);
 
   /** @brief Calls `see(view)` by the kind of a surface: a LineView, CircleView or
    * SlabView. */

@@ -2,6 +2,7 @@
 #include "weighted_values.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -30,20 +31,31 @@ shortestHalf(std::vector<Weighted> values)
   return best;
 }
 
+/** @brief By halves: of those that hold the quantile, what is below the middle one is
+ * weighed. O(n). */
 double
 quantileOf(std::vector<Weighted> values, double share)
 {
-  std::sort(values.begin(), values.end());
-  double all = 0;
-  for (const auto& v : values)
-    all += v.weight;
-  double sum = 0;
-  for (const auto& v : values) {
-    sum += v.weight;
-    if (sum >= share * all)
-      return v.value;
+  const auto weigh = [](auto from, auto to) {
+    return std::accumulate(
+        from, to, 0.0, [](double sum, const Weighted& v) { return sum + v.weight; });
+  };
+  double wanted = share * weigh(values.begin(), values.end());
+  auto from = values.begin();
+  auto to = values.end();
+  while (to - from > 1) {
+    const auto middle = from + (to - from) / 2;
+    std::nth_element(from, middle, to);
+    const double below = weigh(from, middle);
+    if (below >= wanted) {
+      to = middle;
+    }
+    else {
+      from = middle;
+      wanted -= below;
+    }
   }
-  return 0;
+  return from == to ? 0 : from->value;
 }
 
 double

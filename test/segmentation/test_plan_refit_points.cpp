@@ -42,6 +42,28 @@ TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
   EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);
 }
 
+TEST(RefitToRaw, OfAFewRoomsAsManyPointsAsTheirPatchesAskForAreTaken)
+{
+  RoomPoints raw(0.005, 0.005);
+  raw.room(plainRoom());
+  const auto inliersFor = [&](std::size_t of_patch, std::size_t enough) {
+    Floorplan plan = offPlan();
+    RefitParameters parameters;
+    parameters.points_per_patch = of_patch;
+    parameters.points_per_surface = raw.size();
+    parameters.enough_points = enough;
+    refitToRaw(plan, raw.view(), {}, parameters);
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.002);
+    return static_cast<double>(plan.rooms[0].boundary.elements[0].inliers);
+  };
+  const double all = inliersFor(1, raw.size());
+  const double tenth = inliersFor(1, raw.size() / 10);
+  EXPECT_GT(tenth, 0.08 * all);
+  EXPECT_LT(tenth, 0.12 * all);
+  EXPECT_GT(inliersFor(300, raw.size() / 10), 2 * tenth) << "the patches ask for more";
+  EXPECT_EQ(inliersFor(100000, 1), all);
+}
+
 TEST(RefitToRaw, OfADenseSurfaceAsManyPointsAsAreEnoughAreTaken)
 {
   RoomPoints raw(0.005, 0.005); // 400 points in a patch of a wall of 1040 patches
@@ -49,6 +71,7 @@ TEST(RefitToRaw, OfADenseSurfaceAsManyPointsAsAreEnoughAreTaken)
   const auto inliersFor = [&](std::size_t of_patch, std::size_t of_surface) {
     Floorplan plan = offPlan();
     RefitParameters parameters;
+    parameters.enough_points = raw.size();
     parameters.points_per_patch = of_patch;
     parameters.points_per_surface = of_surface;
     refitToRaw(plan, raw.view(), {}, parameters);
@@ -100,6 +123,7 @@ TEST(RefitToRaw, OfASmallSurfaceBesideLargeOnesAllPointsAreTaken)
     plan.rooms.push_back(roomOf(l_room, 2.6));
     setSeen(plan.rooms[0].boundary, 0.01);
     RefitParameters parameters;
+    parameters.enough_points = raw.size();
     parameters.points_per_patch = of_patch;
     parameters.points_per_surface = of_surface;
     refitToRaw(plan, raw.view(), {}, parameters);

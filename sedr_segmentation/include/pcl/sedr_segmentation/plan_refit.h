@@ -23,8 +23,11 @@ rawStep(std::size_t points, std::size_t most)
 struct RefitParameters {
   double reach = 0.06;    ///< points farther from a surface are not its own, metres
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
-  std::size_t least_points = 20;     ///< of a surface that is fitted
-  std::size_t most_points = 5000000; ///< of a larger scan, every k-th point is taken
+  std::size_t least_points = 20; ///< of a surface that is fitted
+  /** @brief Of a larger scan, every k-th point is taken: of one of few rooms so many as
+   * are `points_per_patch` on average, but no fewer than `enough_points`. */
+  std::size_t most_points = 5000000;
+  std::size_t enough_points = 2000000;
   /** @brief Of a surface with more points than these for every tenth of a metre of wall
    * and quarter of a metre of slab, squared, and than `points_per_surface` in all, an
    * even share is taken: so many, but of small surfaces all. */
@@ -55,11 +58,11 @@ struct RefitReport {
  *
  * Where the other face of a partition is near, points between the faces are left to it.
  *
- * O(n) for n points, in a pass over all and four over a share of those near a surface;
- * the same for any number of threads. It notes which points show what, 16 bytes for
- * each surface that one may show: of 5 million 80 MiB at most, mostly. A plan with an
- * empty loop, or one larger than a table of its cells may be, stays as it is, and the
- * report says why.
+ * O(n) for n points, in a pass over all or every k-th and four over a share of those
+ * near a surface; the same for any number of threads. It notes which points show what,
+ * 16 bytes for each surface that one may show: of 5 million 80 MiB at most, mostly. A
+ * plan with an empty loop, or one larger than a table of its cells may be, stays as it
+ * is, and the report says why.
  * @param raw the scan; points that are not finite are left out
  * @param indices those of its points that count; empty: all */
 RefitReport refitToRaw(Floorplan& plan,
