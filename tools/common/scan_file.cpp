@@ -25,7 +25,7 @@ namespace {
 
 constexpr double float_step = 1.0 / (1 << 23); // between floats, relative
 constexpr double coarsest = 0.001;             // metres
-constexpr std::size_t sample_size = 100000;
+constexpr std::size_t sample_size = 20000;
 
 void
 checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)

@@ -37,7 +37,7 @@ ScanHead readScanHead(const std::string& path);
  * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
  * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most
  * coordinates so large that a float resolves them no finer than 1 mm (above 8388 m);
- * that is told by up to 100,000 of the points. */
+ * that is told by up to 20,000 of the points. */
 class ScanFile : public RowSource {
 public:
   /** @param unit metres that one unit of the file stands for: coordinates and viewpoint
