@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/parallel_sort.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief Points of a box by cubes, to be found by place. */
+/** @brief Points of a box by cubes, to be found by place: columns of cubes side by
+ * side, those of each by height. O(n + columns of the box). */
 class PointCubes {
 public:
   /** @param size of a cube, metres
@@ -28,16 +27,13 @@ public:
       : origin_(box.min())
       , size_(size)
   {
-    for (const int i : indices) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!points.isFinite(at))
-        continue;
-      const Eigen::Vector3d p = points[at].cast<double>();
-      if (box.contains(p))
-        points_.emplace_back(keyOf(cubeOf(p)), p);
-    }
-    sortParallel(points_, threads,
-                 [](const Entry& a, const Entry& b) { return a.first < b.first; });
+    if (box.isEmpty())
+      return;
+    const Cube far = cubeOf(box.max());
+    width_ = far.x() + 1;
+    height_ = far.y() + 1;
+    sortIntoColumns(points, indices, columnsOf(points, indices, box, threads));
+    sortColumns(threads);
   }
 
   /** @brief Whether any point within a cube's size of `place` is one that is asked for.
@@ -46,44 +42,104 @@ public:
   bool anyNear(const Eigen::Vector3d& place, Asked asked) const
   {
     const Cube cube = cubeOf(place);
-    for (std::int64_t x = cube[0] - 1; x <= cube[0] + 1; ++x)
-      for (std::int64_t y = cube[1] - 1; y <= cube[1] + 1; ++y) {
-        // Three cubes above each other have keys in a row.
-        auto at = std::lower_bound(
-            points_.begin(), points_.end(), keyOf({x, y, cube[2] - 1}),
-            [](const Entry& entry, std::uint64_t key) { return entry.first < key; });
-        const std::uint64_t last = keyOf({x, y, cube[2] + 1});
-        for (; at != points_.end() && at->first <= last; ++at)
-          if (asked(at->second))
+    for (std::int64_t y = std::max<std::int64_t>(cube.y() - 1, 0);
+         y <= std::min(cube.y() + 1, height_ - 1); ++y)
+      for (std::int64_t x = std::max<std::int64_t>(cube.x() - 1, 0);
+           x <= std::min(cube.x() + 1, width_ - 1); ++x) {
+        const auto column = static_cast<std::size_t>(y * width_ + x);
+        const Entry* const end = entries_.data() + first_[column + 1];
+        const Entry* at = std::lower_bound(
+            entries_.data() + first_[column], end, cube.z() - 1,
+            [](const Entry& entry, std::int64_t level) { return entry.level < level; });
+        for (; at != end && at->level <= cube.z() + 1; ++at)
+          if (asked(Eigen::Vector3d(at->place.cast<double>())))
             return true;
       }
     return false;
   }
 
 private:
-  using Cube = std::array<std::int64_t, 3>;
-  using Entry = std::pair<std::uint64_t, Eigen::Vector3d>;
+  using Cube = Eigen::Matrix<std::int64_t, 3, 1>;
+
+  struct Entry {
+    Eigen::Vector3f place;
+    std::int32_t level; ///< of its cube above the lowest
+  };
+
+  static constexpr std::uint32_t outside = static_cast<std::uint32_t>(-1);
 
   Cube cubeOf(const Eigen::Vector3d& p) const
   {
-    const Eigen::Vector3d q = ((p - origin_) / size_).array().floor();
-    return {static_cast<std::int64_t>(q.x()), static_cast<std::int64_t>(q.y()),
-            static_cast<std::int64_t>(q.z())};
+    return ((p - origin_) / size_).array().floor().cast<std::int64_t>();
   }
 
-  /** @brief Unique within two million cubes. */
-  static std::uint64_t keyOf(const Cube& cube)
+  /** @brief The column of each of the points, `outside` for those beside the box. */
+  std::vector<std::uint32_t> columnsOf(const PointView& points,
+                                       const std::vector<int>& indices,
+                                       const Eigen::AlignedBox3d& box,
+                                       unsigned threads) const
   {
-    constexpr std::int64_t off = 1 << 20;
-    std::uint64_t key = 0;
-    for (const std::int64_t c : cube)
-      key = (key << 21) | (static_cast<std::uint64_t>(c + off) & 0x1fffff);
-    return key;
+    constexpr std::size_t points_a_block = 16384;
+    std::vector<std::uint32_t> columns(indices.size(), outside);
+    parallelBlocks(indices.size(), points_a_block, threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t k = begin; k < end; ++k) {
+                       const auto i = static_cast<std::size_t>(indices[k]);
+                       const Eigen::Vector3d p = points[i].cast<double>();
+                       if (!points.isFinite(i) || !box.contains(p))
+                         continue;
+                       const Cube cube = cubeOf(p);
+                       columns[k] =
+                           static_cast<std::uint32_t>(cube.y() * width_ + cube.x());
+                     }
+                   });
+    return columns;
+  }
+
+  void sortIntoColumns(const PointView& points,
+                       const std::vector<int>& indices,
+                       const std::vector<std::uint32_t>& columns)
+  {
+    first_.assign(static_cast<std::size_t>(width_ * height_) + 1, 0);
+    for (const std::uint32_t column : columns)
+      if (column != outside)
+        ++first_[column + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c)
+      first_[c] += first_[c - 1];
+    entries_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end());
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      if (columns[k] == outside)
+        continue;
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
+      const auto level = static_cast<std::int32_t>(cubeOf(p.cast<double>()).z());
+      entries_[next[columns[k]]++] = {p, level};
+    }
+  }
+
+  void sortColumns(unsigned threads)
+  {
+    constexpr std::size_t columns_a_block = 1024;
+    const auto isLower = [](const Entry& a, const Entry& b) {
+      return a.level < b.level;
+    };
+    parallelBlocks(first_.size() - 1, columns_a_block, threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t c = begin; c < end; ++c) {
+                       Entry* const low = entries_.data() + first_[c];
+                       Entry* const high = entries_.data() + first_[c + 1];
+                       if (!std::is_sorted(low, high, isLower)) // as they mostly are
+                         std::sort(low, high, isLower);
+                     }
+                   });
   }
 
   Eigen::Vector3d origin_;
   double size_;
-  std::vector<Entry> points_;
+  std::int64_t width_ = 0;         ///< columns along x
+  std::int64_t height_ = 0;        ///< and along y
+  std::vector<std::size_t> first_; ///< of each column, row by row, and the end
+  std::vector<Entry> entries_;
 };
 
 } // namespace sedr

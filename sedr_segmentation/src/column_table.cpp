@@ -101,6 +101,34 @@ ColumnTable::share(Cell cell, double low, double high, int bins, int radius) con
   return static_cast<double>(parts - empty) / bins;
 }
 
+ColumnTable
+ColumnTable::without(const CellMask& cells) const
+{
+  ColumnTable rest(box());
+  rest.first_.reserve(first_.size());
+  rest.first_.push_back(0);
+  rest.entries_.reserve(entries_.size());
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
+    if (!cells.at(frame_.cellAt(c)))
+      rest.entries_.insert(rest.entries_.end(), entries_.data() + first_[c],
+                           entries_.data() + first_[c + 1]);
+    rest.first_.push_back(rest.entries_.size());
+  }
+  return rest;
+}
+
+std::vector<int>
+ColumnTable::indicesIn(const CellMask& cells) const
+{
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    if (cells.values()[i])
+      for (const Entry* e = begin(cells.cellAt(i)); e != end(cells.cellAt(i)); ++e)
+        indices.push_back(e->index);
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
 std::vector<ColumnRun>
 ColumnTable::runs(Cell cell, double gap) const
 {

@@ -6,8 +6,6 @@
 
 #include <pcl/sedr_segmentation/detail_fit.h>
 
-#include <pcl/sedr_segmentation/column_table.h>
-
 #include <algorithm>
 
 namespace pcl {
@@ -136,6 +134,7 @@ fitDetail(const HeightMap& map,
   loop.evidence_span =
       2 * parameters.cell_size; // a riser has few points above each other
   loop.corner_reach = 3 * parameters.cell_size;
+  loop.threads = parameters.threads;
   const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
   const auto largest = std::max_element(
       contours.begin(), contours.end(),
@@ -156,6 +155,7 @@ fitDetails(const PointView& points,
            const SlabEvidence& evidence,
            const PlanRoom& room,
            const CellMask& cells,
+           const ColumnTable& columns,
            const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
@@ -165,7 +165,6 @@ fitDetails(const PointView& points,
   if (!evidence.is_floor)
     extendBeams(map, grid);
   fillHeights(map);
-  const ColumnTable columns(grid, cells.box(), points, evidence.around);
   if (evidence.is_floor)
     fillHiddenParts(map, columns, grid);
   dropUnsupported(map, columns, grid);

@@ -145,11 +145,12 @@ riserPoints(const PointView& points,
   const CellGrid grid(parameters.cell_size);
   const std::vector<StepBeside> steps = stepsBeside(map, grid);
   std::vector<Eigen::Vector2d> risers;
-  for (const int i : evidence.around) {
+  CellMask at_steps(map.room.box());
+  for (std::size_t c = 0; c < steps.size(); ++c)
+    at_steps.values()[c] = steps[c].isStep() ? 1 : 0;
+  for (const int i : columns.indicesIn(at_steps)) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Cell cell = grid.at(p.x(), p.y());
-    if (!map.room.isInside(cell) || !steps[map.room.indexOf(cell)].isStep())
-      continue;
     const auto& [low, high] = steps[map.room.indexOf(cell)];
     const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
     if (p.z() > low + margin && p.z() < high - margin &&

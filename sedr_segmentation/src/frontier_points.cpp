@@ -24,7 +24,8 @@ class FrontierColumns {
 public:
   FrontierColumns(const PointView& points,
                   const RoomTerritory& territory,
-                  const std::vector<std::int32_t>& rooms)
+                  const std::vector<std::int32_t>& rooms,
+                  unsigned threads)
       : reach_(static_cast<float>(neighbourhood * territory.grid().size()))
       , frontier_(territory.frontier())
   {
@@ -34,20 +35,8 @@ public:
         for (int dx = -reach_cells; dx <= reach_cells; ++dx)
           keys.push_back(keyOf({frontier_[f].x + dx, frontier_[f].y + dy}));
     cells_ = CellSet(std::move(keys));
-    columns_.resize(cells_.size());
-    for (std::size_t i = 0; i < rooms.size() && !cells_.empty(); ++i) {
-      if (rooms[i] < 0)
-        continue;
-      const Eigen::Vector3f p = points[i];
-      const std::size_t cell = cells_.find(territory.grid().at(p.x(), p.y()));
-      if (cell != CellSet::npos)
-        columns_[cell].push_back({p, rooms[i], i});
-    }
-    for (auto& column : columns_)
-      std::sort(column.begin(), column.end(), [](const Member& a, const Member& b) {
-        return a.place.z() != b.place.z() ? a.place.z() < b.place.z()
-                                          : a.index < b.index;
-      });
+    sortIntoColumns(points, rooms, cellsOf(points, territory.grid(), rooms, threads));
+    sortColumns(threads);
   }
 
   /** @brief Number of cells along frontiers. */
@@ -58,26 +47,31 @@ public:
   void vote(std::size_t frontier, std::vector<std::int32_t>& rooms) const
   {
     constexpr std::size_t side = 2 * reach_cells + 1;
-    std::array<std::pair<const std::vector<Member>*, std::size_t>, side * side> block;
+    struct Window {
+      const Member* next; ///< the first that is not too low
+      const Member* end;
+    };
+    std::array<Window, side * side> block{};
     std::size_t columns = 0;
     forEachAround(cells_, frontier_[frontier], reach_cells, [&](std::size_t cell) {
-      block[columns++] = {&columns_[cell], 0};
+      if (first_[cell] < first_[cell + 1])
+        block[columns++] = {begin(cell), begin(cell + 1)};
     });
     std::vector<std::pair<std::int32_t, std::size_t>> votes;
-    for (const Member& own : columns_[cells_.find(frontier_[frontier])]) {
+    const std::size_t middle = cells_.find(frontier_[frontier]);
+    for (const Member* m = begin(middle); m != begin(middle + 1); ++m) {
+      const Member& own = *m;
+      const float low = own.place.z() - reach_;
+      const float high = own.place.z() + reach_;
       votes.assign(1, {own.room, 0});
       for (std::size_t c = 0; c < columns; ++c) {
-        auto& [column, next] = block[c];
-        while (next < column->size() &&
-               (*column)[next].place.z() < own.place.z() - reach_)
+        auto& [next, end] = block[c];
+        while (next != end && next->place.z() < low)
           ++next;
-        for (std::size_t k = next; k < column->size(); ++k) {
-          const Member& other = (*column)[k];
-          if (other.place.z() > own.place.z() + reach_)
-            break;
-          if ((other.place - own.place).squaredNorm() <= reach_ * reach_)
-            addTo(votes, other.room);
-        }
+        for (const Member* other = next; other != end && other->place.z() <= high;
+             ++other)
+          if ((other->place - own.place).squaredNorm() <= reach_ * reach_)
+            addTo(votes, other->room);
       }
       rooms[own.index] = std::max_element(votes.begin(), votes.end(),
                                           [](const auto& a, const auto& b) {
@@ -95,6 +89,60 @@ private:
     std::size_t index;
   };
 
+  static constexpr std::size_t points_a_block = 16384;
+
+  /** @brief The cell of each point that is of a room, npos for those elsewhere. */
+  std::vector<std::size_t> cellsOf(const PointView& points,
+                                   const CellGrid& grid,
+                                   const std::vector<std::int32_t>& rooms,
+                                   unsigned threads) const
+  {
+    std::vector<std::size_t> cells(cells_.empty() ? 0 : rooms.size(), CellSet::npos);
+    parallelBlocks(cells.size(), points_a_block, threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i)
+                       if (rooms[i] >= 0)
+                         cells[i] = cells_.find(grid.at(points[i].x(), points[i].y()));
+                   });
+    return cells;
+  }
+
+  void sortIntoColumns(const PointView& points,
+                       const std::vector<std::int32_t>& rooms,
+                       const std::vector<std::size_t>& cells)
+  {
+    first_.assign(cells_.size() + 1, 0);
+    for (const std::size_t cell : cells)
+      if (cell != CellSet::npos)
+        ++first_[cell + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c)
+      first_[c] += first_[c - 1];
+    members_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i] != CellSet::npos)
+        members_[next[cells[i]]++] = {points[i], rooms[i], i};
+  }
+
+  void sortColumns(unsigned threads)
+  {
+    constexpr std::size_t cells_a_block = 256;
+    const auto isLower = [](const Member& a, const Member& b) {
+      return a.place.z() != b.place.z() ? a.place.z() < b.place.z() : a.index < b.index;
+    };
+    parallelBlocks(cells_.size(), cells_a_block, threads,
+                   [&](std::size_t first, std::size_t last) {
+                     for (std::size_t c = first; c < last; ++c) {
+                       Member* const low = members_.data() + first_[c];
+                       Member* const high = members_.data() + first_[c + 1];
+                       if (!std::is_sorted(low, high, isLower)) // as they mostly are
+                         std::sort(low, high, isLower);
+                     }
+                   });
+  }
+
+  const Member* begin(std::size_t cell) const { return members_.data() + first_[cell]; }
+
   static void addTo(std::vector<std::pair<std::int32_t, std::size_t>>& votes,
                     std::int32_t room)
   {
@@ -109,7 +157,8 @@ private:
   float reach_;
   CellSet frontier_;
   CellSet cells_;
-  std::vector<std::vector<Member>> columns_; ///< of the cells
+  std::vector<std::size_t> first_; ///< member of each cell, and the end
+  std::vector<Member> members_;
 };
 
 } // namespace
@@ -125,7 +174,7 @@ roomsOfPoints(const PointView& points, const RoomTerritory& territory, unsigned 
                    for (std::size_t i = begin; i < end; ++i)
                      rooms[i] = territory.roomAt(points[i]);
                  });
-  const FrontierColumns columns(points, territory, rooms);
+  const FrontierColumns columns(points, territory, rooms, threads);
   parallelBlocks(columns.size(), cells_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t f = begin; f < end; ++f)

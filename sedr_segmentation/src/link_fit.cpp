@@ -2,6 +2,8 @@
 #include "link_fit.h"
 #include "main_directions.h"
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -150,14 +152,14 @@ refitLinks(LoopChain& chain,
            const LoopParameters& parameters)
 {
   LoopChain fitted = chain;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
+  parallelBlocks(chain.size(), 1, parameters.threads, [&](std::size_t i, std::size_t) {
     const LoopLink& link = chain.links[i];
     if (link.is_known)
-      continue;
+      return;
     const std::vector<WeightedPoint> points =
         pointsAlong(chain, i, evidence, parameters.tolerance);
     if (points.size() < (link.is_bridge ? 10 : 5))
-      continue;
+      return;
     fitted.links[i].is_bridge = false;
     PlanCurve& curve = fitted.links[i].curve;
     curve = link.keeps_direction
@@ -168,7 +170,7 @@ refitLinks(LoopChain& chain,
       curve = fitParallel(points, link.curve, parameters.tolerance);
     if (curve.direction.dot(link.curve.direction) < 0)
       curve.direction = -curve.direction;
-  }
+  });
   layBridges(fitted);
   if (moveCorners(fitted, parameters))
     chain = fitted;

@@ -3,6 +3,8 @@
 
 #include "wall_stretch.h"
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +44,18 @@ costUnsupported(const ContourSample& sample, const PlanCurve& curve)
   return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
 }
 
+/** @brief Calls `see(i)` for each of `n` samples, on several threads. */
+template <typename See>
+void
+forEachSample(std::size_t n, unsigned threads, See see)
+{
+  constexpr std::size_t samples_a_block = 64;
+  parallelBlocks(n, samples_a_block, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      see(i);
+  });
+}
+
 /** @brief The curves as seen from one sample. */
 class CurvesAt {
 public:
@@ -77,17 +91,13 @@ CurveAssignment::CurveAssignment(const std::vector<ContourSample>& samples,
     : samples_(samples)
     , evidence_(evidence)
     , parameters_(parameters)
+    , points_(samples.size())
+    , wall_(samples.size(), 0)
 {
-  first_.push_back(0);
-  for (const auto& sample : samples) {
-    if (sample.isSupported())
-      gather(sample);
-    first_.push_back(points_.size());
-    wall_.push_back(
-        sample.isSupported()
-            ? wallAcross(evidence, sample.place, sample.tangent, parameters).count
-            : 0);
-  }
+  forEachSample(samples.size(), parameters.threads, [&](std::size_t i) {
+    if (samples[i].isSupported())
+      lookAround(i);
+  });
 }
 
 /** @brief How far a curve may be from the contour and still be the wall there. */
@@ -98,12 +108,14 @@ CurveAssignment::reach() const
 }
 
 void
-CurveAssignment::gather(const ContourSample& sample)
+CurveAssignment::lookAround(std::size_t i)
 {
+  const ContourSample& sample = samples_[i];
   evidence_.forEachWithin(
       sample.place,
       std::hypot(reach() + parameters_.tolerance, parameters_.evidence_span),
-      [&](const Eigen::Vector2d& p) { points_.push_back(p); });
+      [&](const Eigen::Vector2d& p) { points_[i].push_back(p); });
+  wall_[i] = wallAcross(evidence_, sample.place, sample.tangent, parameters_).count;
 }
 
 /** @brief Costs of all curves for a sample. */
@@ -141,8 +153,7 @@ CurveAssignment::hear(std::size_t i, const PlanCurve& curve) const
     return heard;
   const Eigen::Vector2d foot = curve.project(sample.place);
   const Eigen::Vector2d along = curve.tangentAt(sample.place);
-  for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-    const Eigen::Vector2d& p = points_[k];
+  for (const Eigen::Vector2d& p : points_[i]) {
     const double d = curve.signedDistance(p);
     const double share = d / parameters_.tolerance;
     if (std::abs(share) >= 1 ||
@@ -179,8 +190,8 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
   const std::size_t n = samples_.size();
   const std::size_t k = curves.size();
   std::vector<double> costs(n * k);
-  for (std::size_t i = 0; i < n; ++i)
-    judge(i, curves, costs.data() + i * k);
+  forEachSample(n, parameters_.threads,
+                [&](std::size_t i) { judge(i, curves, costs.data() + i * k); });
 
   // Two rounds: by the second, what the first sample was given no longer matters.
   const std::size_t rounds = 2 * n;

@@ -33,7 +33,7 @@ private:
   };
 
   double reach() const;
-  void gather(const ContourSample& sample);
+  void lookAround(std::size_t i);
   void judge(std::size_t i, const std::vector<PlanCurve>& curves, double* costs) const;
   Testimony hear(std::size_t i, const PlanCurve& curve) const;
   double costSupported(const ContourSample& sample,
@@ -44,8 +44,7 @@ private:
   const std::vector<ContourSample>& samples_;
   const PlanPoints& evidence_;
   const LoopParameters& parameters_;
-  std::vector<Eigen::Vector2d> points_; ///< around all samples, sample by sample
-  std::vector<std::size_t> first_;      ///< of each sample, and the end
+  std::vector<std::vector<Eigen::Vector2d>> points_; ///< around each sample
   std::vector<std::size_t> wall_; ///< points of the densest wall across each sample
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/loop_fit.h>
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -43,21 +45,22 @@ public:
   /** @brief The best line through open samples, refined. */
   PlanCurve bestLine(const std::vector<std::size_t>& open, double& best_score)
   {
-    PlanCurve best;
+    std::vector<PlanCurve> drawn;
+    drawn.reserve(trials);
     for (int trial = 0; trial < trials; ++trial) {
       const std::size_t i = open[random_() % open.size()];
       const std::size_t j = (i + 3 + random_() % 60) % samples_.size();
-      keepBetter(lineThrough(samples_[i].position, samples_[j].position), open, best,
-                 best_score);
+      drawn.push_back(lineThrough(samples_[i].position, samples_[j].position));
     }
-    return refined(best, open, best_score);
+    return refined(bestOf(drawn, open, best_score), open, best_score);
   }
 
   /** @brief The best circle within the limits of radius, refined; radius 0 where there
    * is none. */
   PlanCurve bestCircle(const std::vector<std::size_t>& open, double& best_score)
   {
-    PlanCurve best;
+    std::vector<PlanCurve> drawn;
+    drawn.reserve(2 * trials);
     for (int trial = 0; trial < 2 * trials; ++trial) {
       const std::size_t i = open[random_() % open.size()];
       const std::size_t step = 3 + random_() % 40;
@@ -66,8 +69,9 @@ public:
           samples_[(i + 2 * step) % samples_.size()].position);
       if (circle.radius >= parameters_.minimum_radius &&
           circle.radius <= parameters_.maximum_radius)
-        keepBetter(circle, open, best, best_score);
+        drawn.push_back(circle);
     }
+    const PlanCurve best = bestOf(drawn, open, best_score);
     return best.isCircle() ? refined(best, open, best_score) : best;
   }
 
@@ -95,16 +99,34 @@ private:
     return sum;
   }
 
-  void keepBetter(const PlanCurve& curve,
-                  const std::vector<std::size_t>& open,
-                  PlanCurve& best,
-                  double& best_score) const
+  /** @brief The first of those drawn that explain most; a line through nothing where
+   * all explain nothing. */
+  PlanCurve bestOf(const std::vector<PlanCurve>& drawn,
+                   const std::vector<std::size_t>& open,
+                   double& best_score) const
   {
-    const double s = scoreOf(curve, open, best_score);
-    if (s > best_score) {
-      best_score = s;
-      best = curve;
-    }
+    constexpr std::size_t curves_a_block = 100;
+    struct Scored {
+      std::size_t curve = 0;
+      double score = 0;
+    };
+    std::vector<Scored> best_of(drawn.size() / curves_a_block + 1);
+    parallelBlocks(drawn.size(), curves_a_block, parameters_.threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     Scored& best = best_of[begin / curves_a_block];
+                     for (std::size_t c = begin; c < end; ++c) {
+                       const double score = scoreOf(drawn[c], open, best.score);
+                       if (score > best.score)
+                         best = {c, score};
+                     }
+                   });
+    PlanCurve best;
+    for (const Scored& own : best_of)
+      if (own.score > best_score) {
+        best_score = own.score;
+        best = drawn[own.curve];
+      }
+    return best;
   }
 
   PlanCurve refined(PlanCurve curve,

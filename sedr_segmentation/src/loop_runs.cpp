@@ -3,6 +3,8 @@
 
 #include "loop_assignment.h"
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,21 +79,22 @@ appendWall(const ContourSample& sample,
   });
 }
 
-/** @brief Collects the evidence of all curves but for what is at the corners: points on
+/** @brief Collects the evidence of a curve but for what is at the corners: points on
  * the next curve, where that leaves at an angle, and the samples beside it. */
-std::vector<CurveEvidence>
+CurveEvidence
 collectEvidence(const Assignment& a,
+                std::size_t c,
                 const std::vector<ContourSample>& samples,
                 const PlanPoints& walls,
                 double tolerance)
 {
   constexpr std::size_t margin = 2;
   const std::size_t n = samples.size();
-  std::vector<CurveEvidence> evidence(a.curves.size());
+  const PlanCurve& curve = a.curves[c];
+  CurveEvidence own;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t c = a.curve_of[i];
-    const PlanCurve& curve = a.curves[c];
-    CurveEvidence& own = evidence[c];
+    if (a.curve_of[i] != c)
+      continue;
     std::vector<PlanCurve> others;
     bool is_beside = false; // a curve that leaves smoothly
     for (const std::size_t other :
@@ -117,7 +120,7 @@ collectEvidence(const Assignment& a,
                         1e-9;
     appendWall(samples[i], half, curve, others, walls, tolerance, own.walls);
   }
-  return evidence;
+  return own;
 }
 
 /** @brief Whether an arc does no better than a line: it hardly bends along its samples.
@@ -147,20 +150,23 @@ refit(Assignment& a,
       const PlanPoints& walls,
       const LoopParameters& parameters)
 {
-  const std::vector<CurveEvidence> evidence =
-      collectEvidence(a, samples, walls, parameters.tolerance);
-  for (std::size_t c = a.known; c < a.curves.size(); ++c) {
-    const CurveEvidence& own = evidence[c];
+  std::vector<PlanCurve> fitted = a.curves;
+  const auto fit = [&](std::size_t c) {
+    const CurveEvidence own =
+        collectEvidence(a, c, samples, walls, parameters.tolerance);
     if (own.places.size() < 2)
-      continue;
+      return;
     PlanCurve start = a.curves[c];
     if (start.isCircle() && isStraight(start, own.places, parameters.tolerance))
       start = fitLine(own.places);
     const auto& fitted_to =
         own.walls.size() >= 3 * own.places.size() ? own.walls : own.places;
-    a.curves[c] = fitRobustly(fitted_to, start, parameters.tolerance,
-                              parameters.minimum_radius, parameters.maximum_radius);
-  }
+    fitted[c] = fitRobustly(fitted_to, start, parameters.tolerance,
+                            parameters.minimum_radius, parameters.maximum_radius);
+  };
+  parallelBlocks(a.curves.size() - a.known, 1, parameters.threads,
+                 [&](std::size_t k, std::size_t) { fit(a.known + k); });
+  a.curves = std::move(fitted);
 }
 
 /** @brief Keeps the curves that enough samples follow. */

@@ -2,6 +2,7 @@
 #include "wall_stretch.h"
 
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 /** @brief Samples on either side that a tangent is taken over: half a metre in all at 5
  * cm. */
 constexpr std::size_t tangent_reach = 4;
+
+constexpr std::size_t samples_a_block = 64;
 
 /** @brief Fewest points across the contour that show a wall; and the least share of
  * what the walls of the loop have on average. */
@@ -76,7 +79,7 @@ sampleContour(const Contour& contour,
   std::vector<ContourSample> samples(n);
   std::vector<std::size_t> counts(n, 0);
   std::vector<Eigen::Vector2d> walls(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto takeSample = [&](std::size_t i) {
     ContourSample& sample = samples[i];
     // The staircase of cells is evened out before looking across it.
     sample.place.setZero();
@@ -91,7 +94,12 @@ sampleContour(const Contour& contour,
         wallAcross(evidence, sample.place, sample.tangent, parameters);
     counts[i] = wall.count;
     walls[i] = sample.place + wall.offset * leftOf(sample.tangent);
-  }
+  };
+  parallelBlocks(n, samples_a_block, parameters.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     takeSample(i);
+                 });
   judgeSupport(counts, samples);
   if (edge > 0)
     dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5),

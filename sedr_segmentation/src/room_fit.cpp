@@ -21,6 +21,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace pcl {
 namespace sedr {
@@ -48,6 +49,7 @@ loopOnCells(const RoomFitParameters& parameters)
   loop.reach = 1.2 * parameters.cell_size;
   loop.evidence_span = parameters.cell_size;
   loop.corner_reach = 3 * parameters.cell_size;
+  loop.threads = parameters.threads;
   return loop;
 }
 
@@ -103,7 +105,6 @@ floorEvidence(const PointView& points,
 {
   SlabEvidence slab;
   slab.is_floor = true;
-  slab.around = evidence.around;
   for (const int i : evidence.floor) {
     const double d = distanceAbove(floor, points[static_cast<std::size_t>(i)]);
     (std::abs(d) <= parameters.slab_tolerance ? slab.main : slab.details).push_back(i);
@@ -194,40 +195,27 @@ fitRoom(const PointView& points,
              parameters.threads);
   const ColumnTable& all = *of_all;
   const CeilingGap gap = gapBelow(room.ceiling);
+  const CellMask upright =
+      uprightCells(box, grid, all, room.ceiling, room.floor, parameters.threads);
   const CellMask furniture =
-      tallFurniture(ceilings, grid, all, room.ceiling, room.floor, gap);
-  const bool has_furniture = furniture.count() > 0;
-  std::vector<int> rest;
-  std::unique_ptr<const ColumnTable> of_rest;
-  if (has_furniture) {
-    rest = besides(furniture, points, evidence.around, grid);
-    of_rest = std::make_unique<ColumnTable>(grid, box, points, rest);
-  }
-  const std::vector<int>& standing = has_furniture ? rest : evidence.around;
-  const ColumnTable& columns = has_furniture ? *of_rest : all;
+      tallFurniture(ceilings, upright, grid, all, room.ceiling, room.floor, gap);
+  std::optional<ColumnTable> besides_furniture;
+  if (furniture.count() > 0)
+    besides_furniture = all.without(furniture);
+  const ColumnTable& columns = besides_furniture ? *besides_furniture : all;
   const RoomOutline outline =
       outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
   std::vector<UprightPlace> walls =
       uprightPlaces(points,
                     besides(furniture, points,
                             wallEvidence(points, evidence, outline.room, grid,
-                                         parameters.loop.tolerance),
+                                         parameters.loop.tolerance, parameters.threads),
                             grid),
                     room, columns, grid, parameters.threads);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
-  CellMask open(box);
-  sideBySide({[&] {
-                room.boundary =
-                    boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
-              },
-              [&] {
-                if (!outline.columns.empty())
-                  open =
-                      aroundSeenCeiling(ceilings, grid, all, room.ceiling, room.floor);
-              }},
-             parameters.threads);
+  room.boundary = boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
   dropBumps(room.boundary, parameters.loop.minimum_length);
   std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around);
   if (record) {
@@ -239,6 +227,9 @@ fitRoom(const PointView& points,
               " ceiling cells";
     return room;
   }
+  const CellMask open = outline.columns.empty()
+                            ? CellMask(box)
+                            : aroundSeenCeiling(ceilings, upright, grid);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
@@ -247,7 +238,7 @@ fitRoom(const PointView& points,
       return;
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = inPlan(uprightPlaces(
-        points, pointsIn(column, points, standing, grid), room, columns, grid, 1));
+        points, columns.indicesIn(dilated(column, 1)), room, columns, grid, 1));
     of_columns[c].label = StructureLabel::Column;
     loops[c] =
         columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);
@@ -263,16 +254,16 @@ fitRoom(const PointView& points,
   std::vector<PlanDetail> of_floor;
   sideBySide({[&] {
                 if (!evidence.details.empty())
-                  of_ceiling = fitDetails(
-                      points,
-                      {evidence.ceiling, evidence.details, evidence.around, false},
-                      room, outline.room, parameters);
+                  of_ceiling =
+                      fitDetails(points, {evidence.ceiling, evidence.details, false},
+                                 room, outline.room, all, parameters);
               },
               [&] {
                 const SlabEvidence floor =
                     floorEvidence(points, evidence, room.floor, parameters);
                 if (!floor.details.empty())
-                  of_floor = fitDetails(points, floor, room, outline.room, parameters);
+                  of_floor =
+                      fitDetails(points, floor, room, outline.room, all, parameters);
               }},
              parameters.threads);
   room.details = std::move(of_ceiling);

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_segmentation/tall_furniture.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 namespace pcl {
@@ -29,7 +30,31 @@ isEmpty(Cell cell, const RoomColumns& room)
 } // namespace
 
 CellMask
+uprightCells(const CellBox& box,
+             const CellGrid& grid,
+             const ColumnTable& columns,
+             const PlanSlab& ceiling,
+             const PlanSlab& floor,
+             unsigned threads)
+{
+  constexpr std::size_t cells_a_block = 4096;
+  const RoomColumns room(grid, columns, ceiling, floor);
+  CellMask upright(box);
+  parallelBlocks(upright.values().size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const Cell cell = upright.cellAt(i);
+                     upright.values()[i] =
+                         !isEmpty(cell, room) &&
+                         isUpright(cell, room.topAround(cell, reach), room);
+                   }
+                 });
+  return upright;
+}
+
+CellMask
 tallFurniture(const CellMask& seen,
+              const CellMask& upright,
               const CellGrid& grid,
               const ColumnTable& columns,
               const PlanSlab& ceiling,
@@ -37,14 +62,12 @@ tallFurniture(const CellMask& seen,
               const CeilingGap& gap)
 {
   const RoomColumns room(grid, columns, ceiling, floor);
-  CellMask low(seen.box());
-  for (std::size_t i = 0; i < low.values().size(); ++i) {
-    const Cell cell = low.cellAt(i);
-    if (isEmpty(cell, room))
-      continue;
-    const double top = room.topAround(cell, reach);
-    low.values()[i] = isUpright(cell, top, room) && !room.reaches(cell, top, gap);
-  }
+  CellMask low = upright;
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (low.values()[i]) {
+      const Cell cell = low.cellAt(i);
+      low.values()[i] = !room.reaches(cell, room.topAround(cell, reach), gap);
+    }
   const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
   const MaskRegions regions = labelRegions(low, true);
   std::vector<std::size_t> under(regions.sizes.size());
@@ -61,23 +84,12 @@ tallFurniture(const CellMask& seen,
 }
 
 CellMask
-aroundSeenCeiling(const CellMask& seen,
-                  const CellGrid& grid,
-                  const ColumnTable& columns,
-                  const PlanSlab& ceiling,
-                  const PlanSlab& floor)
+aroundSeenCeiling(const CellMask& seen, const CellMask& upright, const CellGrid& grid)
 {
   constexpr double largest = 1; // square metres
   constexpr double least_seen = 0.3;
   constexpr std::size_t least_cells = 6;
   const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
-  const RoomColumns room(grid, columns, ceiling, floor);
-  CellMask upright(seen.box());
-  for (std::size_t i = 0; i < upright.values().size(); ++i) {
-    const Cell cell = upright.cellAt(i);
-    upright.values()[i] =
-        !isEmpty(cell, room) && isUpright(cell, room.topAround(cell, reach), room);
-  }
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());

@@ -36,6 +36,27 @@ isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3
   return (high - 1)->z - low->z >= least_length;
 }
 
+/** @brief Adds those of the indices that are asked for, in their order; asked on
+ * several threads. */
+template <typename Asked>
+void
+appendThose(const std::vector<int>& indices,
+            Asked asked,
+            unsigned threads,
+            std::vector<int>& those)
+{
+  constexpr std::size_t indices_a_block = 8192;
+  std::vector<std::uint8_t> is_asked(indices.size());
+  parallelBlocks(indices.size(), indices_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     is_asked[k] = asked(indices[k]) ? 1 : 0;
+                 });
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (is_asked[k])
+      those.push_back(indices[k]);
+}
+
 } // namespace
 
 std::vector<UprightPlace>
@@ -46,7 +67,6 @@ uprightPlaces(const PointView& points,
               const CellGrid& grid,
               unsigned threads)
 {
-  constexpr std::size_t points_a_block = 16384;
   const auto placeOf = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
   };
@@ -56,19 +76,15 @@ uprightPlaces(const PointView& points,
     const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
     return p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p);
   };
-  std::vector<std::uint8_t> is_wall(indices.size(), 0);
-  parallelBlocks(indices.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     is_wall[k] = isWall(indices[k]);
-                 });
+  std::vector<int> on_walls;
+  appendThose(indices, isWall, threads, on_walls);
   std::vector<UprightPlace> upper;
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    if (is_wall[k]) {
-      const Eigen::Vector2d place = placeOf(indices[k]);
-      const float z = points[static_cast<std::size_t>(indices[k])].z();
-      upper.push_back({place, room.ceiling.heightAt(place) - z});
-    }
+  upper.reserve(on_walls.size());
+  for (const int i : on_walls) {
+    const Eigen::Vector2d place = placeOf(i);
+    const float z = points[static_cast<std::size_t>(i)].z();
+    upper.push_back({place, room.ceiling.heightAt(place) - z});
+  }
   return upper;
 }
 
@@ -87,7 +103,8 @@ wallEvidence(const PointView& points,
              const RoomEvidence& evidence,
              const CellMask& room,
              const CellGrid& grid,
-             double tolerance)
+             double tolerance,
+             unsigned threads)
 {
   constexpr double reach = 1; // cells
   const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
@@ -96,9 +113,10 @@ wallEvidence(const PointView& points,
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
   };
   const auto own = static_cast<std::ptrdiff_t>(walls.size());
-  for (const int i : evidence.around)
-    if (edge.at(grid.at(place(i).x(), place(i).y())))
-      walls.push_back(i);
+  appendThose(
+      evidence.around,
+      [&](int i) { return edge.at(grid.at(place(i).x(), place(i).y())); }, threads,
+      walls);
   const auto sortPart = [](auto begin, auto end) {
     if (!std::is_sorted(begin, end)) // as indices mostly are
       std::sort(begin, end);
@@ -114,22 +132,6 @@ wallEvidence(const PointView& points,
   };
   walls.erase(std::remove_if(walls.begin(), walls.end(), isOfOthers), walls.end());
   return walls;
-}
-
-std::vector<int>
-pointsIn(const CellMask& column,
-         const PointView& points,
-         const std::vector<int>& indices,
-         const CellGrid& grid)
-{
-  const CellMask cells = dilated(column, 1);
-  std::vector<int> inside;
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (cells.at(grid.at(p.x(), p.y())))
-      inside.push_back(i);
-  }
-  return inside;
 }
 
 std::vector<int>

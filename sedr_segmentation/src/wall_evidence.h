@@ -35,13 +35,8 @@ std::vector<int> wallEvidence(const PointView& points,
                               const RoomEvidence& evidence,
                               const CellMask& room,
                               const CellGrid& grid,
-                              double tolerance);
-
-/** @brief Those of some points that are in the cells of a column or beside them. */
-std::vector<int> pointsIn(const CellMask& column,
-                          const PointView& points,
-                          const std::vector<int>& indices,
-                          const CellGrid& grid);
+                              double tolerance,
+                              unsigned threads);
 
 /** @brief Those of some points that are not in cells of furniture. */
 std::vector<int> besides(const CellMask& furniture,

@@ -16,7 +16,6 @@ detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
   const RoomParts parts = points.room(truth);
   SlabEvidence evidence;
   evidence.is_floor = is_floor;
-  evidence.around = points.all();
   for (const int i : is_floor ? parts.floor : parts.ceiling) {
     const bool is_main = !is_floor || points[i].z() < 0.02;
     (is_main ? evidence.main : evidence.details).push_back(i);
@@ -33,7 +32,8 @@ detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
   CellMask cells(grown(boxOf(outline), 12));
   for (std::size_t i = 0; i < cells.values().size(); ++i)
     cells.values()[i] = room.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
-  return fitDetails(points.view(), evidence, room, cells, parameters);
+  const ColumnTable columns(grid, cells.box(), points.view(), points.all());
+  return fitDetails(points.view(), evidence, room, cells, columns, parameters);
 }
 
 TEST(FitDetails, OfAPlainCeilingAreNone)

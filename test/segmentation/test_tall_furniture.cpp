@@ -11,6 +11,17 @@ using namespace sedr_test;
 
 constexpr double height = 2.5;
 
+/** What stops short of the ceiling of a room, by all its points. */
+CellMask
+furnitureIn(const RoomPoints& points, const CellMask& seen)
+{
+  const CellGrid grid(0.05);
+  const ColumnTable columns(grid, seen.box(), points.view(), points.all());
+  return tallFurniture(
+      seen, uprightCells(seen.box(), grid, columns, slabAt(height), slabAt(0), 2), grid,
+      columns, slabAt(height), slabAt(0), {});
+}
+
 /** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`, above
  * which the ceiling is seen for `depth` metres. */
 struct WardrobeRoom {
@@ -38,9 +49,7 @@ struct WardrobeRoom {
     const CellGrid grid(0.05);
     const CellSet seen(grid, points.view(), parts.ceiling);
     const CellBox all = grown(boxOf(seen), 14);
-    return tallFurniture(CellMask(seen, all), grid,
-                         ColumnTable(grid, all, points.view(), points.all()),
-                         slabAt(height), slabAt(0), {});
+    return furnitureIn(points, CellMask(seen, all));
   }
 
   RoomPoints points;
@@ -101,10 +110,7 @@ TEST(TallFurniture, IsSeenBelowTheCeilingAlongHalfOfItOrIsNone)
     const CellGrid grid(0.05);
     const CellSet cells(grid, points.view(), ceiling);
     const CellBox all = grown(boxOf(cells), 14);
-    return tallFurniture(CellMask(cells, all), grid,
-                         ColumnTable(grid, all, points.view(), points.all()),
-                         slabAt(height), slabAt(0), {})
-        .count();
+    return furnitureIn(points, CellMask(cells, all)).count();
   };
   EXPECT_GT(furnitureFor(3.01), 50u);
   EXPECT_GT(furnitureFor(2.0), 30u);
@@ -145,9 +151,10 @@ struct BoxRoom {
     const CellGrid grid(0.05);
     const CellSet seen(grid, points.view(), parts.ceiling);
     const CellBox all = grown(boxOf(seen), 14);
-    return aroundSeenCeiling(CellMask(seen, all), grid,
-                             ColumnTable(grid, all, points.view(), points.all()),
-                             slabAt(height), slabAt(0));
+    const ColumnTable columns(grid, all, points.view(), points.all());
+    return aroundSeenCeiling(
+        CellMask(seen, all),
+        uprightCells(all, grid, columns, slabAt(height), slabAt(0), 2), grid);
   }
 
   RoomPoints points;

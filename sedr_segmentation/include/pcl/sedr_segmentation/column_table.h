@@ -45,9 +45,19 @@ public:
    * lowest first. */
   std::vector<ColumnRun> runs(Cell cell, double gap) const;
 
+  /** @brief The same table without the points of some cells. */
+  ColumnTable without(const CellMask& cells) const;
+
+  /** @brief The indices of the points in some cells, increasing. */
+  std::vector<int> indicesIn(const CellMask& cells) const;
+
   const CellBox& box() const { return frame_.box(); }
 
 private:
+  explicit ColumnTable(const CellBox& box)
+      : frame_(box)
+  {}
+
   CellMask frame_; ///< holds the box and numbers the cells
   std::vector<std::size_t> first_;
   std::vector<Entry> entries_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_segmentation/column_table.h>
 #include <pcl/sedr_segmentation/room_fit.h>
 
 #include <vector>
@@ -14,7 +15,6 @@ namespace sedr {
 struct SlabEvidence {
   std::vector<int> main;    ///< of the main ceiling or floor
   std::vector<int> details; ///< of its parts at heights of their own, risers included
-  std::vector<int> around;  ///< all points of the room and near it
   bool is_floor = false;
 };
 
@@ -28,11 +28,13 @@ struct SlabEvidence {
  * elsewhere. Largest first.
  *
  * @param room with boundary, columns, floor and ceiling
- * @param cells the cells of the room */
+ * @param cells the cells of the room
+ * @param columns all points of the room and near it, in a box around the cells */
 std::vector<PlanDetail> fitDetails(const PointView& points,
                                    const SlabEvidence& evidence,
                                    const PlanRoom& room,
                                    const CellMask& cells,
+                                   const ColumnTable& columns,
                                    const RoomFitParameters& parameters);
 
 } // namespace sedr

@@ -26,6 +26,7 @@ struct LoopParameters {
   double minimum_radius = 0.15; ///< of an arc
   double maximum_radius = 25.0; ///< of an arc; flatter ones are segments
   std::uint64_t seed = 1;
+  unsigned threads = 1; ///< that share a loop; 0: as many as there are processors
 };
 
 /** @brief A place on a contour, moved onto the wall where points show one. */
