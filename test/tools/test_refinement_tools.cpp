@@ -213,6 +213,9 @@ TEST_F(RefinementTools, PlansThatAreNoneAreRefused)
     for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
       expectFailure(runOn(tool, scanOf().pcd(true)), 1, "plan.json");
   }
+  writeFile(in("plan.json"), "VERSION .7\nFIELDS x y z\n");
+  for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
+    expectFailure(runOn(tool, scanOf().pcd(true)), 1, "a floor plan is asked for");
   writeFile(in("plan.json"), pcl::sedr::floorplanToJson({}));
   for (const char* tool : {STRUCTURE_REFINEMENT, VERTICAL_HOLE_REPAIR})
     expectFailure(runOn(tool, scanOf().pcd(true)), 2, "no rooms");

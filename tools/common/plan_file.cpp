@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_file.h"
 
+#include "cloud_readers.h"
 #include "mapped_file.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -38,6 +39,10 @@ std::shared_ptr<const Floorplan>
 loadFloorplan(const std::string& path)
 {
   const MappedFile file(path);
+  if (looksLikePcd(file) || looksLikePly(file))
+    throw ToolError("'" + path +
+                    "' is a cloud or mesh; a floor plan is asked for, the "
+                    "floorplan.json that pcl_sedr writes");
   const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
   std::string problem;
   auto plan = std::make_shared<Floorplan>(floorplanFromJson(text, problem));
