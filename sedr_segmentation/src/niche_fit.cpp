@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
@@ -45,13 +46,13 @@ unroll(const PointView& points,
   wall.height = room.ceilingAt(inside) - floor;
   const Eigen::Vector2d way = (element.end - element.start).normalized();
   const Eigen::Vector2d inwards = element.normalAt(0);
+  const double length = element.length();
   for (const int i : around) {
     const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
     const Eigen::Vector2d d = p.head<2>() - element.start;
     const WallPoint seen{d.dot(way), p.z() - floor, -d.dot(inwards)};
-    if (seen.along >= 0 && seen.along <= element.length() && seen.up >= -0.1 &&
-        seen.up <= wall.height && seen.behind >= -wall.tolerance &&
-        seen.behind <= farthest)
+    if (seen.behind >= -wall.tolerance && seen.behind <= farthest && seen.along >= 0 &&
+        seen.along <= length && seen.up >= -0.1 && seen.up <= wall.height)
       wall.points.push_back(seen);
   }
   return wall;
@@ -283,6 +284,43 @@ largestOf(std::vector<Recess> recesses)
   return kept;
 }
 
+/** @brief The niches of a straight wall. */
+std::vector<PlanNiche>
+nichesIn(const UnrolledWall& wall,
+         const PlanRoom& room,
+         const NicheParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const auto least =
+      static_cast<std::size_t>(cellsFor(parameters.least_size, grid.size()) *
+                               cellsFor(parameters.least_size, grid.size()));
+  const CellMask open = openCells(wall, grid);
+  const MaskRegions regions = labelRegions(open, false);
+  std::vector<Recess> recesses;
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    if (regions.sizes[r] < least)
+      continue;
+    Recess recess;
+    if (!findRecess(wall, regionMask(open, regions, static_cast<std::int32_t>(r)), grid,
+                    parameters, recess))
+      continue;
+    const bool is_at_floor = recess.low < 0.15 && !recess.has_bottom;
+    if (is_at_floor && (recess.depth < parameters.least_alcove ||
+                        recess.high == wall.height)) // a part of the room
+      continue;
+    if (is_at_floor)
+      recess.low = 0;
+    recesses.push_back(recess);
+  }
+  std::vector<PlanNiche> niches;
+  for (const Recess& recess : largestOf(std::move(recesses))) {
+    PlanNiche niche = nicheOf(room, wall, recess);
+    if (!reachesInto(room, niche))
+      niches.push_back(std::move(niche));
+  }
+  return niches;
+}
+
 } // namespace
 
 std::vector<PlanNiche>
@@ -291,40 +329,18 @@ fitNiches(const PointView& points,
           const PlanRoom& room,
           const NicheParameters& parameters)
 {
-  const CellGrid grid(parameters.cell_size);
-  const auto least =
-      static_cast<std::size_t>(cellsFor(parameters.least_size, grid.size()) *
-                               cellsFor(parameters.least_size, grid.size()));
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  std::vector<std::vector<PlanNiche>> niches_of(walls.size());
+  parallelBlocks(walls.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
+    const PlanElement& element = walls[k];
+    if (!element.isArc() && element.length() >= parameters.least_size)
+      niches_of[k] = nichesIn(unroll(points, around, room, element,
+                                     parameters.greatest_depth + parameters.view),
+                              room, parameters);
+  });
   std::vector<PlanNiche> niches;
-  for (const PlanElement& element : room.boundary.elements) {
-    if (element.isArc() || element.length() < parameters.least_size)
-      continue;
-    const UnrolledWall wall = unroll(points, around, room, element,
-                                     parameters.greatest_depth + parameters.view);
-    const CellMask open = openCells(wall, grid);
-    const MaskRegions regions = labelRegions(open, false);
-    std::vector<Recess> recesses;
-    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-      if (regions.sizes[r] < least)
-        continue;
-      Recess recess;
-      if (!findRecess(wall, regionMask(open, regions, static_cast<std::int32_t>(r)),
-                      grid, parameters, recess))
-        continue;
-      const bool is_at_floor = recess.low < 0.15 && !recess.has_bottom;
-      if (is_at_floor && (recess.depth < parameters.least_alcove ||
-                          recess.high == wall.height)) // a part of the room
-        continue;
-      if (is_at_floor)
-        recess.low = 0;
-      recesses.push_back(recess);
-    }
-    for (const Recess& recess : largestOf(std::move(recesses))) {
-      PlanNiche niche = nicheOf(room, wall, recess);
-      if (!reachesInto(room, niche))
-        niches.push_back(std::move(niche));
-    }
-  }
+  for (auto& own : niches_of)
+    niches.insert(niches.end(), own.begin(), own.end());
   return niches;
 }
 
