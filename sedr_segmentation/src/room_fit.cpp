@@ -254,10 +254,9 @@ fitRoom(const PointView& points,
   std::vector<PlanDetail> of_floor;
   sideBySide({[&] {
                 if (!evidence.details.empty())
-                  of_ceiling = fitDetails(
-                      points,
-                      {evidence.ceiling, evidence.details, false}, room,
-                      outline.room, all, parameters);
+                  of_ceiling =
+                      fitDetails(points, {evidence.ceiling, evidence.details, false},
+                                 room, outline.room, all, parameters);
               },
               [&] {
                 const SlabEvidence floor =
