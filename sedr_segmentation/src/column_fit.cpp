@@ -114,6 +114,7 @@ findCircle(const std::vector<Eigen::Vector2d>& points,
 {
   constexpr int trials = 300;
   constexpr double smallest_radius = 0.05;
+  constexpr double rounding = 1e-6; // of a sum of scores, 0 to 1 a point
   std::mt19937_64 random(parameters.seed);
   PlanCurve best;
   double best_score = 0;
@@ -124,9 +125,11 @@ findCircle(const std::vector<Eigen::Vector2d>& points,
     if (circle.radius < smallest_radius || circle.radius > largest_radius)
       continue;
     double score = 0;
-    for (const auto& p : points)
+    auto left = static_cast<double>(points.size());
+    for (auto p = points.begin();
+         p != points.end() && score + left + rounding > best_score; ++p, --left)
       score +=
-          std::max(0.0, 1 - std::pow(circle.distance(p) / parameters.tolerance, 2));
+          std::max(0.0, 1 - std::pow(circle.distance(*p) / parameters.tolerance, 2));
     if (score <= best_score)
       continue;
     best_score = score;

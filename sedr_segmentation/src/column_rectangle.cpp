@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace pcl {
@@ -22,6 +23,39 @@ framed(const std::vector<Eigen::Vector2d>& points, const Rectangle& r)
   for (const auto& p : points)
     in_frame.push_back(r.inFrame(p));
   return in_frame;
+}
+
+/** @brief Lines by how many of the points lie within `band` of them, those near it
+ * counting more. */
+std::vector<PlanCurve>
+bestFirst(const std::vector<PlanCurve>& lines,
+          const std::vector<Eigen::Vector2d>& points,
+          double band)
+{
+  const auto n = static_cast<Eigen::Index>(lines.size());
+  // All lines at a time: sums that do not wait for each other.
+  Eigen::ArrayXd x(n), y(n), left_x(n), left_y(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const PlanCurve& line = lines[static_cast<std::size_t>(k)];
+    x[k] = line.point.x();
+    y[k] = line.point.y();
+    left_x[k] = leftOf(line.direction).x();
+    left_y[k] = leftOf(line.direction).y();
+  }
+  Eigen::ArrayXd score = Eigen::ArrayXd::Zero(n);
+  for (const auto& p : points)
+    score += (1 - (((p.x() - x) * left_x + (p.y() - y) * left_y).abs() / band).square())
+                 .max(0.0);
+  std::vector<std::size_t> order(lines.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return score[static_cast<Eigen::Index>(a)] > score[static_cast<Eigen::Index>(b)];
+  });
+  std::vector<PlanCurve> ordered;
+  ordered.reserve(lines.size());
+  for (const std::size_t k : order)
+    ordered.push_back(lines[k]);
+  return ordered;
 }
 
 } // namespace
@@ -73,26 +107,16 @@ directionsOf(const std::vector<Eigen::Vector2d>& points,
   constexpr double band = 0.02;
   constexpr double least_length = 0.1;
   std::mt19937_64 random(parameters.seed);
-  struct Scored {
-    double score;
-    Eigen::Vector2d direction;
-  };
-  std::vector<Scored> lines;
+  std::vector<PlanCurve> lines;
   for (int trial = 0; trial < trials; ++trial) {
     const Eigen::Vector2d& a = points[random() % points.size()];
     const Eigen::Vector2d& b = points[random() % points.size()];
     if ((b - a).norm() < least_length)
       continue;
-    const PlanCurve line = lineThrough(a, b);
-    double score = 0;
-    for (const auto& p : points)
-      score += std::max(0.0, 1 - std::pow(line.distance(p) / band, 2));
-    lines.push_back({score, line.direction});
+    lines.push_back(lineThrough(a, b));
   }
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<Eigen::Vector2d> directions;
-  for (const auto& line : lines) {
+  for (const PlanCurve& line : bestFirst(lines, points, band)) {
     const bool is_new = std::none_of(
         directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
           const double cosine = std::abs(d.dot(line.direction));
@@ -120,6 +144,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
     std::vector<double> values;
     for (const auto& p : in_frame)
       values.push_back(p[axis]);
+    std::sort(values.begin(), values.end());
     auto& own = places[static_cast<std::size_t>(axis)];
     own = peaksOf(values, width);
     own.push_back(endOf(values, false, tolerance));
@@ -132,8 +157,8 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
     trial.direction = direction;
     trial.side = {x0, x1, y0, y1};
     double missed = 0;
-    for (const auto& p : in_frame)
-      missed += std::min(1.0, std::pow(trial.distance(p) / tolerance, 2));
+    for (auto p = in_frame.begin(); p != in_frame.end() && missed < least; ++p)
+      missed += std::min(1.0, std::pow(trial.distance(*p) / tolerance, 2));
     if (missed >= least)
       return;
     least = missed;

@@ -26,13 +26,15 @@ StepBeside
 stepBeside(const HeightMap& map, const CellGrid& grid, Cell cell)
 {
   StepBeside step;
+  std::int32_t last = -1;
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx) {
       const Cell near{cell.x + dx, cell.y + dy};
       const std::int32_t label =
           map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
-      if (label < 0)
+      if (label < 0 || label == last)
         continue;
+      last = label;
       const double height = map.slabOf(label).heightAt(grid.centre(cell));
       step.low = std::min(step.low, height);
       step.high = std::max(step.high, height);

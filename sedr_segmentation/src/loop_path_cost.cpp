@@ -4,9 +4,11 @@
 #include "wall_stretch.h"
 
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pcl {
@@ -66,11 +68,19 @@ densityAlong(const std::vector<ContourSample>& samples,
              const PlanPoints& evidence,
              const LoopParameters& parameters)
 {
-  std::vector<double> counts;
-  for (const auto& s : samples)
-    if (s.isSupported())
-      counts.push_back(static_cast<double>(
-          wallAcross(evidence, s.place, s.tangent, parameters).count));
+  constexpr std::size_t samples_a_block = 64;
+  std::vector<ContourSample> supported;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(supported),
+               [](const ContourSample& s) { return s.isSupported(); });
+  std::vector<double> counts(supported.size());
+  parallelBlocks(
+      counts.size(), samples_a_block, parameters.threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          counts[i] = static_cast<double>(
+              wallAcross(evidence, supported[i].place, supported[i].tangent, parameters)
+                  .count);
+      });
   if (counts.empty())
     return 0;
   return middleValue(std::move(counts)) / (2 * parameters.evidence_span);

@@ -114,13 +114,15 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
   std::uint64_t seen = 0;
   bool is_close = false;
   forEachRow(place, first_reach, [&](std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t k = from; k < to && !is_close; ++k) {
+    if (is_close)
+      return;
+    for (std::uint32_t k = from; k < to; ++k) {
       const Eigen::Vector3f way = places_[k] - place;
       if (way.squaredNorm() > within || (way.x() == 0 && way.y() == 0))
         continue;
       seen |= DirectionSectors::bitOf(way.x(), way.y());
-      is_close = sectors_.areClose(seen);
     }
+    is_close = sectors_.areClose(seen);
   });
   return is_close;
 }

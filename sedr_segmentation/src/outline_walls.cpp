@@ -72,16 +72,16 @@ OutlineWalls::isSurface(Cell cell, double low, double high) const
 }
 
 bool
-OutlineWalls::isLargeEnough(const CellMask& hole) const
+OutlineWalls::isLargeEnough(std::size_t cells) const
 {
-  return static_cast<double>(hole.count()) * grid().size() * grid().size() >=
+  return static_cast<double>(cells) * grid().size() * grid().size() >=
          least_column_area;
 }
 
 bool
 OutlineWalls::isColumn(const CellMask& hole) const
 {
-  if (!isLargeEnough(hole))
+  if (!isLargeEnough(hole.count()))
     return false;
   const CellMask rim = subtract(hole, eroded(hole, 1));
   std::size_t walled = 0;

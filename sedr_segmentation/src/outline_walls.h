@@ -37,8 +37,8 @@ public:
    * is in view. */
   bool isColumn(const CellMask& hole) const;
 
-  /** @brief Whether it is as large as the smallest column. */
-  bool isLargeEnough(const CellMask& hole) const;
+  /** @brief Whether a hole of so many cells is as large as the smallest column. */
+  bool isLargeEnough(std::size_t cells) const;
 
   /** @brief Share of the common edge of `part` and `other` along which a wall stands.
    */

@@ -39,26 +39,24 @@ quantile(const std::vector<double>& sorted, double share)
 }
 
 double
-endOf(std::vector<double> values, bool is_high, double voxel)
+endOf(const std::vector<double>& sorted, bool is_high, double voxel)
 {
   constexpr double tail = 0.01;
-  std::sort(values.begin(), values.end());
-  return is_high ? quantile(values, 1 - tail) + voxel / 4
-                 : quantile(values, tail) - voxel / 4;
+  return is_high ? quantile(sorted, 1 - tail) + voxel / 4
+                 : quantile(sorted, tail) - voxel / 4;
 }
 
 std::vector<double>
-peaksOf(std::vector<double> values, double width)
+peaksOf(std::vector<double> sorted, double width)
 {
   constexpr std::size_t most = 4;
-  const double least = least_share * static_cast<double>(values.size());
-  std::sort(values.begin(), values.end());
+  const double least = least_share * static_cast<double>(sorted.size());
   std::vector<double> peaks;
-  while (peaks.size() < most && !values.empty()) {
+  while (peaks.size() < most && !sorted.empty()) {
     std::size_t best_first = 0;
     std::size_t best_count = 0;
-    for (std::size_t first = 0, last = 0; last < values.size(); ++last) {
-      while (values[last] - values[first] > width)
+    for (std::size_t first = 0, last = 0; last < sorted.size(); ++last) {
+      while (sorted[last] - sorted[first] > width)
         ++first;
       if (last - first + 1 > best_count) {
         best_count = last - first + 1;
@@ -69,12 +67,12 @@ peaksOf(std::vector<double> values, double width)
       break;
     double sum = 0;
     for (std::size_t i = best_first; i < best_first + best_count; ++i)
-      sum += values[i];
+      sum += sorted[i];
     const double peak = sum / static_cast<double>(best_count);
     peaks.push_back(peak);
-    values.erase(std::remove_if(values.begin(), values.end(),
+    sorted.erase(std::remove_if(sorted.begin(), sorted.end(),
                                 [&](double v) { return std::abs(v - peak) <= width; }),
-                 values.end());
+                 sorted.end());
   }
   return peaks;
 }
@@ -129,8 +127,10 @@ judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle&
       if (std::abs(r.fromSide(p, beside)) <= band ||
           std::abs(r.fromSide(p, beside + 1)) <= band)
         along.push_back(p[static_cast<Eigen::Index>(k / 2)]);
-    if (along.size() >= 5)
-      r.side[k] = endOf(std::move(along), k % 2 == 1, band);
+    if (along.size() < 5)
+      continue;
+    std::sort(along.begin(), along.end());
+    r.side[k] = endOf(along, k % 2 == 1, band);
   }
   makeSquare(is_shown, band, r);
 }

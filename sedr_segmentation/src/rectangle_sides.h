@@ -19,10 +19,10 @@ double quantile(const std::vector<double>& sorted, double share);
 
 /** @brief Where the points of a side end. A point stands for those of a voxel, so that
  * the last is short of the end. */
-double endOf(std::vector<double> values, bool is_high, double voxel);
+double endOf(const std::vector<double>& sorted, bool is_high, double voxel);
 
-/** @brief Values around which many are: places of sides. */
-std::vector<double> peaksOf(std::vector<double> values, double width);
+/** @brief Values around which many of the sorted ones are: places of sides. */
+std::vector<double> peaksOf(std::vector<double> sorted, double width);
 
 /** @brief The points of each side, those near a corner left out. */
 std::array<std::vector<Eigen::Vector2d>, 4>

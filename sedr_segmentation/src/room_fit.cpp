@@ -270,7 +270,9 @@ fitRoom(const PointView& points,
   room.floor_details = std::move(of_floor);
   std::vector<int> beside = evidence.around;
   beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
-  room.niches = fitNiches(points, beside, room);
+  NicheParameters of_niches;
+  of_niches.threads = parameters.threads;
+  room.niches = fitNiches(points, beside, room, of_niches);
   addWhereNoneIs(std::move(alcoves), room.niches);
   return room;
 }

@@ -67,7 +67,7 @@ columnBeforeWall(const CellMask& notch,
                  const OutlineWalls& walls)
 {
   const CellMask nothing(notch.box());
-  if (!walls.isLargeEnough(notch))
+  if (!walls.isLargeEnough(notch.count()))
     return nothing;
   const CellMask outside = inverted(closed);
   const CellMask outer = intersect(notch, dilated(outside, 1));

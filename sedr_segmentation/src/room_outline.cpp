@@ -42,6 +42,8 @@ public:
     const CellMask holes = enclosedCells(room);
     const MaskRegions regions = labelRegions(holes, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (!walls_.isLargeEnough(regions.sizes[r]))
+        continue;
       const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
       if (walls_.isColumn(hole))
         result.columns.push_back(hole);
@@ -80,12 +82,17 @@ private:
     const CellMask closed = eroded(dilated(walls, gap), gap);
     const CellMask whole = unite(walls, partitionsAmong(subtract(closed, walls)));
     const MaskRegions regions = labelRegions(whole, true);
+    std::vector<std::size_t> walled(regions.sizes.size(), 0);
+    for (std::size_t i = 0; i < whole.values().size(); ++i)
+      if (whole.values()[i])
+        walled[static_cast<std::size_t>(regions.label[i])] += walls.values()[i];
     CellMask result = walls;
-    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-      const CellMask piece = regionMask(whole, regions, static_cast<std::int32_t>(r));
-      if (2 * intersect(piece, walls).count() >= piece.count())
-        result = unite(result, piece);
-    }
+    for (std::size_t i = 0; i < whole.values().size(); ++i)
+      if (whole.values()[i]) {
+        const auto piece = static_cast<std::size_t>(regions.label[i]);
+        if (2 * walled[piece] >= regions.sizes[piece])
+          result.values()[i] = 1;
+      }
     return result;
   }
 
@@ -103,14 +110,7 @@ private:
     const CellMask slits = unite(walls, subtract(filled, room));
     const CellMask inner =
         subtract(eroded(filled, reach), dilated(enclosedCells(room), 1.5 * gap));
-    const MaskRegions regions = labelRegions(slits, true);
-    CellMask partitions(walls.box());
-    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-      const CellMask slit = regionMask(slits, regions, static_cast<std::int32_t>(r));
-      if (intersect(slit, inner).count() > 0)
-        partitions = unite(partitions, intersect(slit, walls));
-    }
-    return partitions;
+    return intersect(markedRegions(slits, inner, true), walls);
   }
 
   CellMask withoutFalseProtrusions(const CellMask& room) const
@@ -122,8 +122,10 @@ private:
     const MaskRegions regions = labelRegions(parts, false);
     CellMask result = room;
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (regions.sizes[r] < 4)
+        continue;
       const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
-      if (regions.sizes[r] >= 4 && walls_.wallShare(part, outside) < 0.5)
+      if (walls_.wallShare(part, outside) < 0.5)
         result = subtract(result, part);
     }
     return result;

@@ -19,6 +19,7 @@ struct NicheParameters {
   double least_alcove = 0.2; ///< depth of one that starts at the floor
   double minimum_coverage = 0.7; ///< share of its back that was seen
   double greatest_view = 0.1;    ///< share of its back, or rim, beyond which one sees
+  unsigned threads = 1; ///< that share the walls; 0: as many as there are processors
 };
 
 /** @brief How far from a room's ceiling the points that fitNiches() looks at may be,
