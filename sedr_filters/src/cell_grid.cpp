@@ -144,42 +144,6 @@ CellSet::indexRows()
   std::partial_sum(row_.begin(), row_.end(), row_.begin());
 }
 
-std::size_t
-CellSet::find(Cell cell) const
-{
-  const std::size_t i = firstFrom(cell);
-  return i < keys_.size() && keys_[i] == keyOf(cell) ? i : npos;
-}
-
-std::size_t
-CellSet::firstFrom(Cell cell) const
-{
-  const CellKey key = keyOf(cell);
-  auto first = keys_.begin();
-  auto last = keys_.end();
-  const auto position = [&](auto it) {
-    return static_cast<std::size_t>(it - keys_.begin());
-  };
-  if (!row_.empty()) {
-    const std::int64_t row = std::int64_t{cell.y} - first_row_;
-    if (row < 0)
-      return 0;
-    if (row + 1 >= static_cast<std::int64_t>(row_.size()))
-      return keys_.size();
-    last = first + static_cast<std::ptrdiff_t>(row_[static_cast<std::size_t>(row) + 1]);
-    first += static_cast<std::ptrdiff_t>(row_[static_cast<std::size_t>(row)]);
-    if (first == last || key <= *first)
-      return position(first);
-    // No cell is farther along its row than its distance from the first.
-    const auto farthest = static_cast<std::ptrdiff_t>(
-        std::min<CellKey>(key - *first, static_cast<CellKey>(last - first - 1)));
-    if (first[farthest] <= key)
-      return position(first + farthest + (first[farthest] < key ? 1 : 0));
-    last = first + farthest;
-  }
-  return position(std::lower_bound(first, last, key));
-}
-
 CellSet
 unite(const CellSet& a, const CellSet& b)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "slab_agreement.h"
+
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <pcl/sedr_filters/middle_value.h>
-#include <pcl/sedr_filters/parallel.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -15,10 +16,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Points side by side: those of a plane are all over the cloud, and looked at
- * many times. */
-using Positions = std::vector<Eigen::Vector3f>;
 
 Positions
 positionsOf(const PointView& points, const std::vector<int>& indices)
@@ -81,25 +78,6 @@ planeThrough(const Eigen::Vector3d& a,
     return false;
   slab.plane << normal, -normal.dot(a);
   return true;
-}
-
-/** @brief How well the points agree with a slab: 1 for each on it, down to 0 at the
- * tolerance, so that a thin layer wins over a thick one. Less than it is where it
- * cannot exceed `least`: most of the points need not be looked at then. */
-double
-agreement(const Positions& points, const PlanSlab& slab, double tolerance, double least)
-{
-  constexpr std::size_t stretch = 64;
-  constexpr double rounding = 1e-6; // of the sum
-  double sum = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double d = distanceAbove(slab, points[k]) / tolerance;
-    sum += std::max(0.0, 1 - d * d);
-    if (k % stretch == 0 &&
-        sum + static_cast<double>(points.size() - k) + rounding < least)
-      return sum;
-  }
-  return sum;
 }
 
 /** @brief The horizontal plane at the height around which, within the tolerance, most
@@ -222,38 +200,6 @@ fitSlabRobustly(const PointView& points,
   return fitSlabRobustly(positionsOf(points, indices), start, band);
 }
 
-namespace {
-
-/** @brief Of some slabs the one that most of the points agree with, the first of
- * equals; `start` where none does better. */
-PlanSlab
-bestOf(const std::vector<PlanSlab>& slabs,
-       const PlanSlab& start,
-       const Positions& points,
-       double tolerance,
-       unsigned threads)
-{
-  constexpr std::size_t block = 25;
-  using Choice = std::pair<double, const PlanSlab*>; // with its score
-  const Choice least{agreement(points, start, tolerance, 0), &start};
-  std::vector<Choice> choices((slabs.size() + block - 1) / block, least);
-  parallelBlocks(slabs.size(), block, threads, [&](std::size_t begin, std::size_t end) {
-    Choice& best = choices[begin / block];
-    for (std::size_t k = begin; k < end; ++k) {
-      const double score = agreement(points, slabs[k], tolerance, best.first);
-      if (score > best.first)
-        best = {score, &slabs[k]};
-    }
-  });
-  Choice best = least;
-  for (const Choice& choice : choices)
-    if (choice.first > best.first)
-      best = choice;
-  return *best.second;
-}
-
-} // namespace
-
 PlanSlab
 findSlab(const PointView& points,
          const std::vector<int>& indices,
@@ -285,7 +231,7 @@ findSlab(const PointView& points,
     if (planeThrough(a, b, draw(), minimum_cosine, slab))
       slabs.push_back(slab);
   }
-  const PlanSlab best = bestOf(slabs, level, scored, tolerance, threads);
+  const PlanSlab best = mostAgreed(slabs, level, scored, tolerance, threads);
   const PlanSlab refined = fitSlabRobustly(all, best, tolerance);
   return refined.plane[2] >= minimum_cosine ? refined
                                             : fitParallel(all, level, level, tolerance);

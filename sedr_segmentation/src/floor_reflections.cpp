@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/floor_reflections.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
@@ -54,10 +55,10 @@ isBelowCeilings(const std::vector<Level>& levels,
 bool
 hasPointsBelow(const Level& level, const std::vector<Candidate>& all)
 {
-  const auto below = std::count_if(all.begin(), all.end(), [&](const Candidate& c) {
-    return distanceAbove(level.slab, c.position()) < -least_depth;
-  });
-  return static_cast<std::size_t>(below) >= least_points;
+  std::size_t below = 0; // counted up to what is enough
+  for (auto c = all.begin(); c != all.end() && below < least_points; ++c)
+    below += distanceAbove(level.slab, c->position()) < -least_depth ? 1 : 0;
+  return below >= least_points;
 }
 
 /** @brief Those of some points that are below a level, over its footprint. */
@@ -161,6 +162,30 @@ mirrors(const Level& level,
   return true;
 }
 
+/** @brief What a level mirrors of the room above it, if that is a floor. */
+std::vector<int>
+reflectionsIn(const LevelColumns& columns,
+              const std::vector<Level>& levels,
+              std::size_t at,
+              const LevelParameters& parameters)
+{
+  const Level& floor = levels[at];
+  if (floor.kind == LevelKind::Ceiling || !isBelowCeilings(levels, at, parameters) ||
+      !hasPointsBelow(floor, columns.all()))
+    return {};
+  const NearPoints near_points(columns);
+  const CellSet footprint = footprintOf(floor, columns.grid());
+  if (hardlyMirrors(floor, footprint, columns, near_points) ||
+      !mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
+               near_points))
+    return {};
+  std::vector<int> found;
+  for (const Candidate& c : belowFootprint(floor, footprint, columns.all()))
+    if (near_points.holdImage(c, floor))
+      found.push_back(c.index);
+  return found;
+}
+
 } // namespace
 
 std::vector<int>
@@ -168,22 +193,13 @@ findReflections(const LevelColumns& columns,
                 const std::vector<Level>& levels,
                 const LevelParameters& parameters)
 {
-  const NearPoints near_points(columns);
+  std::vector<std::vector<int>> parts(levels.size());
+  parallelBlocks(levels.size(), 1, columns.threads(), [&](std::size_t l, std::size_t) {
+    parts[l] = reflectionsIn(columns, levels, l, parameters);
+  });
   std::vector<int> found;
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    const Level& floor = levels[l];
-    if (floor.kind == LevelKind::Ceiling || !isBelowCeilings(levels, l, parameters) ||
-        !hasPointsBelow(floor, columns.all()))
-      continue;
-    const CellSet footprint = footprintOf(floor, columns.grid());
-    if (hardlyMirrors(floor, footprint, columns, near_points) ||
-        !mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
-                 near_points))
-      continue;
-    for (const Candidate& c : belowFootprint(floor, footprint, columns.all()))
-      if (near_points.holdImage(c, floor))
-        found.push_back(c.index);
-  }
+  for (const std::vector<int>& part : parts)
+    found.insert(found.end(), part.begin(), part.end());
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

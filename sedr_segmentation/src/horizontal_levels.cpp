@@ -83,29 +83,18 @@ cellsOf(const std::vector<Candidate>& candidates,
   return marked;
 }
 
-CellSet
-markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
-{
-  std::vector<CellKey> keys;
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i])
-      keys.push_back(cells.keys()[i]);
-  return CellSet::fromSorted(std::move(keys));
-}
-
 /** @brief Positions of the candidates within `band` of the plane of a level. */
 std::vector<std::size_t>
-nearPlane(const std::vector<Candidate>& candidates,
+nearPlane(const LevelColumns& columns,
+          const std::vector<Candidate>& candidates,
           const LevelDraft& draft,
           double band)
 {
   std::vector<std::size_t> near;
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const auto p = candidates[k].position();
-    if (!draft.apart[candidates[k].cell] &&
-        std::abs(distanceAbove(draft.slab, p)) <= band)
-      near.push_back(k);
-  }
+  for (const Candidate& c : stretchNear(columns, candidates, draft.slab, band))
+    if (!draft.apart[c.cell] &&
+        std::abs(distanceAbove(draft.slab, c.position())) <= band)
+      near.push_back(static_cast<std::size_t>(&c - candidates.data()));
   return near;
 }
 
@@ -133,18 +122,18 @@ reachOfNoise(const PlanSlab& slab, double tolerance)
 /** @brief The points of a level, and its tails in and beside its own cells, which would
  * look like further levels just above and below. What is there elsewhere may be one. */
 std::vector<std::size_t>
-withTails(const std::vector<Candidate>& candidates,
-          const CellSet& cells,
+withTails(const LevelColumns& columns,
+          const std::vector<Candidate>& candidates,
           const LevelDraft& draft,
           const PlanSlab& slab,
           double tolerance)
 {
   std::vector<std::size_t> near =
-      nearPlane(candidates, draft, reachOfNoise(slab, tolerance));
+      nearPlane(columns, candidates, draft, reachOfNoise(slab, tolerance));
   const auto isElsewhere = [&](std::size_t k) {
     if (draft.cells[candidates[k].cell]) // as most are
       return false;
-    const CellBlock block = blockAround(cells, candidates[k].cell);
+    const CellBlock block = blockAround(columns.cells(), candidates[k].cell);
     return std::none_of(block.begin(), block.end(),
                         [&](std::size_t b) { return draft.cells[b] != 0; });
   };
@@ -154,17 +143,17 @@ withTails(const std::vector<Candidate>& candidates,
 
 /** @brief The plane of the candidates in marked cells, near which it is looked for. */
 PlanSlab
-slabOver(const PointView& points,
+slabOver(const LevelColumns& columns,
          const std::vector<Candidate>& candidates,
          const std::vector<std::uint8_t>& marked,
          const PlanSlab& near,
          double tolerance)
 {
   std::vector<int> own;
-  for (const Candidate& c : candidates)
+  for (const Candidate& c : stretchNear(columns, candidates, near, tolerance))
     if (marked[c.cell] && std::abs(distanceAbove(near, c.position())) <= tolerance)
       own.push_back(c.index);
-  return fitSlabRobustly(points, own, near, tolerance);
+  return fitSlabRobustly(columns.points(), own, near, tolerance);
 }
 
 /** @brief Leaves a level that stands out as it is, and of any other only the regions
@@ -196,7 +185,7 @@ keepWhatStandsOut(const LevelColumns& columns,
   }
   if (standing.empty())
     return false;
-  draft.slab = slabOver(columns.points(), candidates, standing, draft.slab, tolerance);
+  draft.slab = slabOver(columns, candidates, standing, draft.slab, tolerance);
   draft.cells = std::move(standing);
   return true;
 }
@@ -313,13 +302,12 @@ findLevels(const LevelColumns& columns,
     std::vector<std::size_t> own;
     bool has_changed = true;
     for (int round = 0; round < most_rounds && has_changed; ++round) {
-      own = nearPlane(candidates, draft, parameters.tolerance);
+      own = nearPlane(columns, candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
       has_changed = partLevel(columns, candidates, parameters, minimum_cells, draft);
     }
-    if (setStepsApart(candidates, cells, parameters.tolerance, parameters.threads,
-                      draft)) {
-      own = nearPlane(candidates, draft, parameters.tolerance);
+    if (setStepsApart(columns, candidates, parameters.tolerance, draft)) {
+      own = nearPlane(columns, candidates, draft, parameters.tolerance);
       draft.cells = cellsOf(candidates, own, cells.size());
     }
     if (keepWhatStandsOut(columns, candidates, parameters.tolerance, minimum_cells,
@@ -327,7 +315,7 @@ findLevels(const LevelColumns& columns,
       Level level;
       level.slab = draft.slab;
       level.cells = markedCells(cells, draft.cells);
-      own = withTails(candidates, cells, draft, level.slab, parameters.tolerance);
+      own = withTails(columns, candidates, draft, level.slab, parameters.tolerance);
       level.without = markedCells(cells, draft.apart);
       keepApart(cells, levels, with_rims, level);
       levels.push_back(std::move(level));

@@ -7,15 +7,41 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
+
+namespace {
+
+constexpr double rounding = 1e-4; // metres
+
+} // namespace
+
+CellSet
+markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
+{
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i])
+      keys.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(keys));
+}
 
 CellBlock
 blockAround(const CellSet& cells, std::size_t at)
 {
   CellBlock block;
-  forEachAround(cells, cells[at], 1, [&](std::size_t i) { block.add(i); });
+  const Cell middle = cells[at];
+  const auto addRow = [&](std::size_t first, std::int32_t y) {
+    const CellKey last = keyOf({middle.x + 1, y});
+    for (std::size_t i = first; i < cells.size() && cells.keys()[i] <= last; ++i)
+      block.add(i);
+  };
+  const bool is_before = at > 0 && cells[at - 1] == Cell{middle.x - 1, middle.y};
+  addRow(cells.firstFrom({middle.x - 1, middle.y - 1}), middle.y - 1);
+  addRow(is_before ? at - 1 : at, middle.y);
+  addRow(cells.firstFrom({middle.x - 1, middle.y + 1}), middle.y + 1);
   return block;
 }
 
@@ -26,23 +52,46 @@ stretchNear(const LevelColumns& columns,
             double low,
             double high)
 {
-  constexpr double rounding = 1e-4;
   const double up = slab.plane[2];
   const double rise = slab.plane.head<2>().norm() / up * columns.grid().size();
   const double height = slab.heightAt(columns.grid().centre(columns.cells()[cell]));
   const double from = height + low / up - rise - rounding;
   const double to = height + high / up + rise + rounding;
-  const auto at = [&](std::size_t k) {
-    return columns.all().begin() + static_cast<std::ptrdiff_t>(k);
-  };
-  const auto first =
-      std::lower_bound(at(columns.first(cell)), at(columns.last(cell)), from,
-                       [](const Candidate& c, double z) { return c.z < z; });
-  const auto last =
-      std::upper_bound(first, at(columns.last(cell)), to,
-                       [](double z, const Candidate& c) { return z < c.z; });
-  return {static_cast<std::size_t>(first - columns.all().begin()),
-          static_cast<std::size_t>(last - columns.all().begin())};
+  const Candidate* const all = columns.all().data();
+  const Candidate* first = all + columns.first(cell);
+  const Candidate* last = all + columns.last(cell);
+  if (first == last || first->z > to || (last - 1)->z < from) // as most columns are
+    return {};
+  first = std::lower_bound(first, last, from,
+                           [](const Candidate& c, double z) { return c.z < z; });
+  last = std::upper_bound(first, last, to,
+                          [](double z, const Candidate& c) { return z < c.z; });
+  return {static_cast<std::size_t>(first - all), static_cast<std::size_t>(last - all)};
+}
+
+HeightStretch
+stretchNear(const LevelColumns& columns,
+            const std::vector<Candidate>& sorted,
+            const PlanSlab& slab,
+            double reach)
+{
+  const CellBox box = grown(columns.box(), 1); // for what rounding does at its edge
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const std::int32_t x : {box.low.x, box.high.x})
+    for (const std::int32_t y : {box.low.y, box.high.y}) {
+      const double height = slab.heightAt(columns.grid().centre({x, y}));
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+  const double from = lowest - reach / slab.plane[2] - rounding;
+  const double to = highest + reach / slab.plane[2] + rounding;
+  const Candidate* const end = sorted.data() + sorted.size();
+  const Candidate* const first = std::lower_bound(
+      sorted.data(), end, from, [](const Candidate& c, double z) { return c.z < z; });
+  return {first, std::upper_bound(first, end, to, [](double z, const Candidate& c) {
+            return z < c.z;
+          })};
 }
 
 std::vector<std::uint8_t>

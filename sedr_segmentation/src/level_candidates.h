@@ -13,6 +13,9 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief The marked cells of a set. */
+CellSet markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked);
+
 /** @brief Positions of up to nine cells. */
 class CellBlock {
 public:
@@ -43,6 +46,23 @@ ColumnStretch stretchNear(const LevelColumns& columns,
                           const PlanSlab& slab,
                           double low,
                           double high);
+
+/** @brief A stretch [first, last) of candidates sorted by height. */
+struct HeightStretch {
+  const Candidate* first = nullptr;
+  const Candidate* last = nullptr;
+
+  const Candidate* begin() const { return first; }
+  const Candidate* end() const { return last; }
+};
+
+/** @brief The candidates of some columns that may lie within `reach` metres of a plane,
+ * all of them and few others where it is level: by the heights of the plane over these
+ * columns. O(log n). */
+HeightStretch stretchNear(const LevelColumns& columns,
+                          const std::vector<Candidate>& sorted,
+                          const PlanSlab& slab,
+                          double reach);
 
 /** @brief Marks, of the `asked` cells, the columns of walls: those that go on beyond a
  * plane, with points one and a half to four tolerances above it where `direction` is 1,

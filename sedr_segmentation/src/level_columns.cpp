@@ -3,8 +3,8 @@
 
 #include "level_candidates.h"
 
+#include <pcl/sedr_filters/digit_sort.h>
 #include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -22,39 +22,57 @@ namespace {
 class RisingWindow {
 public:
   RisingWindow(const LevelColumns& columns, const CellBlock& block)
-      : columns_(columns)
-      , block_(block)
+      : all_(columns.all().data())
   {
-    std::size_t* next = next_.data();
     for (const std::size_t cell : block)
-      *next++ = columns.first(cell);
+      columns_[size_++] = {columns.first(cell), columns.last(cell)};
   }
 
   bool holds(float low, float high)
   {
-    const std::vector<Candidate>& all = columns_.all();
-    bool is_seen = false;
-    std::size_t* next = next_.data();
-    for (const std::size_t cell : block_) {
-      const std::size_t last = columns_.last(cell);
-      while (*next < last && all[*next].z < low)
-        ++*next;
-      is_seen = is_seen || (*next < last && all[*next].z <= high);
-      ++next;
-    }
-    return is_seen;
+    if (holdsIn(columns_[held_last_], low, high)) // a wall goes on in its column
+      return true;
+    for (std::size_t k = 0; k < size_; ++k)
+      if (holdsIn(columns_[k], low, high)) {
+        held_last_ = k;
+        return true;
+      }
+    return false;
   }
 
 private:
-  const LevelColumns& columns_;
-  const CellBlock& block_;
-  std::array<std::size_t, 9> next_{}; ///< first point of each column not below it
+  bool holdsIn(ColumnStretch& rest, float low, float high) const
+  {
+    while (rest.first < rest.last && all_[rest.first].z < low)
+      ++rest.first;
+    return rest.first < rest.last && all_[rest.first].z <= high;
+  }
+
+  const Candidate* all_;
+  std::array<ColumnStretch, 9> columns_{}; ///< from the first point not below it
+  std::size_t size_ = 0;
+  std::size_t held_last_ = 0;
 };
 
 bool
 isLower(const Candidate& a, const Candidate& b)
 {
   return a.z != b.z ? a.z < b.z : a.index < b.index;
+}
+
+/** @brief Sorts by height, and those as high as each other by index. O(n) where few
+ * are. */
+void
+sortByHeight(std::vector<Candidate>& candidates)
+{
+  sortByDigits(candidates, [](const Candidate& c) { return orderOf(c.z); });
+  for (auto first = candidates.begin(); first != candidates.end();) {
+    const auto last = std::find_if(first, candidates.end(),
+                                   [&](const Candidate& c) { return c.z != first->z; });
+    if (last - first > 1)
+      std::sort(first, last, isLower);
+    first = last;
+  }
 }
 
 } // namespace
@@ -68,6 +86,7 @@ LevelColumns::LevelColumns(const PointView& points,
     , grid_(cell_size)
     , threads_(threads)
     , cells_(grid_, points, indices)
+    , box_(boxOf(cells_))
 {
   sortIntoColumns(indices);
   leaveOutWalls(tolerance);
@@ -143,7 +162,7 @@ LevelColumns::leaveOutWalls(double tolerance)
   without_walls_.reserve(count);
   for (const auto& block : blocks)
     without_walls_.insert(without_walls_.end(), block.begin(), block.end());
-  sortParallel(without_walls_, threads_, isLower);
+  sortByHeight(without_walls_);
 }
 
 } // namespace sedr

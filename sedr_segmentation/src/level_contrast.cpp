@@ -73,9 +73,11 @@ markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked, int 
 std::vector<std::uint8_t>
 withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 {
-  std::vector<std::uint8_t> result = markedAround(cells, marked, 1);
+  std::vector<std::uint8_t> result(marked.size(), 0);
   for (std::size_t i = 0; i < marked.size(); ++i)
-    result[i] = marked[i] || result[i] > 0 ? 1 : 0;
+    if (marked[i])
+      for (const std::size_t k : blockAround(cells, i))
+        result[k] = 1;
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
+#include <pcl/sedr_filters/digit_sort.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/plane_fit.h>
 
@@ -55,6 +56,28 @@ ownLevels(const std::vector<Level>& levels,
   return own;
 }
 
+/** @brief Marks the cells that a level has no inliers in: those of walls, for just
+ * below a ceiling, or just above a floor, a room has nothing, and those that it is not
+ * within.
+ * @param asked marks those that matter */
+std::vector<std::uint8_t>
+cellsLeftOut(const LevelColumns& columns,
+             const std::vector<std::uint8_t>& asked,
+             double tolerance,
+             const Level& level)
+{
+  const CellSet& cells = columns.cells();
+  std::vector<std::uint8_t> left_out(cells.size(), 0);
+  if (level.kind != LevelKind::Other)
+    left_out = columnsThatGoOn(columns, asked, level.slab,
+                               level.kind == LevelKind::Ceiling ? -1 : 1, tolerance);
+  if (!level.within.empty())
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (asked[i] && !level.within.contains(cells[i]))
+        left_out[i] = 1;
+  return left_out;
+}
+
 /** @brief Gives a level its inliers and their cells: those of its own points, positions
  * among all, that are no wall's. */
 void
@@ -65,34 +88,30 @@ takeInliers(const LevelColumns& columns,
 {
   const std::vector<Candidate>& all = columns.all();
   const CellSet& cells = columns.cells();
-  // Just below a ceiling, or just above a floor, a room has nothing: a wall has.
-  std::vector<std::uint8_t> goes_on(cells.size(), 0);
-  if (level.kind != LevelKind::Other) {
-    std::vector<std::uint8_t> asked(cells.size(), 0);
-    for (const std::size_t k : own)
-      asked[all[k].cell] = 1;
-    goes_on = columnsThatGoOn(columns, asked, level.slab,
-                              level.kind == LevelKind::Ceiling ? -1 : 1, tolerance);
-  }
+  std::vector<std::uint8_t> asked(cells.size(), 0);
+  for (const std::size_t k : own)
+    asked[all[k].cell] = 1;
+  const std::vector<std::uint8_t> left_out =
+      cellsLeftOut(columns, asked, tolerance, level);
   // Cells with points on the plane itself, and cells with points near it only.
   const double on_plane = noiseOf(level.slab, tolerance);
-  std::vector<CellKey> on;
-  std::vector<CellKey> near;
-  for (const std::size_t k : own) {
-    const Candidate& c = all[k];
-    if (goes_on[c.cell] ||
-        !(level.within.empty() || level.within.contains(cells[c.cell])))
-      continue;
-    (std::abs(distanceAbove(level.slab, c.position())) <= on_plane ? on : near)
-        .push_back(cells.keys()[c.cell]);
-  }
-  const CellSet core(std::move(on));
-  level.cells = unite(core, withoutFringes(subtract(CellSet(std::move(near)), core)));
+  std::vector<std::uint8_t> on(cells.size(), 0);
+  for (const std::size_t k : own)
+    if (!left_out[all[k].cell] &&
+        std::abs(distanceAbove(level.slab, all[k].position())) <= on_plane)
+      on[all[k].cell] = 1;
+  std::vector<std::uint8_t> near(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    near[i] = asked[i] && !left_out[i] && !on[i] ? 1 : 0;
+  const CellSet beside = withoutFringes(markedCells(cells, near));
+  for (std::size_t i = 0; i < beside.size(); ++i)
+    on[cells.find(beside[i])] = 1;
+  level.cells = markedCells(cells, on);
   level.inliers.clear();
   for (const std::size_t k : own)
-    if (level.cells.contains(cells[all[k].cell]))
+    if (on[all[k].cell])
       level.inliers.push_back(all[k].index);
-  std::sort(level.inliers.begin(), level.inliers.end());
+  sortByDigits(level.inliers, [](int i) { return static_cast<std::uint32_t>(i); });
 }
 
 } // namespace

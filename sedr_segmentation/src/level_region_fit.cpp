@@ -129,24 +129,24 @@ partedRegions(const CellSet& cells,
 
 /** @brief Fits every region to the candidates in its cells. */
 void
-fitRegions(const PointView& points,
+fitRegions(const LevelColumns& columns,
            const std::vector<Candidate>& candidates,
            const LevelRelief& relief,
            double tolerance,
            const PlanSlab& start,
-           unsigned threads,
            std::vector<LevelRegion>& regions)
 {
+  const PointView& points = columns.points();
   std::vector<std::size_t> region_of(relief.heights.size(), regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const std::size_t cell : regions[r].cells)
       region_of[cell] = r;
   // The common plane may pass a region's own at some distance.
-  for (const Candidate& c : candidates)
+  for (const Candidate& c : stretchNear(columns, candidates, start, 2 * tolerance))
     if (region_of[c.cell] < regions.size() &&
         std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
       regions[region_of[c.cell]].points.push_back(c.index);
-  parallelBlocks(regions.size(), 1, threads, [&](std::size_t r, std::size_t) {
+  parallelBlocks(regions.size(), 1, columns.threads(), [&](std::size_t r, std::size_t) {
     LevelRegion& region = regions[r];
     std::vector<double> heights;
     for (const std::size_t i : region.cells)
@@ -188,8 +188,7 @@ reliefAround(const LevelColumns& columns,
 {
   const CellSet& cells = columns.cells();
   LevelRelief relief;
-  relief.heights =
-      reliefOf(candidates, cells.size(), draft.slab, 2 * parameters.tolerance);
+  relief.heights = reliefOf(columns, candidates, draft.slab, 2 * parameters.tolerance);
   std::vector<std::uint8_t> seen(cells.size(), 0);
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i] = !std::isnan(relief.heights[i]) && !draft.apart[i] ? 1 : 0;
@@ -211,8 +210,7 @@ fittedRegions(const LevelColumns& columns,
 {
   std::vector<LevelRegion> regions =
       partedRegions(columns.cells(), relief, minimum_cells);
-  fitRegions(columns.points(), candidates, relief, parameters.tolerance, slab,
-             parameters.threads, regions);
+  fitRegions(columns, candidates, relief, parameters.tolerance, slab, regions);
   return regions;
 }
 

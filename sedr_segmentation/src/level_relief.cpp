@@ -30,6 +30,18 @@ public:
 
   std::size_t size() const { return size_; }
 
+  /** @brief Whether the median is no farther than that from 0: told by counting. */
+  bool isWithin(double flat) const
+  {
+    std::size_t above = 0;
+    std::size_t below = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      above += values_[i] > flat ? 1 : 0;
+      below += values_[i] < -flat ? 1 : 0;
+    }
+    return above < size_ - size_ / 2 && below <= size_ / 2;
+  }
+
   double median()
   {
     const auto middle = at(size_ / 2);
@@ -129,17 +141,22 @@ unevenCells(const CellSet& cells, const std::vector<double>& relief, double step
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!std::isnan(relief[i]))
-      keys.push_back(keyOf(squareOf(cells[i])));
+      if (const CellKey key = keyOf(squareOf(cells[i]));
+          keys.empty() || keys.back() != key)
+        keys.push_back(key);
   const CellSet squares(std::move(keys));
   std::vector<double> sum(squares.size(), 0);
   std::vector<double> count(squares.size(), 0);
   std::vector<std::size_t> square_of(cells.size(), CellSet::npos);
+  std::size_t last = 0; // where the next cell in a row mostly is, too
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (std::isnan(relief[i]))
       continue;
-    square_of[i] = squares.find(squareOf(cells[i]));
-    sum[square_of[i]] += relief[i];
-    count[square_of[i]] += 1;
+    const Cell square = squareOf(cells[i]);
+    last = squares[last] == square ? last : squares.find(square);
+    square_of[i] = last;
+    sum[last] += relief[i];
+    count[last] += 1;
   }
   std::vector<std::uint8_t> is_uneven(squares.size(), 0);
   for (std::size_t s = 0; s < squares.size(); ++s) {
@@ -199,14 +216,14 @@ edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned thre
 } // namespace
 
 std::vector<double>
-reliefOf(const std::vector<Candidate>& candidates,
-         std::size_t cell_count,
+reliefOf(const LevelColumns& columns,
+         const std::vector<Candidate>& candidates,
          const PlanSlab& slab,
          double reach)
 {
-  std::vector<double> sum(cell_count, 0);
-  std::vector<double> count(cell_count, 0);
-  for (const Candidate& c : candidates) {
+  std::vector<double> sum(columns.cells().size(), 0);
+  std::vector<double> count(columns.cells().size(), 0);
+  for (const Candidate& c : stretchNear(columns, candidates, slab, reach)) {
     const double d = distanceAbove(slab, c.position());
     if (std::abs(d) > reach)
       continue;
@@ -223,8 +240,8 @@ noiseOfRelief(const CellSet& cells, const std::vector<double>& relief)
 {
   std::vector<double> differences;
   for (std::size_t i = 1; i < relief.size(); ++i)
-    if (cells[i].y == cells[i - 1].y && cells[i].x == cells[i - 1].x + 1 &&
-        !std::isnan(relief[i]) && !std::isnan(relief[i - 1]))
+    if (!std::isnan(relief[i]) && !std::isnan(relief[i - 1]) &&
+        cells[i].y == cells[i - 1].y && cells[i].x == cells[i - 1].x + 1)
       differences.push_back(std::abs(relief[i] - relief[i - 1]));
   return differences.empty()
              ? 0
@@ -232,7 +249,10 @@ noiseOfRelief(const CellSet& cells, const std::vector<double>& relief)
 }
 
 std::vector<double>
-smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+smoothRelief(const CellSet& cells,
+             const std::vector<double>& relief,
+             unsigned threads,
+             double flat)
 {
   std::vector<double> smooth(relief.size(), unknown);
   parallelBlocks(relief.size(), cells_a_block, threads,
@@ -243,7 +263,7 @@ smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned t
                      Window window;
                      for (const std::size_t k : blockAround(cells, i))
                        window.add(relief[k]);
-                     smooth[i] = window.median();
+                     smooth[i] = window.isWithin(flat) ? 0 : window.median();
                    }
                  });
   return smooth;

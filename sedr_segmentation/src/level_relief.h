@@ -12,9 +12,10 @@ namespace sedr {
 /** @brief The relief about a level: mean distance from its plane of what was seen in
  * each cell, metres, up is positive; NaN where nothing was. Means of cells tell steps
  * that are lost in the noise of single points. O(n).
+ * @param candidates of the columns, sorted by height
  * @param reach how far from the plane is looked, metres */
-std::vector<double> reliefOf(const std::vector<Candidate>& candidates,
-                             std::size_t cell_count,
+std::vector<double> reliefOf(const LevelColumns& columns,
+                             const std::vector<Candidate>& candidates,
                              const PlanSlab& slab,
                              double reach);
 
@@ -23,9 +24,13 @@ std::vector<double> reliefOf(const std::vector<Candidate>& candidates,
 double noiseOfRelief(const CellSet& cells, const std::vector<double>& relief);
 
 /** @brief The median of a cell and its eight neighbours, NaN where the cell is. Steps
- * keep their place in it. O(n). */
-std::vector<double>
-smoothRelief(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+ * keep their place in it. O(n).
+ * @param flat medians no farther than that from 0 are given as 0, metres; negative:
+ * none is */
+std::vector<double> smoothRelief(const CellSet& cells,
+                                 const std::vector<double>& relief,
+                                 unsigned threads,
+                                 double flat = -1);
 
 /** @brief Marks the cells of drops: where the middle means of what is on either side,
  * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise

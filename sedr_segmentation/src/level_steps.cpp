@@ -77,22 +77,23 @@ withoutFringes(const CellSet& cells)
 }
 
 bool
-setStepsApart(const std::vector<Candidate>& candidates,
-              const CellSet& cells,
+setStepsApart(const LevelColumns& columns,
+              const std::vector<Candidate>& candidates,
               double tolerance,
-              unsigned threads,
               LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
+  const CellSet& cells = columns.cells();
   const double reach = 2 * tolerance;
-  std::vector<double> relief = reliefOf(candidates, cells.size(), draft.slab, reach);
+  std::vector<double> relief = reliefOf(columns, candidates, draft.slab, reach);
   const double noise =
       std::min(tolerance, std::max(2 * noiseOfRelief(cells, relief), least_noise));
   // Of what is about as far as that, the noise alone is within reach.
   for (double& height : relief)
     if (std::abs(height) > reach - noise)
       height = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> offsets = smoothRelief(cells, relief, threads);
+  const std::vector<double> offsets =
+      smoothRelief(cells, relief, columns.threads(), noise);
   std::vector<CellKey> off;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (std::abs(offsets[i]) > noise)

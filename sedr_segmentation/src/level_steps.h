@@ -16,14 +16,13 @@ namespace sedr {
  * What is off the plane by 3 cm, or four times the noise of its cells if that is more,
  * a decimetre and more wide, and begins at once where the plane ends, is a surface of
  * its own; a plane that is uneven leaves itself gradually. O(n).
+ * @param columns    all points
  * @param candidates those that no level has taken yet
- * @param cells      the set that cells are positions in
  * @param[in,out] draft with its plane and cells; gets the cells apart
  * @return whether there were any; then its cells are out of date */
-bool setStepsApart(const std::vector<Candidate>& candidates,
-                   const CellSet& cells,
+bool setStepsApart(const LevelColumns& columns,
+                   const std::vector<Candidate>& candidates,
                    double tolerance,
-                   unsigned threads,
                    LevelDraft& draft);
 
 /** @brief How far from a plane its own points are: four standard deviations, at least

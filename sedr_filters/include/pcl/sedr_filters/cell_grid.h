@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -147,6 +148,41 @@ private:
   std::vector<std::size_t> row_; ///< first position of every row, and the end
   std::int32_t first_row_ = 0;   ///< its y
 };
+
+inline std::size_t
+CellSet::find(Cell cell) const
+{
+  const std::size_t i = firstFrom(cell);
+  return i < keys_.size() && keys_[i] == keyOf(cell) ? i : npos;
+}
+
+inline std::size_t
+CellSet::firstFrom(Cell cell) const
+{
+  const CellKey key = keyOf(cell);
+  const CellKey* const keys = keys_.data();
+  std::size_t first = 0;
+  std::size_t last = keys_.size();
+  if (!row_.empty()) {
+    const std::int64_t row = std::int64_t{cell.y} - first_row_;
+    if (row < 0)
+      return 0;
+    if (row + 1 >= static_cast<std::int64_t>(row_.size()))
+      return keys_.size();
+    first = row_[static_cast<std::size_t>(row)];
+    last = row_[static_cast<std::size_t>(row) + 1];
+    if (first == last || key <= keys[first])
+      return first;
+    // No cell is farther along its row than its distance from the first.
+    const std::size_t farthest = first + static_cast<std::size_t>(std::min<CellKey>(
+                                             key - keys[first], last - first - 1));
+    if (keys[farthest] <= key)
+      return farthest + (keys[farthest] < key ? 1 : 0);
+    last = farthest;
+  }
+  return static_cast<std::size_t>(std::lower_bound(keys + first, keys + last, key) -
+                                  keys);
+}
 
 /** @brief Whether `asked(position)` is true for any cell of a set up to `reach` columns
  * and rows away from `middle`, itself too; asked row by row. */

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Core>
@@ -51,6 +52,9 @@ public:
   /** @brief Cells with a point in them. */
   const CellSet& cells() const { return cells_; }
 
+  /** @brief The smallest rectangle around them. */
+  const CellBox& box() const { return box_; }
+
   /** @brief All points, sorted by cell and height. */
   const std::vector<Candidate>& all() const { return all_; }
 
@@ -74,6 +78,7 @@ private:
   CellGrid grid_;
   unsigned threads_;
   CellSet cells_;
+  CellBox box_;
   std::vector<Candidate> all_;
   std::vector<std::size_t> first_; ///< of the points of each cell, and the end
   std::vector<Candidate> without_walls_;
