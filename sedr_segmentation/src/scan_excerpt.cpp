@@ -12,14 +12,14 @@ addToExcerpt(const PointView& points,
              std::size_t step,
              unsigned threads,
              ScanSample& sample,
-             pcl::PointCloud<pcl::PointXYZ>& excerpt)
+             std::vector<Eigen::Vector3f>& excerpt)
 {
   const auto upTo = [&](std::size_t end) { return (first + end + step - 1) / step; };
   const std::size_t before = excerpt.size();
   excerpt.resize(before + upTo(points.size()) - upTo(0));
   sample.add(points, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = upTo(begin); k < upTo(end); ++k)
-      excerpt[before + k - upTo(0)].getVector3fMap() = points[k * step - first];
+      excerpt[before + k - upTo(0)] = points[k * step - first];
   });
 }
 
@@ -29,7 +29,7 @@ ScanExcerpt::ScanExcerpt(const RowSource& scan,
     : scan_(scan)
     , step_(rawStep(scan.size(), most_points))
     , threads_(threads)
-    , points_(new pcl::PointCloud<pcl::PointXYZ>)
+    , points_(new std::vector<Eigen::Vector3f>)
 {}
 
 void
@@ -38,8 +38,7 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
   problem_.clear();
   points_->clear();
   points_->reserve(scan_.size() / step_ + 1);
-  takeLarge(points_->points.data(), points_->points.capacity() * sizeof(pcl::PointXYZ),
-            threads_);
+  takeLarge(points_->data(), points_->capacity() * sizeof(Eigen::Vector3f), threads_);
   ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
   std::size_t looked_at = 0;

@@ -81,7 +81,8 @@ TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
     pcl::sedr::ThinnedScan scan;
     scan.problem = problem;
     scan.size = cloud->size();
-    *scan.excerpt = *cloud;
+    for (const auto& p : *cloud)
+      scan.excerpt->push_back(p.getVector3fMap());
     pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
     grid.setInputCloud(cloud);
     grid.filter(*scan.points);

@@ -322,7 +322,7 @@ TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
   for (std::size_t k = 0; k < excerpt.points()->size(); ++k) {
     const auto& p = (*excerpt.points())[k];
     const auto& q = (*cloud.points)[step * k];
-    ASSERT_TRUE(p.x == q.x || (std::isnan(p.x) && std::isnan(q.x)));
+    ASSERT_TRUE(p.x() == q.x || (std::isnan(p.x()) && std::isnan(q.x)));
   }
 
   // A scan in millimetres is not thinned to the end.

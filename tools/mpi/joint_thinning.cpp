@@ -167,33 +167,35 @@ private:
     return means;
   }
 
-  static std::vector<float> coordinatesOf(const PartOfScan::Cloud& cloud)
+  static std::vector<float> coordinatesOf(const std::vector<Eigen::Vector3f>& points)
   {
     std::vector<float> coordinates;
-    coordinates.reserve(3 * cloud.size());
-    for (const auto& p : cloud)
-      coordinates.insert(coordinates.end(), p.data, p.data + 3);
+    coordinates.reserve(3 * points.size());
+    for (const auto& p : points)
+      coordinates.insert(coordinates.end(), p.data(), p.data() + 3);
     return coordinates;
   }
 
   /** @brief Appends the points of all ranks, in their order, at rank 0; nobody sends
    * before the one in front of him is done. */
-  void collect(const std::vector<float>& mine, PartOfScan::Cloud& cloud)
+  template <typename Points>
+  void collect(const std::vector<float>& mine, Points& points)
   {
     if (!mail_.isFirst()) {
       mail_.send(0, Subject::Step, mine.data(), mine.size() * sizeof(float));
       return;
     }
-    append(mine, cloud);
+    append(mine, points);
     for (int r = 1; r < mail_.size(); ++r)
-      append(listOf<float>(mail_.receive(r, Subject::Step)), cloud);
+      append(listOf<float>(mail_.receive(r, Subject::Step)), points);
   }
 
-  static void append(const std::vector<float>& coordinates, PartOfScan::Cloud& cloud)
+  template <typename Points>
+  static void append(const std::vector<float>& coordinates, Points& points)
   {
-    cloud.reserve(cloud.size() + coordinates.size() / 3);
+    points.reserve(points.size() + coordinates.size() / 3);
     for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
-      cloud.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+      points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
   }
 
   RankMail& mail_;

@@ -57,7 +57,7 @@ public:
   /** @brief The sorted voxels; they are gone then. */
   std::vector<VoxelSum> takeVoxels();
 
-  const Cloud& excerpt() const { return excerpt_; }
+  const std::vector<Eigen::Vector3f>& excerpt() const { return excerpt_; }
 
 private:
   void forEachPiece(
@@ -69,7 +69,7 @@ private:
   bool has_stopped_ = false;
   std::vector<Eigen::Vector3f> sample_;
   std::unique_ptr<VoxelSums> sums_;
-  Cloud excerpt_;
+  std::vector<Eigen::Vector3f> excerpt_;
 };
 
 } // namespace tools

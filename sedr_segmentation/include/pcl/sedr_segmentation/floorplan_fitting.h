@@ -73,6 +73,17 @@ public:
     raw_indices_ = indices;
   }
 
+  /** @brief The same of a list of its points, say a sedr::ScanExcerpt's; null: none. */
+  void setRawPoints(const std::shared_ptr<const std::vector<Eigen::Vector3f>>& raw)
+  {
+    raw_ = nullptr;
+    if (raw)
+      raw_ = [raw] {
+        return sedr::PointView(raw->data(), sizeof(Eigen::Vector3f), raw->size());
+      };
+    raw_indices_ = nullptr;
+  }
+
   /** @brief Number of threads; 0 (default): all processors.
    */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }

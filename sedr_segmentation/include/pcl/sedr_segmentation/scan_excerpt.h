@@ -4,11 +4,12 @@
 #include <pcl/sedr_filters/row_source.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -22,7 +23,7 @@ void addToExcerpt(const PointView& points,
                   std::size_t step,
                   unsigned threads,
                   ScanSample& sample,
-                  pcl::PointCloud<pcl::PointXYZ>& excerpt);
+                  std::vector<Eigen::Vector3f>& excerpt);
 
 /** @brief A scan that is gone through once, and what is noted of it on the way: whether
  * it may be one of rooms in metres, and every k-th of its points. */
@@ -46,7 +47,7 @@ public:
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
   /** @brief Every k-th point, those that are not finite too. */
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points() const { return points_; }
+  std::shared_ptr<const std::vector<Eigen::Vector3f>> points() const { return points_; }
 
 private:
   /** @brief What is wrong with the whole scan, looked at without anything else. */
@@ -56,7 +57,7 @@ private:
   std::size_t step_;
   unsigned threads_;
   mutable std::string problem_;
-  mutable pcl::PointCloud<pcl::PointXYZ>::Ptr points_;
+  mutable std::shared_ptr<std::vector<Eigen::Vector3f>> points_;
 };
 
 } // namespace sedr

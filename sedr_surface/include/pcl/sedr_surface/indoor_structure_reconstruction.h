@@ -25,7 +25,8 @@ struct ThinnedScan {
   CloudPtr points{new StructureChain::Cloud};
   unsigned stray_limit = 0; ///< its getStrayLimit()
   /** Every k-th point of the scan, where k is its rawStep(). */
-  CloudPtr excerpt{new StructureChain::Cloud};
+  std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt{
+      new std::vector<Eigen::Vector3f>};
   std::string problem; ///< what ScanSample finds wrong with the scan, or empty
 };
 

@@ -130,7 +130,7 @@ IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
   const std::string problem = scan.problem();
   if (!problem.empty())
     return refuseInput(problem);
-  chain_.floorplan_fitting.template setRawCloud<pcl::PointXYZ>(scan.points());
+  chain_.floorplan_fitting.setRawPoints(scan.points());
   return true;
 }
 
@@ -148,7 +148,7 @@ IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& 
   thinned.swap(*scan.points);
   scan_size_ = scan.size;
   chain_.stray_limit = scan.stray_limit;
-  chain_.floorplan_fitting.template setRawCloud<pcl::PointXYZ>(scan.excerpt);
+  chain_.floorplan_fitting.setRawPoints(scan.excerpt);
   return true;
 }
 
@@ -205,7 +205,7 @@ IndoorStructureReconstruction<PointT>::findStructure()
     if (!is_done)
       fail(name, chain_.failed_stage + ": " + chain_.problem);
   }
-  chain_.floorplan_fitting.template setRawCloud<PointT>(nullptr);
+  chain_.floorplan_fitting.setRawPoints(nullptr);
   if (has_cloud)
     this->deinitCompute();
   return is_done;
