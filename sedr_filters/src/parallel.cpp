@@ -19,9 +19,32 @@ namespace {
 
 using Body = std::function<void(std::size_t, std::size_t)>;
 
-/** @brief Whether this thread is one of several on some blocks: what these call is not
- * shared out once more. */
-thread_local bool shares_blocks = false;
+/** @brief Who works on a call and on those within it: so many may be asked to help that
+ * together they are as many threads as the outermost call asked for. */
+class Crew {
+public:
+  explicit Crew(std::size_t others)
+      : idle_(others)
+  {}
+
+  /** @brief Engages up to `count` of those who are idle; how many these are. */
+  std::size_t engage(std::size_t count)
+  {
+    std::size_t idle = idle_;
+    std::size_t engaged = std::min(idle, count);
+    while (!idle_.compare_exchange_weak(idle, idle - engaged))
+      engaged = std::min(idle, count);
+    return engaged;
+  }
+
+  void release() { ++idle_; }
+
+private:
+  std::atomic<std::size_t> idle_;
+};
+
+/** @brief The crew that this thread works in, none outside of all calls. */
+thread_local std::shared_ptr<Crew> own_crew;
 
 /** @brief The blocks of a call, which threads take one after another. */
 class Blocks {
@@ -88,14 +111,18 @@ public:
     return *helpers;
   }
 
-  /** @brief Lets `count` threads help with blocks. */
-  void help(const std::shared_ptr<Blocks>& blocks, std::size_t count)
+  /** @brief Lets `count` threads of a crew help with blocks. */
+  void help(const std::shared_ptr<Blocks>& blocks,
+            const std::shared_ptr<Crew>& crew,
+            std::size_t count)
   {
     attach(count);
     for (std::size_t k = 0; k < count; ++k)
-      boost::asio::post(pool_, [blocks] {
-        shares_blocks = true;
+      boost::asio::post(pool_, [blocks, crew] {
+        own_crew = crew;
         blocks->work();
+        own_crew.reset();
+        crew->release();
       });
   }
 
@@ -130,15 +157,20 @@ parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& b
   const auto blocks =
       std::make_shared<Blocks>(n, std::max<std::size_t>(block, 1), body);
   const std::size_t team =
-      shares_blocks ? 1
-                    : std::min<std::size_t>(resolveThreads(threads), blocks->count());
-  if (team > 1) {
-    Helpers::shared().help(blocks, team - 1);
-    shares_blocks = true;
+      std::min<std::size_t>(resolveThreads(threads), blocks->count());
+  if (team <= 1) {
+    blocks->work();
+    blocks->finish();
+    return;
   }
+  const bool is_outermost = !own_crew;
+  if (is_outermost)
+    own_crew = std::make_shared<Crew>(resolveThreads(threads) - 1);
+  if (const std::size_t others = own_crew->engage(team - 1))
+    Helpers::shared().help(blocks, own_crew, others);
   blocks->work();
-  if (team > 1)
-    shares_blocks = false;
+  if (is_outermost)
+    own_crew.reset();
   blocks->finish();
 }
 

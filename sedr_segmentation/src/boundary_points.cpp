@@ -68,7 +68,8 @@ struct RimPoints {
 RimPoints
 rimPoints(const std::vector<Eigen::Vector3f>& places, const BoundaryOptions& options)
 {
-  const NeighbourCells cells(places, options.neighbours, options.angle);
+  const NeighbourCells cells(places, options.neighbours, options.angle,
+                             options.threads);
   std::vector<Gap> gaps(places.size());
   parallelBlocks(places.size(), 1024, options.threads,
                  [&](std::size_t begin, std::size_t end) {

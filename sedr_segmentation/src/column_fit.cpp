@@ -21,6 +21,7 @@ constexpr double per_parameter = 0.01;
 struct Shape {
   PlanLoop loop;
   double parameters = 0; ///< numbers that describe it
+  std::vector<double> distances = {}; ///< of the points from it
 };
 
 PlanLoop
@@ -61,6 +62,7 @@ std::vector<double>
 distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
 {
   std::vector<double> distances;
+  distances.reserve(points.size());
   for (const auto& p : points)
     distances.push_back(loop.distance(p));
   return distances;
@@ -149,7 +151,8 @@ shapesOf(const Contour& hole,
          const std::vector<Eigen::Vector2d>& points,
          const PlanPoints& evidence,
          const std::vector<Eigen::Vector2d>& directions,
-         const LoopParameters& parameters)
+         const LoopParameters& parameters,
+         std::vector<ContourSample>* places)
 {
   std::vector<Shape> shapes;
   double perimeter = 0;
@@ -170,12 +173,14 @@ shapesOf(const Contour& hole,
     if (turned.isSound())
       shapes.push_back({turned.loop(), 5});
   }
-  const PlanLoop any = fitLoop(hole, evidence, {}, parameters);
+  const PlanLoop any = fitLoop(hole, evidence, {}, parameters, places);
   double numbers = 0;
   for (const auto& e : any.elements)
     numbers += e.isArc() ? 3 : 2;
   if (!any.elements.empty() && any.area() < 0)
     shapes.push_back({any, numbers});
+  for (Shape& shape : shapes)
+    shape.distances = distancesFrom(shape.loop, points);
   return shapes;
 }
 
@@ -191,18 +196,17 @@ fitColumn(const Contour& hole,
   constexpr std::size_t least_points = 20;
   if (hole.size() < 4)
     return {};
-  if (places)
-    *places = sampleContour(hole, evidence, parameters);
   const PlanLoop outline = polygonOf(hole);
   const std::vector<Eigen::Vector2d> points = pointsOfColumn(hole, outline, evidence);
   if (points.size() < least_points)
-    return fitLoop(hole, evidence, {}, parameters);
-  std::vector<Shape> shapes = shapesOf(hole, points, evidence, directions, parameters);
+    return fitLoop(hole, evidence, {}, parameters, places);
+  std::vector<Shape> shapes =
+      shapesOf(hole, points, evidence, directions, parameters, places);
 
   // The noise is what the best shape leaves.
   double noise = parameters.tolerance / 3;
   for (const auto& shape : shapes)
-    noise = std::min(noise, 1.4826 * middleValue(distancesFrom(shape.loop, points)));
+    noise = std::min(noise, 1.4826 * middleValue(shape.distances));
   const double reach = std::clamp(3 * noise, 0.01, parameters.tolerance);
   PlanLoop best;
   double least = 2;
@@ -210,7 +214,7 @@ fitColumn(const Contour& hole,
     if (!fitsIn(shape.loop, outline))
       continue;
     double missed = 0;
-    for (const double d : distancesFrom(shape.loop, points))
+    for (const double d : shape.distances)
       missed += std::min(1.0, std::pow(d / reach, 2));
     const double cost =
         missed / static_cast<double>(points.size()) + per_parameter * shape.parameters;

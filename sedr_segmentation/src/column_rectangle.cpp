@@ -74,9 +74,8 @@ Rectangle::distance(const Eigen::Vector2d& in_frame) const
 {
   const double dx = std::max(side[0] - in_frame.x(), in_frame.x() - side[1]);
   const double dy = std::max(side[2] - in_frame.y(), in_frame.y() - side[3]);
-  if (dx <= 0 && dy <= 0)
-    return -std::max(dx, dy);
-  return std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
+  const bool is_beyond_corner = dx > 0 && dy > 0;
+  return is_beyond_corner ? std::hypot(dx, dy) : std::abs(std::max(dx, dy));
 }
 
 PlanLoop

@@ -44,7 +44,7 @@ detailLevels(const PointView& points,
   p.cell_size = parameters.cell_size;
   p.minimum_area = parameters.minimum_detail_area;
   p.seed = parameters.loop.seed;
-  p.threads = 1; // rooms go side by side
+  p.threads = parameters.threads;
   return findLevels(points, evidence.details, p);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbour_cells.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 
 #include <algorithm>
@@ -35,11 +36,12 @@ completeWithin(double cell_size, int reach)
 
 NeighbourCells::NeighbourCells(const std::vector<Eigen::Vector3f>& places,
                                std::size_t neighbours,
-                               float angle)
+                               float angle,
+                               unsigned threads)
     : neighbours_(neighbours)
     , angle_(angle)
     , sectors_(angle)
-    , grid_(cellSizeFor(places))
+    , grid_(cellSizeFor(places, threads))
 {
   if (places.size() <= neighbours || !(grid_.size() > 0))
     return;
@@ -73,20 +75,23 @@ NeighbourCells::NeighbourCells(const std::vector<Eigen::Vector3f>& places,
  * neighbours, metres: from the distances to the last neighbours of some points. 0 where
  * these are in one place. */
 double
-NeighbourCells::cellSizeFor(const std::vector<Eigen::Vector3f>& places) const
+NeighbourCells::cellSizeFor(const std::vector<Eigen::Vector3f>& places,
+                            unsigned threads) const
 {
   constexpr std::size_t samples = 16;
   if (places.size() <= neighbours_)
     return 0;
-  std::vector<float> squares(places.size());
-  std::vector<float> radii;
-  for (std::size_t i = 0; i < places.size(); i += places.size() / samples + 1) {
-    for (std::size_t k = 0; k < places.size(); ++k)
-      squares[k] = (places[k] - places[i]).squaredNorm();
+  const std::size_t step = places.size() / samples + 1;
+  std::vector<float> radii((places.size() - 1) / step + 1);
+  parallelBlocks(radii.size(), 1, threads, [&](std::size_t sample, std::size_t) {
+    std::vector<float> squares;
+    squares.reserve(places.size());
+    for (const auto& p : places)
+      squares.push_back((p - places[sample * step]).squaredNorm());
     const auto last = squares.begin() + static_cast<std::ptrdiff_t>(neighbours_ - 1);
     std::nth_element(squares.begin(), last, squares.end());
-    radii.push_back(std::sqrt(*last));
-  }
+    radii[sample] = std::sqrt(*last);
+  });
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
   // A circle as large as the block, less a fifth of the points.
@@ -118,9 +123,11 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
       return;
     for (std::uint32_t k = from; k < to; ++k) {
       const Eigen::Vector3f way = places_[k] - place;
-      if (way.squaredNorm() > within || (way.x() == 0 && way.y() == 0))
+      if (way.x() == 0 && way.y() == 0)
         continue;
-      seen |= DirectionSectors::bitOf(way.x(), way.y());
+      // No branch, as nothing foretells which points lie just too far away.
+      const std::uint64_t is_near = way.squaredNorm() <= within ? 1 : 0;
+      seen |= DirectionSectors::bitOf(way.x(), way.y()) * is_near;
     }
     is_close = sectors_.areClose(seen);
   });

@@ -37,10 +37,12 @@ public:
 
   /** @param places     of all points; z is 0 where only the plane counts
    * @param neighbours nearest points that count, the point itself among them
-   * @param angle      widest gap of an inner point, radians */
+   * @param angle      widest gap of an inner point, radians
+   * @param threads    that share the work of filling it, 0: all processors */
   NeighbourCells(const std::vector<Eigen::Vector3f>& places,
                  std::size_t neighbours,
-                 float angle);
+                 float angle,
+                 unsigned threads);
 
   /** @brief Whether the nearest neighbours of a place, one of those given, leave a gap
    * wider than the angle. */
@@ -53,7 +55,8 @@ private:
     std::size_t count = 0;
   };
 
-  double cellSizeFor(const std::vector<Eigen::Vector3f>& places) const;
+  double cellSizeFor(const std::vector<Eigen::Vector3f>& places,
+                     unsigned threads) const;
   bool isInner(const Eigen::Vector3f& place) const;
   std::size_t countAround(const Eigen::Vector3f& place, int reach) const;
   Ball ballAround(const Eigen::Vector3f& place, int reach, Around& around) const;

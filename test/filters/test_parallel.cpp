@@ -53,17 +53,56 @@ TEST(ParallelBlocks, AllAreVisitedThoughSomeThrow)
   EXPECT_EQ(visits, std::vector<int>(1000, 1));
 }
 
-TEST(ParallelBlocks, WithinABlockAreWorkedOnByItsThread)
+TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAskedFor)
 {
-  std::vector<int> visits(100, 0);
-  pcl::sedr::parallelBlocks(10, 1, 4, [&](std::size_t k, std::size_t) {
-    const auto own = std::this_thread::get_id();
-    pcl::sedr::parallelBlocks(10, 1, 4, [&](std::size_t i, std::size_t) {
-      EXPECT_EQ(std::this_thread::get_id(), own);
-      ++visits[10 * k + i];
+  constexpr int most = 3;
+  std::atomic<int> here{0};
+  std::atomic<int> most_here{0};
+  std::vector<int> visits(1000, 0);
+  pcl::sedr::parallelBlocks(10, 1, most, [&](std::size_t k, std::size_t) {
+    pcl::sedr::parallelBlocks(100, 1, 8, [&](std::size_t i, std::size_t) {
+      const int now = ++here;
+      for (int seen = most_here; seen < now;)
+        most_here.compare_exchange_weak(seen, now);
+      ++visits[100 * k + i];
+      std::this_thread::yield();
+      --here;
     });
   });
-  EXPECT_EQ(visits, std::vector<int>(100, 1));
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+  EXPECT_LE(most_here, most);
+}
+
+TEST(ParallelBlocks, WithinTheLastBlockAreHelpedWithByThoseWhoHaveNoneLeft)
+{
+  // The helper may still be on its way back from the outer blocks at the first calls.
+  std::atomic<bool> is_shared{false};
+  pcl::sedr::parallelBlocks(2, 1, 2, [&](std::size_t k, std::size_t) {
+    if (k == 0)
+      return;
+    while (!is_shared) {
+      const auto own = std::this_thread::get_id();
+      pcl::sedr::parallelBlocks(100, 1, 2, [&](std::size_t, std::size_t) {
+        std::this_thread::yield();
+        if (std::this_thread::get_id() != own)
+          is_shared = true;
+      });
+    }
+  });
+  EXPECT_TRUE(is_shared);
+}
+
+TEST(ParallelBlocks, AnExceptionOfAnInnerBodyReachesTheOutermostCaller)
+{
+  const auto run = [] {
+    pcl::sedr::parallelBlocks(4, 1, 2, [](std::size_t k, std::size_t) {
+      pcl::sedr::parallelBlocks(50, 1, 2, [&](std::size_t i, std::size_t) {
+        if (k == 3 && i == 42)
+          throw std::runtime_error("42");
+      });
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
 }
 
 TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)

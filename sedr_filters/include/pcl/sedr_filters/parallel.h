@@ -13,8 +13,9 @@ unsigned resolveThreads(unsigned requested);
 
 /** @brief Calls `body(begin, end)` for consecutive blocks of at most `block` numbers
  * that together make up [0, n), on up to `threads` threads (0 = all). The blocks are
- * the same for any number of threads, their order is not. The first exception of a body
- * is thrown again when all have ended.
+ * the same for any number of threads, their order is not. Within a body, further calls
+ * are helped with by those of its threads that have run out of blocks. The first
+ * exception of a body is thrown again when all have ended.
  */
 void parallelBlocks(std::size_t n,
                     std::size_t block,
