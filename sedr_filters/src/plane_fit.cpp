@@ -39,15 +39,31 @@ withinBand(const Positions& points, const PlanSlab& slab, double band)
   return inside;
 }
 
+/** @brief How far each point is from the slab. */
+std::vector<double>
+distancesFrom(const PlanSlab& slab, const Positions& points)
+{
+  std::vector<double> distances(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    distances[k] = std::abs(distanceAbove(slab, points[k]));
+  return distances;
+}
+
+/** @brief Root mean square of some distances, 0 of none. */
+double
+residualOf(const std::vector<double>& distances)
+{
+  double sum = 0;
+  for (const double d : distances)
+    sum += d * d;
+  return distances.empty() ? 0 : std::sqrt(sum / static_cast<double>(distances.size()));
+}
+
 /** @brief 1.4826 times the median distance: the standard deviation, outliers left
  * aside. */
 double
-robustDeviation(const Positions& points, const PlanSlab& slab)
+robustDeviation(std::vector<double> distances)
 {
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  for (const auto& p : points)
-    distances.push_back(std::abs(distanceAbove(slab, p)));
   return 1.4826 * middleValue(std::move(distances));
 }
 
@@ -102,8 +118,9 @@ densestLevel(const Positions& points, double tolerance)
   return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
 }
 
+/** @brief The slab that fits best; its residual is left to the caller. */
 PlanSlab
-fitSlab(const Positions& points)
+bestSlab(const Positions& points)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& p : points)
@@ -125,11 +142,6 @@ fitSlab(const Positions& points)
     const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
     slab.plane << up, -up.dot(mean);
   }
-  double sum = 0;
-  for (const auto& p : points)
-    sum += std::pow(distanceAbove(slab, p), 2);
-  slab.residual =
-      points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
   return slab;
 }
 
@@ -143,8 +155,10 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
     Positions inside = withinBand(points, slab, band);
     if (inside.size() < 3 || inside == fitted) // the same again gives the same
       break;
-    slab = fitSlab(inside);
-    band = shrunk(robustDeviation(inside, slab), widest);
+    slab = bestSlab(inside);
+    std::vector<double> distances = distancesFrom(slab, inside);
+    slab.residual = residualOf(distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
     fitted.swap(inside);
   }
   return slab;
@@ -173,12 +187,10 @@ fitParallel(const Positions& points,
     for (const auto& p : inside)
       sum += distanceAbove(slab, p);
     slab.plane[3] -= sum / static_cast<double>(inside.size());
-    double squares = 0;
-    for (const auto& p : inside)
-      squares += std::pow(distanceAbove(slab, p), 2);
     slab.inliers = inside.size();
-    slab.residual = std::sqrt(squares / static_cast<double>(inside.size()));
-    band = shrunk(robustDeviation(inside, slab), widest);
+    std::vector<double> distances = distancesFrom(slab, inside);
+    slab.residual = residualOf(distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
   }
   return slab;
 }
@@ -188,7 +200,10 @@ fitParallel(const Positions& points,
 PlanSlab
 fitSlab(const PointView& points, const std::vector<int>& indices)
 {
-  return fitSlab(positionsOf(points, indices));
+  const Positions positions = positionsOf(points, indices);
+  PlanSlab slab = bestSlab(positions);
+  slab.residual = residualOf(distancesFrom(slab, positions));
+  return slab;
 }
 
 PlanSlab

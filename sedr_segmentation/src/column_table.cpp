@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "column_order.h"
+
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
@@ -11,38 +13,24 @@ namespace sedr {
 ColumnTable::ColumnTable(const CellGrid& grid,
                          const CellBox& box,
                          const PointView& points,
-                         const std::vector<int>& indices)
+                         const std::vector<int>& indices,
+                         unsigned threads)
     : frame_(box)
 {
-  constexpr std::size_t outside = CellSet::npos;
-  std::vector<std::size_t> cell_of;
-  cell_of.reserve(indices.size());
-  first_.assign(frame_.values().size() + 1, 0);
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    const bool is_held = std::isfinite(p.z()) && grid.holds(p.x(), p.y()) &&
-                         frame_.isInside(grid.at(p.x(), p.y()));
-    cell_of.push_back(is_held ? frame_.indexOf(grid.at(p.x(), p.y())) : outside);
-    if (is_held)
-      ++first_[cell_of.back() + 1];
-  }
-  for (std::size_t c = 1; c < first_.size(); ++c)
-    first_[c] += first_[c - 1];
-  entries_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end());
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    if (cell_of[k] != outside)
-      entries_[next[cell_of[k]]++] = {points[static_cast<std::size_t>(indices[k])].z(),
-                                      indices[k]};
-  const auto isLower = [](const Entry& a, const Entry& b) {
-    return a.z != b.z ? a.z < b.z : a.index < b.index;
+  const auto columnOf = [&](Cell cell) {
+    return frame_.isInside(cell) ? static_cast<std::uint32_t>(frame_.indexOf(cell))
+                                 : no_column;
   };
-  for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
-    Entry* const begin = entries_.data() + first_[c];
-    Entry* const end = entries_.data() + first_[c + 1];
-    if (!std::is_sorted(begin, end, isLower)) // as thinned points mostly are
-      std::sort(begin, end, isLower);
-  }
+  const ColumnOrder order(grid, points, indices, frame_.values().size(), columnOf,
+                          threads);
+  first_ = order.first();
+  entries_ = order.sorted<Entry>(
+      [&](std::size_t k, std::uint32_t) {
+        return Entry{points[static_cast<std::size_t>(indices[k])].z(), indices[k]};
+      },
+      [](const Entry& a, const Entry& b) {
+        return a.z != b.z ? a.z < b.z : a.index < b.index;
+      });
 }
 
 const ColumnTable::Entry*

@@ -192,9 +192,10 @@ platformCells(const Level& level,
               const std::function<CellSet()>& steps_up,
               const PointView& points,
               const std::vector<int>& indices,
-              double cell_size,
+              const LevelParameters& parameters,
               const PlatformParameters& platform)
 {
+  const double cell_size = parameters.cell_size;
   const CellGrid grid(cell_size);
   const auto least =
       static_cast<std::size_t>(cellsFor(platform.minimum_area / cell_size, cell_size));
@@ -228,7 +229,7 @@ platformCells(const Level& level,
     const Step step{level,
                     *floor,
                     grid,
-                    ColumnTable(grid, box, points, indices),
+                    ColumnTable(grid, box, points, indices, parameters.threads),
                     unite(CellMask(higher, box), CellMask(steps_up(), box)),
                     levels};
     if (isClosed(step, region))
@@ -282,7 +283,7 @@ markPlatforms(std::vector<Level>& levels,
   const auto tryLevel = [&](Level& level, const std::function<CellSet()>& steps_up) {
     const CellSet cells =
         platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
-                      parameters.cell_size, platform);
+                      parameters, platform);
     if (cells.empty())
       return;
     found = unite(found, cells);

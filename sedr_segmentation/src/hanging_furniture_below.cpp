@@ -51,8 +51,10 @@ floorBelow(const CellMask& cells,
 std::vector<std::vector<int>>
 sharesOf(const std::vector<CellBox>& boxes,
          const CellGrid& grid,
-         const PointView& points)
+         const PointView& points,
+         unsigned threads)
 {
+  constexpr std::size_t points_a_block = 65536;
   constexpr double table_cell = 1; // metres
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(grid.size());
   CellTable near(table_cell);
@@ -62,18 +64,27 @@ sharesOf(const std::vector<CellBox>& boxes,
                                       grid.centre(boxes[c].high) + margin),
                        static_cast<std::uint32_t>(c)});
   const bool has_table = near.fill(entries).empty();
-  std::vector<std::vector<int>> shares(boxes.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points.isFinite(i))
-      continue;
-    const Eigen::Vector2d place = points[i].head<2>().cast<double>();
-    if (has_table)
-      for (const std::uint32_t c : near.at(place))
-        shares[c].push_back(static_cast<int>(i));
-    else
-      for (auto& share : shares)
-        share.push_back(static_cast<int>(i));
-  }
+  using Shares = std::vector<std::vector<int>>;
+  std::vector<Shares> parts(points.size() / points_a_block + 1, Shares(boxes.size()));
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    Shares& shares = parts[begin / points_a_block];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!points.isFinite(i))
+        continue;
+      const Eigen::Vector2d place = points[i].head<2>().cast<double>();
+      if (has_table)
+        for (const std::uint32_t c : near.at(place))
+          shares[c].push_back(static_cast<int>(i));
+      else
+        for (auto& share : shares)
+          share.push_back(static_cast<int>(i));
+    }
+  };
+  parallelBlocks(points.size(), points_a_block, threads, look);
+  Shares shares(boxes.size());
+  for (const Shares& part : parts)
+    for (std::size_t c = 0; c < boxes.size(); ++c)
+      shares[c].insert(shares[c].end(), part[c].begin(), part[c].end());
   return shares;
 }
 
@@ -110,13 +121,14 @@ hangingFurnitureBelow(const std::vector<Level>& levels,
     }
   }
   const std::vector<CellBox> clusters = clusterBoxes(boxes, reach);
-  const std::vector<std::vector<int>> shares = sharesOf(clusters, grid, points);
+  const std::vector<std::vector<int>> shares =
+      sharesOf(clusters, grid, points, threads);
   HangingFurniture found;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const CellBox& box = clusters[c];
     if (!maskProblem(box).empty())
       continue;
-    const ColumnTable columns(grid, box, points, shares[c]);
+    const ColumnTable columns(grid, box, points, shares[c], threads);
     std::vector<HangingFurniture> parts(ceilings.size());
     parallelBlocks(ceilings.size(), 1, threads, [&](std::size_t k, std::size_t) {
       const auto& [level, cells, around] = ceilings[k];

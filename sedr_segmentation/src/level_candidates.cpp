@@ -45,21 +45,26 @@ blockAround(const CellSet& cells, std::size_t at)
   return block;
 }
 
+StretchesNear::StretchesNear(const LevelColumns& columns,
+                             const PlanSlab& slab,
+                             double low,
+                             double high)
+    : columns_(columns)
+    , slab_(slab)
+    , rise_(slab.plane.head<2>().norm() / slab.plane[2] * columns.grid().size())
+    , low_(low / slab.plane[2])
+    , high_(high / slab.plane[2])
+{}
+
 ColumnStretch
-stretchNear(const LevelColumns& columns,
-            std::size_t cell,
-            const PlanSlab& slab,
-            double low,
-            double high)
+StretchesNear::operator()(std::size_t cell) const
 {
-  const double up = slab.plane[2];
-  const double rise = slab.plane.head<2>().norm() / up * columns.grid().size();
-  const double height = slab.heightAt(columns.grid().centre(columns.cells()[cell]));
-  const double from = height + low / up - rise - rounding;
-  const double to = height + high / up + rise + rounding;
-  const Candidate* const all = columns.all().data();
-  const Candidate* first = all + columns.first(cell);
-  const Candidate* last = all + columns.last(cell);
+  const double height = slab_.heightAt(columns_.grid().centre(columns_.cells()[cell]));
+  const double from = height + low_ - rise_ - rounding;
+  const double to = height + high_ + rise_ + rounding;
+  const Candidate* const all = columns_.all().data();
+  const Candidate* first = all + columns_.first(cell);
+  const Candidate* last = all + columns_.last(cell);
   if (first == last || first->z > to || (last - 1)->z < from) // as most columns are
     return {};
   first = std::lower_bound(first, last, from,
@@ -110,11 +115,11 @@ columnsThatGoOn(const LevelColumns& columns,
   const CellSet& cells = columns.cells();
   const double nearest = std::min(1.5 * tolerance, gap.high);
   const double farthest = std::max(4 * tolerance, gap.low);
+  const StretchesNear stretchOf(columns, slab, direction > 0 ? nearest : -farthest,
+                                direction > 0 ? farthest : -nearest);
   const auto look = [&](std::size_t cell) {
     std::uint8_t seen = looked_at;
-    const ColumnStretch stretch =
-        direction > 0 ? stretchNear(columns, cell, slab, nearest, farthest)
-                      : stretchNear(columns, cell, slab, -farthest, -nearest);
+    const ColumnStretch stretch = stretchOf(cell);
     for (std::size_t k = stretch.first; k < stretch.last; ++k) {
       const double d = direction * distanceAbove(slab, columns.all()[k].position());
       if (d > 1.5 * tolerance && d < 4 * tolerance)

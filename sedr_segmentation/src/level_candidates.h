@@ -41,11 +41,22 @@ struct ColumnStretch {
 /** @brief The points of a cell's column that may lie between `low` and `high`, metres
  * above a plane, all of them and few others: by height, as a plane hardly rises within
  * a cell. */
-ColumnStretch stretchNear(const LevelColumns& columns,
-                          std::size_t cell,
-                          const PlanSlab& slab,
-                          double low,
-                          double high);
+class StretchesNear {
+public:
+  StretchesNear(const LevelColumns& columns,
+                const PlanSlab& slab,
+                double low,
+                double high);
+
+  ColumnStretch operator()(std::size_t cell) const;
+
+private:
+  const LevelColumns& columns_;
+  const PlanSlab& slab_;
+  double rise_; ///< of the plane within a cell
+  double low_;  ///< upright, not square to the plane
+  double high_;
+};
 
 /** @brief A stretch [first, last) of candidates sorted by height. */
 struct HeightStretch {

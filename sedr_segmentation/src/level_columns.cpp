@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/level_columns.h>
 
+#include "column_order.h"
 #include "level_candidates.h"
 
 #include <pcl/sedr_filters/digit_sort.h>
@@ -8,9 +9,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include <iterator>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -75,6 +75,50 @@ sortByHeight(std::vector<Candidate>& candidates)
   }
 }
 
+/** @brief Heights, rising, between which about as many of some candidates lie. */
+std::vector<float>
+evenHeights(const std::vector<std::vector<Candidate>>& blocks, std::size_t stretches)
+{
+  constexpr std::size_t step = 256; // a sample does
+  std::vector<float> sample;
+  for (const auto& block : blocks)
+    for (std::size_t k = 0; k < block.size(); k += step)
+      sample.push_back(block[k].z);
+  std::sort(sample.begin(), sample.end());
+  std::vector<float> heights;
+  for (std::size_t s = 1; s < stretches && !sample.empty(); ++s)
+    heights.push_back(sample[sample.size() * s / stretches]);
+  return heights;
+}
+
+/** @brief All candidates of some blocks sorted by height, stretches of height side by
+ * side. */
+std::vector<Candidate>
+sortedByHeight(const std::vector<std::vector<Candidate>>& blocks, unsigned threads)
+{
+  const std::vector<float> heights = evenHeights(blocks, resolveThreads(threads));
+  std::vector<std::vector<Candidate>> stretches(heights.size() + 1);
+  parallelBlocks(stretches.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    const auto isWithin = [&](const Candidate& c) {
+      return (s == 0 || c.z >= heights[s - 1]) &&
+             (s == heights.size() || c.z < heights[s]);
+    };
+    std::vector<Candidate> own; // not next to what other threads write
+    for (const auto& block : blocks)
+      std::copy_if(block.begin(), block.end(), std::back_inserter(own), isWithin);
+    sortByHeight(own);
+    stretches[s] = std::move(own);
+  });
+  std::vector<std::size_t> first(1, 0);
+  for (const auto& stretch : stretches)
+    first.push_back(first.back() + stretch.size());
+  std::vector<Candidate> sorted(first.back());
+  parallelBlocks(stretches.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    std::copy(stretches[s].begin(), stretches[s].end(), sorted.data() + first[s]);
+  });
+  return sorted;
+}
+
 } // namespace
 
 LevelColumns::LevelColumns(const PointView& points,
@@ -95,43 +139,17 @@ LevelColumns::LevelColumns(const PointView& points,
 void
 LevelColumns::sortIntoColumns(const std::vector<int>& indices)
 {
-  constexpr std::size_t cells_a_block = 4096;
-  constexpr std::size_t points_a_block = 16384;
-  constexpr auto nowhere = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> cell_of(indices.size());
-  parallelBlocks(
-      indices.size(), points_a_block, threads_,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
-          const bool is_held = std::isfinite(p.z()) && grid_.holds(p.x(), p.y());
-          cell_of[k] =
-              is_held ? static_cast<std::uint32_t>(cells_.find(grid_.at(p.x(), p.y())))
-                      : nowhere;
-        }
-      });
-  first_.assign(cells_.size() + 1, 0);
-  for (const std::uint32_t cell : cell_of)
-    if (cell != nowhere)
-      ++first_[cell + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  std::vector<std::size_t> next(first_.begin(), first_.end());
-  all_.resize(first_.back());
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    if (cell_of[k] == nowhere)
-      continue;
-    const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
-    all_[next[cell_of[k]]++] = {indices[k], cell_of[k], p.x(), p.y(), p.z()};
-  }
-  parallelBlocks(
-      cells_.size(), cells_a_block, threads_, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          Candidate* const column = all_.data() + first_[i];
-          Candidate* const end_of_column = all_.data() + first_[i + 1];
-          if (!std::is_sorted(column, end_of_column, isLower)) // as thinned points are
-            std::sort(column, end_of_column, isLower);
-        }
-      });
+  const ColumnOrder order(
+      grid_, points_, indices, cells_.size(),
+      [&](Cell cell) { return static_cast<std::uint32_t>(cells_.find(cell)); },
+      threads_);
+  first_ = order.first();
+  all_ = order.sorted<Candidate>(
+      [&](std::size_t k, std::uint32_t cell) {
+        const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
+        return Candidate{indices[k], cell, p.x(), p.y(), p.z()};
+      },
+      isLower);
 }
 
 void
@@ -156,13 +174,7 @@ LevelColumns::leaveOutWalls(double tolerance)
     blocks[begin / cells_a_block] = std::move(horizontal);
   };
   parallelBlocks(cells_.size(), cells_a_block, threads_, look);
-  std::size_t count = 0;
-  for (const auto& block : blocks)
-    count += block.size();
-  without_walls_.reserve(count);
-  for (const auto& block : blocks)
-    without_walls_.insert(without_walls_.end(), block.begin(), block.end());
-  sortByHeight(without_walls_);
+  without_walls_ = sortedByHeight(blocks, threads_);
 }
 
 } // namespace sedr

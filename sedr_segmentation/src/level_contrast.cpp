@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace pcl {
 namespace sedr {
@@ -29,6 +30,7 @@ contrastOf(const LevelColumns& columns,
            const PlanSlab& slab,
            double tolerance)
 {
+  const StretchesNear stretchOf(columns, slab, -2 * tolerance, 2 * tolerance);
   std::vector<Contrast> parts(weights.size() / cells_a_block + 1);
   const auto look = [&](std::size_t begin, std::size_t end) {
     Contrast& contrast = parts[begin / cells_a_block];
@@ -36,8 +38,7 @@ contrastOf(const LevelColumns& columns,
       const std::size_t weight = weights[cell];
       if (weight == 0)
         continue;
-      const ColumnStretch near =
-          stretchNear(columns, cell, slab, -2 * tolerance, 2 * tolerance);
+      const ColumnStretch near = stretchOf(cell);
       for (std::size_t k = near.first; k < near.last; ++k) {
         const double d = distanceAbove(slab, columns.all()[k].position());
         contrast.at_slab += std::abs(d) <= tolerance / 2 ? weight : 0;
@@ -69,15 +70,28 @@ markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked, int 
   return around;
 }
 
-/** @brief The marked cells and those around them. */
+/** @brief The marked cells and those around them: those side by side in a row at once.
+ */
 std::vector<std::uint8_t>
 withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 {
   std::vector<std::uint8_t> result(marked.size(), 0);
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i])
-      for (const std::size_t k : blockAround(cells, i))
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (!marked[i])
+      continue;
+    const Cell first = cells[i];
+    Cell last = first;
+    for (; i + 1 < marked.size() && marked[i + 1] &&
+           cells[i + 1] == Cell{last.x + 1, last.y};
+         ++i)
+      ++last.x;
+    for (const std::int32_t y : {first.y - 1, first.y, first.y + 1}) {
+      const CellKey end = keyOf({last.x + 1, y});
+      for (std::size_t k = cells.firstFrom({first.x - 1, y});
+           k < cells.size() && cells.keys()[k] <= end; ++k)
         result[k] = 1;
+    }
+  }
   return result;
 }
 

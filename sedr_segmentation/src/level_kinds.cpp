@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/horizontal_levels.h>
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 
 namespace pcl {
@@ -188,11 +190,11 @@ markFloorsBelow(std::vector<Level>& levels,
 void
 classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
 {
-  std::vector<CellSet> coarse;
-  for (auto& level : levels) {
-    coarse.push_back(coarsened(level.cells, parameters.cell_size));
-    level.kind = LevelKind::Other;
-  }
+  std::vector<CellSet> coarse(levels.size());
+  parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
+    coarse[l] = coarsened(levels[l].cells, parameters.cell_size);
+    levels[l].kind = LevelKind::Other;
+  });
   for (std::size_t c = 0; c < levels.size(); ++c) {
     if (shareOnTop(levels, coarse, c, parameters) >= 0.5) {
       if (isHigh(levels, coarse, c, coarse[c], parameters))

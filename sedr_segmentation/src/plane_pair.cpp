@@ -2,6 +2,7 @@
 #include "plane_pair.h"
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/parallel.h>
 
 #include <Eigen/Geometry>
 
@@ -21,6 +22,7 @@ namespace {
 constexpr double most_off = 0.026; ///< of an axis from square to another one, radians
 constexpr double slab_height = 0.1;
 constexpr double cell_size = 0.1;
+constexpr std::size_t points_a_block = 16384;
 
 /** @brief What lies within a decimetre along an axis. */
 struct Slab {
@@ -36,19 +38,24 @@ constexpr std::int32_t no_level = std::numeric_limits<std::int32_t>::min();
 std::vector<std::int32_t>
 levelsOf(const PointView& points,
          const std::vector<int>& indices,
-         const Eigen::Vector3d& across)
+         const Eigen::Vector3d& across,
+         unsigned threads)
 {
   constexpr double farthest = 1e5;
-  std::vector<std::int32_t> levels;
-  levels.reserve(indices.size());
-  for (const int i : indices) {
+  const auto levelOf = [&](int i) {
     const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
     const bool is_near = std::abs(p.x()) < farthest && std::abs(p.y()) < farthest &&
                          std::abs(p.z()) < farthest; // no NaN is
     const double height = is_near ? across.dot(p) / slab_height : 0;
     const auto whole = static_cast<std::int32_t>(height); // std::floor() is a call
-    levels.push_back(is_near ? whole - (height < whole ? 1 : 0) : no_level);
-  }
+    return is_near ? whole - (height < whole ? 1 : 0) : no_level;
+  };
+  std::vector<std::int32_t> levels(indices.size());
+  parallelBlocks(indices.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     levels[k] = levelOf(indices[k]);
+                 });
   return levels;
 }
 
@@ -57,9 +64,10 @@ std::vector<Slab>
 slabsOf(const PointView& points,
         const std::vector<int>& indices,
         const Eigen::Vector3d& across,
-        std::size_t least)
+        std::size_t least,
+        unsigned threads)
 {
-  const std::vector<std::int32_t> levels = levelsOf(points, indices, across);
+  const std::vector<std::int32_t> levels = levelsOf(points, indices, across, threads);
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
   std::int32_t highest = no_level;
   for (const std::int32_t level : levels) {
@@ -91,15 +99,20 @@ slabsOf(const PointView& points,
 std::size_t
 countCells(const PointView& points,
            const std::vector<int>& own,
-           const Eigen::Matrix3d& axes)
+           const Eigen::Matrix3d& axes,
+           unsigned threads)
 {
   const CellGrid grid(cell_size);
-  std::vector<CellKey> keys;
-  keys.reserve(own.size());
-  for (const int i : own) {
+  std::vector<CellKey> keys(own.size());
+  const auto keyOfPoint = [&](int i) {
     const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
-    keys.push_back(keyOf(grid.at(p[0], p[1])));
-  }
+    return keyOf(grid.at(p[0], p[1]));
+  };
+  parallelBlocks(own.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     keys[k] = keyOfPoint(own[k]);
+                 });
   return CellSet(std::move(keys)).size();
 }
 
@@ -111,9 +124,10 @@ bestPair(const PointView& points,
          const Eigen::Matrix3d& axes,
          double nearest,
          double farthest,
-         std::size_t least_cells)
+         std::size_t least_cells,
+         unsigned threads)
 {
-  std::vector<Slab> slabs = slabsOf(points, indices, axes.row(2), least_cells);
+  std::vector<Slab> slabs = slabsOf(points, indices, axes.row(2), least_cells, threads);
   std::sort(slabs.begin(), slabs.end(), [](const Slab& a, const Slab& b) {
     return a.points.size() != b.points.size() ? a.points.size() > b.points.size()
                                               : a.level < b.level;
@@ -123,7 +137,7 @@ bestPair(const PointView& points,
   for (auto slab = slabs.begin(); slab != slabs.end(); ++slab) {
     if (slab->points.size() < best.cells)
       break; // no pair with this or a smaller one is better
-    slab->cells = countCells(points, slab->points, axes);
+    slab->cells = countCells(points, slab->points, axes, threads);
     best.largest_cells = std::max(best.largest_cells, slab->cells);
     for (auto other = slabs.begin(); other != slab; ++other) {
       const std::pair<std::int32_t, std::int32_t> levels =
@@ -146,7 +160,8 @@ SidePair
 bestSidePair(const PointView& points,
              const std::vector<int>& indices,
              const Eigen::Vector3d& up,
-             double least)
+             double least,
+             unsigned threads)
 {
   constexpr double least_area = 2; // square metres
   constexpr double cell_area = cell_size * cell_size;
@@ -157,20 +172,26 @@ bestSidePair(const PointView& points,
   const Eigen::Vector3d reach =
       box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                     : Eigen::Vector3d(box.sizes().cast<double>().array() + 0.2);
-  SidePair best;
-  for (const int axis : {0, 1}) {
-    if (std::abs(up[axis]) > most_off || reach[2] * reach[1 - axis] <= least)
-      continue;
+  std::vector<int> asked;
+  for (const int axis : {0, 1})
+    if (std::abs(up[axis]) <= most_off && reach[2] * reach[1 - axis] > least)
+      asked.push_back(axis);
+  std::vector<PlanePair> pairs(asked.size());
+  parallelBlocks(asked.size(), 1, threads, [&](std::size_t a, std::size_t) {
     Eigen::Matrix3d axes;
     for (int k = 0; k < 3; ++k)
-      axes.row(k) = Eigen::Vector3d::Unit((axis + 1 + k) % 3);
-    const PlanePair found =
-        bestPair(points, indices, axes, lowest_room, highest_usual_room,
-                 static_cast<std::size_t>(std::max(least, least_area) / cell_area));
+      axes.row(k) = Eigen::Vector3d::Unit((asked[a] + 1 + k) % 3);
+    pairs[a] = bestPair(
+        points, indices, axes, lowest_room, highest_usual_room,
+        static_cast<std::size_t>(std::max(least, least_area) / cell_area), threads);
+  });
+  SidePair best;
+  for (std::size_t a = 0; a < asked.size(); ++a) {
+    const PlanePair& found = pairs[a];
     if (found.area() < least_area || found.area() <= least || found.cells < best.cells)
       continue;
     static_cast<PlanePair&>(best) = found;
-    best.axis = axis == 0 ? 'x' : 'y';
+    best.axis = asked[a] == 0 ? 'x' : 'y';
   }
   return best;
 }

@@ -26,13 +26,15 @@ struct PlanePair {
 /** @brief The best pair of levels that are between `nearest` and `farthest` metres
  * apart along the third of three axes, the rows of `axes`: slabs of a decimetre,
  * measured in distinct cells. O(n), and for every two slabs that may be the best.
- * @param least_cells pairs of fewer may be left out */
+ * @param least_cells pairs of fewer may be left out
+ * @param threads     0: as many as there are processors; any number gives the same */
 PlanePair bestPair(const PointView& points,
                    const std::vector<int>& indices,
                    const Eigen::Matrix3d& axes,
                    double nearest,
                    double farthest,
-                   std::size_t least_cells = 0);
+                   std::size_t least_cells = 0,
+                   unsigned threads = 1);
 
 /** @brief Heights of rooms, metres. */
 constexpr double lowest_room = 1.8;
@@ -53,7 +55,8 @@ struct SidePair : PlanePair {
 SidePair bestSidePair(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Vector3d& up,
-                      double least);
+                      double least,
+                      unsigned threads = 1);
 
 /** @brief The sentence that the axis of `side` is up rather than `up`, across which
  * `pair` is, and what turns it. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_enclosure.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
@@ -38,15 +39,14 @@ surroundingsOf(const Storey& storey,
                const std::vector<const Piece*>& members,
                std::size_t floor_level)
 {
+  constexpr std::size_t cells_a_block = 4096;
   Surroundings around{CellMask(solid.box()), CellMask(solid.box())};
   const int reach = cellsFor(0.7, storey.grid.size());
   const CellMask near = dilated(solid, reach);
   const CellMask rim = subtract(near, eroded(solid, reach));
   const std::vector<std::int32_t> nearest =
       nearestPieces(members, near, std::numeric_limits<int>::max());
-  for (std::size_t i = 0; i < rim.values().size(); ++i) {
-    if (!rim.values()[i] || nearest[i] < 0)
-      continue;
+  const auto look = [&](std::size_t i) {
     const Cell cell = rim.cellAt(i);
     const Piece& above = *members[static_cast<std::size_t>(nearest[i])];
     const double top = storey.heightOf(above.level, cell);
@@ -57,7 +57,13 @@ surroundingsOf(const Storey& storey,
         !solid.values()[i] && storey.columns.hasWithin(cell, floor - 0.07, floor + 0.07)
             ? 1
             : 0;
-  }
+  };
+  parallelBlocks(rim.values().size(), cells_a_block, storey.parameters.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     if (rim.values()[i] && nearest[i] >= 0)
+                       look(i);
+                 });
   return around;
 }
 

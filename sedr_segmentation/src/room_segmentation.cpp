@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <mutex>
 #include <utility>
 
 namespace pcl {
@@ -124,18 +126,39 @@ addHiddenCeilings(const Storey& storey,
   }
 }
 
+/** @brief The pieces of all ceilings that have a floor, and the passages between any.
+ */
+std::vector<Piece>
+piecesWithFloors(const Storey& storey, CellMask& passages)
+{
+  std::vector<std::size_t> ceilings;
+  for (std::size_t l = 0; l < storey.levels.size(); ++l)
+    if (storey.levels[l].kind == LevelKind::Ceiling)
+      ceilings.push_back(l);
+  std::vector<std::vector<Piece>> found(ceilings.size());
+  std::mutex mutex; // of the passages
+  const auto look = [&](std::size_t c, std::size_t) {
+    CellMask own(storey.box);
+    for (Piece& piece : piecesOf(storey, ceilings[c], own))
+      if (findFloor(storey, piece))
+        found[c].push_back(std::move(piece));
+    const std::lock_guard<std::mutex> lock(mutex);
+    add(own, passages);
+  };
+  parallelBlocks(ceilings.size(), 1, storey.parameters.threads, look);
+  std::vector<Piece> pieces;
+  for (auto& of_ceiling : found)
+    std::move(of_ceiling.begin(), of_ceiling.end(), std::back_inserter(pieces));
+  return pieces;
+}
+
 /** @brief Appends the rooms of one storey. */
 void
 roomsWithin(const Storey& storey, std::vector<RoomRegion>& rooms)
 {
   const std::size_t first = rooms.size();
-  std::vector<Piece> pieces;
   CellMask passages(storey.box);
-  for (std::size_t l = 0; l < storey.levels.size(); ++l)
-    if (storey.levels[l].kind == LevelKind::Ceiling)
-      for (auto& piece : piecesOf(storey, l, passages))
-        if (findFloor(storey, piece))
-          pieces.push_back(std::move(piece));
+  const std::vector<Piece> pieces = piecesWithFloors(storey, passages);
   const std::vector<std::size_t> group = groupPieces(storey, pieces, passages);
   std::vector<std::vector<const Piece*>> members(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -212,9 +235,9 @@ segmentRooms(const PointView& points,
     problem = maskProblem(box);
     if (!problem.empty())
       return {};
-    roomsWithin(
-        {levels, parameters, grid, box, ColumnTable(grid, box, points, indices)},
-        rooms);
+    roomsWithin({levels, parameters, grid, box,
+                 ColumnTable(grid, box, points, indices, parameters.threads)},
+                rooms);
   }
   std::stable_sort(rooms.begin(), rooms.end(),
                    [](const RoomRegion& a, const RoomRegion& b) {

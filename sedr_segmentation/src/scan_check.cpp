@@ -153,16 +153,17 @@ std::string
 upProblem(const PointView& points,
           const std::vector<int>& indices,
           RoomsAlongZ rooms,
-          double found_area)
+          double found_area,
+          unsigned threads)
 {
   constexpr double times = 1.5;
   constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   if (rooms == RoomsAlongZ::Found &&
-      !bestSidePair(points, indices, z, times_of_rooms * found_area).axis)
+      !bestSidePair(points, indices, z, times_of_rooms * found_area, threads).axis)
     return {}; // whatever there is along z, as is so with most scans
-  const PlanePair up =
-      bestPair(points, indices, Eigen::Matrix3d::Identity(), lowest_room, highest_room);
+  const PlanePair up = bestPair(points, indices, Eigen::Matrix3d::Identity(),
+                                lowest_room, highest_room, 0, threads);
   const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
   if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
     return {};
@@ -170,7 +171,7 @@ upProblem(const PointView& points,
                            ? std::max(times_of_rooms * std::max(up.area(), found_area),
                                       times * std::max(up.largestArea(), found_area))
                            : times * up.area();
-  const SidePair side = bestSidePair(points, indices, z, least);
+  const SidePair side = bestSidePair(points, indices, z, least, threads);
   return side.axis ? sideProblem(side, z, up) : std::string();
 }
 

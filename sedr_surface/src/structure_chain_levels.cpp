@@ -39,9 +39,10 @@ StructureChain::checkScan()
     return true;
   const PointView points(*cloud);
   const pcl::IndicesPtr all = allIndices(cloud->size());
-  std::string reason = upProblem(points, *all);
+  const unsigned threads = room_segmentation.threads;
+  std::string reason = upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads);
   if (reason.empty())
-    reason = leanProblem(points, *all, room_segmentation.threads);
+    reason = leanProblem(points, *all, threads);
   return reason.empty() || fail(reason);
 }
 
@@ -168,7 +169,8 @@ StructureChain::findPlanes(StageReport& report)
     const std::string doubt =
         trust_up ? std::string()
                  : upProblem(PointView(*cloud), *allIndices(cloud->size()),
-                             RoomsAlongZ::Found, areaOfRooms(planes));
+                             RoomsAlongZ::Found, areaOfRooms(planes),
+                             room_segmentation.threads);
     return doubt.empty() || fail(doubt);
   }
   const std::string turned =

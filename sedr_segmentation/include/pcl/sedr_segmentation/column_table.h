@@ -17,13 +17,16 @@ struct ColumnRun {
 };
 
 /** @brief The points of each grid column within a box of cells, sorted by height.
- * Points that are not finite or outside of the box are left out. O(n log n). */
+ * Points that are not finite or outside of the box are left out. O(n log n); the same
+ * for any number of threads. */
 class ColumnTable {
 public:
+  /** @param threads to make it with, 0: as many as there are processors */
   ColumnTable(const CellGrid& grid,
               const CellBox& box,
               const PointView& points,
-              const std::vector<int>& indices);
+              const std::vector<int>& indices,
+              unsigned threads = 1);
 
   /** @brief One point of a column. */
   struct Entry {

@@ -86,11 +86,13 @@ enum class RoomsAlongZ {
  * gives rooms higher than 4.5 m or none; where there are rooms, they are four times as
  * large as across z, and half as large again as any level of z. For thinned points.
  * @param found_area of the rooms that were found along z, the smaller one of all floors
- * and all ceilings, square metres: these may lean */
+ * and all ceilings, square metres: these may lean
+ * @param threads    0: as many as there are processors; any number gives the same */
 std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
                       RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
-                      double found_area = 0);
+                      double found_area = 0,
+                      unsigned threads = 1);
 
 /** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
  * Then there are three rooms or more, all of them 7 to 12 high, and half of them or

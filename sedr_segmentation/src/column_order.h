@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The column of a point that is in none. */
+constexpr auto no_column = std::numeric_limits<std::uint32_t>::max();
+
+/** @brief Puts points into columns, one column after another, each from its lowest
+ * point to its highest: the cells of a set or of a box. O(n) where the points of a
+ * column come in this order, as thinned ones mostly do; the same for any number of
+ * threads. */
+class ColumnOrder {
+public:
+  /** @param columns  how many there are
+   * @param columnOf number of the column of a cell, or no_column; points that are not
+   *                 finite or too far away for cells are in none
+   * @param threads  0: as many as there are processors */
+  template <typename ColumnOf>
+  ColumnOrder(const CellGrid& grid,
+              const PointView& points,
+              const std::vector<int>& indices,
+              std::size_t columns,
+              ColumnOf columnOf,
+              unsigned threads)
+      : threads_(threads)
+      , column_of_(indices.size())
+      , first_(columns + 1, 0)
+  {
+    constexpr std::size_t points_a_block = 16384;
+    parallelBlocks(
+        indices.size(), points_a_block, threads,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) {
+            const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
+            const bool is_held = std::isfinite(p.z()) && grid.holds(p.x(), p.y());
+            column_of_[k] = is_held ? columnOf(grid.at(p.x(), p.y())) : no_column;
+          }
+        });
+    for (const std::uint32_t column : column_of_)
+      if (column != no_column)
+        ++first_[column + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  /** @brief Where the points of each column begin, and the end. */
+  const std::vector<std::size_t>& first() const { return first_; }
+
+  /** @brief The points in their order.
+   * @param make  of indices[k], in a column: `make(k, column)`
+   * @param isLower orders the points of a column */
+  template <typename Point, typename Make, typename IsLower>
+  std::vector<Point> sorted(Make make, IsLower isLower) const
+  {
+    std::vector<Point> all(first_.back());
+    const std::size_t stretches = resolveThreads(threads_);
+    // Each thread looks for the points of its own columns, which hold as many as those
+    // of any other.
+    const auto firstOf = [&](std::size_t stretch) {
+      const std::size_t before = first_.back() * stretch / stretches;
+      return static_cast<std::size_t>(
+          std::lower_bound(first_.begin(), first_.end(), before) - first_.begin());
+    };
+    parallelBlocks(stretches, 1, threads_, [&](std::size_t s, std::size_t) {
+      const std::size_t begin = firstOf(s);
+      const std::size_t end = s + 1 < stretches ? firstOf(s + 1) : first_.size() - 1;
+      if (begin >= end)
+        return;
+      std::vector<std::size_t> next(first_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    first_.begin() + static_cast<std::ptrdiff_t>(end));
+      for (std::size_t k = 0; k < column_of_.size(); ++k)
+        if (column_of_[k] >= begin && column_of_[k] < end)
+          all[next[column_of_[k] - begin]++] = make(k, column_of_[k]);
+      for (std::size_t c = begin; c < end; ++c) {
+        Point* const column = all.data() + first_[c];
+        Point* const end_of_column = all.data() + first_[c + 1];
+        if (!std::is_sorted(column, end_of_column, isLower))
+          std::sort(column, end_of_column, isLower);
+      }
+    });
+    return all;
+  }
+
+private:
+  unsigned threads_;
+  std::vector<std::uint32_t> column_of_; ///< of each point
+  std::vector<std::size_t> first_;
+};
+
+} // namespace sedr
+} // namespace pcl
