@@ -10,6 +10,8 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 
 namespace pcl {
@@ -111,36 +113,50 @@ public:
     return *helpers;
   }
 
-  /** @brief Lets `count` threads of a crew help with blocks. */
+  /** @brief Sees to it that there are `count` threads, or as many as the system gives.
+   */
+  void attach(std::size_t count)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    try {
+      for (; threads_ < count; ++threads_)
+        std::thread([this] { pool_.attach(); }).detach();
+    }
+    catch (const std::system_error&) { // those there are do the work
+    }
+  }
+
+  /** @brief Lets `count` threads of a crew help with blocks; fewer where memory is
+   * short, as whoever works on the blocks can do without. */
   void help(const std::shared_ptr<Blocks>& blocks,
             const std::shared_ptr<Crew>& crew,
             std::size_t count)
   {
-    attach(count);
-    for (std::size_t k = 0; k < count; ++k)
-      boost::asio::post(pool_, [blocks, crew] {
-        own_crew = crew;
-        blocks->work();
-        own_crew.reset();
-        crew->release();
-      });
+    try {
+      for (std::size_t k = 0; k < count; ++k)
+        boost::asio::post(pool_, [blocks, crew] {
+          own_crew = crew;
+          blocks->work();
+          own_crew.reset();
+          crew->release();
+        });
+    }
+    catch (const std::bad_alloc&) {
+    }
   }
 
 private:
-  Helpers()
-      : pool_(1)
-  {}
+  /** @brief Two at least: to a pool of one, what a thread of it posts is for the same
+   * thread, when it is done with what it works on. */
+  static constexpr std::size_t first_threads = 2;
 
-  void attach(std::size_t count)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (; threads_ < count; ++threads_)
-      std::thread([this] { pool_.attach(); }).detach();
-  }
+  Helpers()
+      : pool_(first_threads)
+  {}
 
   boost::asio::thread_pool pool_;
   std::mutex mutex_;
-  std::size_t threads_ = 1;
+  std::size_t threads_ = first_threads;
 };
 
 } // namespace
@@ -164,13 +180,18 @@ parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& b
     return;
   }
   const bool is_outermost = !own_crew;
-  if (is_outermost)
+  if (is_outermost) {
     own_crew = std::make_shared<Crew>(resolveThreads(threads) - 1);
+    // One takes the place of the caller when that has no block left and sleeps.
+    Helpers::shared().attach(resolveThreads(threads));
+  }
   if (const std::size_t others = own_crew->engage(team - 1))
     Helpers::shared().help(blocks, own_crew, others);
   blocks->work();
-  if (is_outermost)
+  if (is_outermost) {
+    own_crew->release();
     own_crew.reset();
+  }
   blocks->finish();
 }
 

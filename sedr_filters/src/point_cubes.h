@@ -17,7 +17,7 @@ namespace sedr {
  * side, those of each by height. O(n + columns of the box). */
 class PointCubes {
 public:
-  /** @param size of a cube, metres
+  /** @param size of a cube, metres, of large boxes more
    * @param threads 0: as many as there are processors; the result is the same */
   PointCubes(const PointView& points,
              const std::vector<int>& indices,
@@ -27,8 +27,12 @@ public:
       : origin_(box.min())
       , size_(size)
   {
-    if (box.isEmpty())
+    constexpr double most_columns = 1 << 26;
+    const Eigen::Vector3d extent = box.sizes();
+    if (box.isEmpty() || !extent.allFinite())
       return;
+    while ((extent.x() / size_ + 1) * (extent.y() / size_ + 1) > most_columns)
+      size_ *= 2; // whoever asks sees more points, of which most are too far away
     const Cube far = cubeOf(box.max());
     width_ = far.x() + 1;
     height_ = far.y() + 1;

@@ -20,7 +20,7 @@ constexpr double per_parameter = 0.01;
 /** @brief A shape that a column may have. */
 struct Shape {
   PlanLoop loop;
-  double parameters = 0; ///< numbers that describe it
+  double parameters = 0;              ///< numbers that describe it
   std::vector<double> distances = {}; ///< of the points from it
 };
 

@@ -47,6 +47,7 @@ RefitCandidates::tellCells()
   low_ = RefitPlaces::table_cell * Eigen::Vector2d(box.low.x, box.low.y);
   width_ = box.high.x - box.low.x + 1;
   height_ = box.high.y - box.low.y + 1;
+  heres_.assign(1, Here());
   cells_.reserve(box.count());
   for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
     for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
@@ -58,11 +59,14 @@ RefitCandidates::tellCells()
         here.heights.unite(uprights_[u].heights.low, uprights_[u].heights.high);
         here.raiseParts(uprights_[u].share);
       }
-      cells_.push_back(here);
+      cells_.push_back(here.isNothing() ? 0
+                                        : static_cast<std::uint32_t>(heres_.size()));
+      if (!here.isNothing())
+        heres_.push_back(here);
     }
   for (std::size_t k = 0; k < places_.slabs.size(); ++k)
     tellPartsOf(k);
-  for (const Here& here : cells_)
+  for (const Here& here : heres_)
     most_parts_ = std::max(most_parts_, here.parts);
 }
 
@@ -77,9 +81,9 @@ RefitCandidates::tellPartsOf(std::size_t slab)
     const CellBox box = overlapOf(places_.rooms_near.boxAround(low, high), all);
     for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
       for (std::int32_t x = box.low.x; x <= box.high.x; ++x)
-        cells_[static_cast<std::size_t>(y - all.low.y) *
-                   static_cast<std::size_t>(width_) +
-               static_cast<std::size_t>(x - all.low.x)]
+        heres_[cells_[static_cast<std::size_t>(y - all.low.y) *
+                          static_cast<std::size_t>(width_) +
+                      static_cast<std::size_t>(x - all.low.x)]]
             .raiseParts(looked_at_.of_patch[first_patches_[slab] + patch]);
   }
 }

@@ -44,9 +44,10 @@ public:
         (point.head<2>().cast<double>() - low_).array() * cells_per_metre;
     if (!((at >= 0).all() && at.x() < width_ && at.y() < height_)) // nor a NaN
       return;
-    const Here& here = cells_[static_cast<std::size_t>(static_cast<int>(at.y())) *
-                                  static_cast<std::size_t>(width_) +
-                              static_cast<std::size_t>(static_cast<int>(at.x()))];
+    const Here& here =
+        heres_[cells_[static_cast<std::size_t>(static_cast<int>(at.y())) *
+                          static_cast<std::size_t>(width_) +
+                      static_cast<std::size_t>(static_cast<int>(at.x()))]];
     if (!EvenShare::mayHold(here.parts, number)) // most points of a dense scan
       return;
     const Eigen::Vector3d p = point.cast<double>();
@@ -111,6 +112,12 @@ private:
     CellTable::Numbers niches;
     Heights heights;        ///< of the stretches
     std::uint8_t parts = 0; ///< of its points that are looked at, in 128ths
+
+    bool isNothing() const
+    {
+      return stretches.first == stretches.last && rooms.first == rooms.last &&
+             niches.first == niches.last;
+    }
 
     void raiseParts(const EvenShare& share) { parts = std::max(parts, share.parts()); }
   };
@@ -186,9 +193,10 @@ private:
   std::size_t first_slab_; ///< number of the first slab
   std::vector<Upright> uprights_;
   std::vector<Room> rooms_;
-  std::vector<Eigen::Vector4d> planes_;           ///< of the slabs
-  std::vector<std::size_t> first_patches_;        ///< of the slabs
-  std::vector<Here> cells_;                       ///< of the tables' box, row by row
+  std::vector<Eigen::Vector4d> planes_;    ///< of the slabs
+  std::vector<std::size_t> first_patches_; ///< of the slabs
+  std::vector<Here> heres_; ///< nothing, then those of the cells that may show anything
+  std::vector<std::uint32_t> cells_; ///< which is whose, in the tables' box row by row
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero(); ///< its corner, metres
   int width_ = 0;
   int height_ = 0;

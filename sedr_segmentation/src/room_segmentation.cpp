@@ -135,6 +135,9 @@ piecesWithFloors(const Storey& storey, CellMask& passages)
   for (std::size_t l = 0; l < storey.levels.size(); ++l)
     if (storey.levels[l].kind == LevelKind::Ceiling)
       ceilings.push_back(l);
+  // Each looks at masks of the whole storey: of a large one, one after the other.
+  constexpr std::uint64_t large = std::uint64_t{1} << 23; // cells
+  const unsigned threads = storey.box.count() > large ? 1 : storey.parameters.threads;
   std::vector<std::vector<Piece>> found(ceilings.size());
   std::mutex mutex; // of the passages
   const auto look = [&](std::size_t c, std::size_t) {
@@ -145,7 +148,7 @@ piecesWithFloors(const Storey& storey, CellMask& passages)
     const std::lock_guard<std::mutex> lock(mutex);
     add(own, passages);
   };
-  parallelBlocks(ceilings.size(), 1, storey.parameters.threads, look);
+  parallelBlocks(ceilings.size(), 1, threads, look);
   std::vector<Piece> pieces;
   for (auto& of_ceiling : found)
     std::move(of_ceiling.begin(), of_ceiling.end(), std::back_inserter(pieces));

@@ -24,8 +24,9 @@ struct RefitParameters {
   double reach = 0.06;    ///< points farther from a surface are not its own, metres
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
   std::size_t least_points = 20; ///< of a surface that is fitted
-  /** @brief Of a larger scan, every k-th point is taken: of one of few rooms so many as
-   * are `points_per_patch` on average, but no fewer than `enough_points`. */
+  /** @brief Of a larger scan, every k-th point is taken, that no more are left; of one
+   * of few rooms no more than `points_per_patch` of each patch on average, or
+   * `enough_points` where that is more. */
   std::size_t most_points = 5000000;
   std::size_t enough_points = 2000000;
   /** @brief Of a surface with more points than these for every tenth of a metre of wall
