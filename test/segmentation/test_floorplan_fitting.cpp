@@ -76,6 +76,19 @@ TEST_F(OffRaw, IsMetByThePlan)
   EXPECT_GT(errorOfPlan(), 0.003);
 }
 
+TEST_F(OffRaw, IsMetAsWellWhereItIsAListOfPoints)
+{
+  const auto points = std::make_shared<std::vector<Eigen::Vector3f>>();
+  for (const auto& p : *scan_)
+    points->push_back(p.getVector3fMap());
+  fitting_.setRawCloud<pcl::PointXYZ>(scan_);
+  const double error = errorOfPlan();
+  fitting_.setRawPoints(points);
+  EXPECT_EQ(errorOfPlan(), error);
+  fitting_.setRawPoints(nullptr);
+  EXPECT_GT(errorOfPlan(), 0.003);
+}
+
 TEST_F(OffRaw, IsSeenAsItIsWhenThePlanIsFitted)
 {
   const auto filled_later = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
