@@ -35,11 +35,13 @@ class PatchSolver {
 public:
   PatchSolver(std::vector<const PatchSums*> patches,
               std::vector<bool> is_top,
-              double noise)
+              double noise,
+              double most_beyond)
       : patches_(std::move(patches))
       , is_top_(std::move(is_top))
       , weight_(patches_.size(), 1)
       , noise_(noise)
+      , most_beyond_(most_beyond)
       , usual_variance_(usualVariance())
   {
     constexpr double unevenness = 0.001; // of walls, metres
@@ -157,13 +159,21 @@ private:
            (points_of_usual + own);
   }
 
-  /** @brief Weighs the patches by how far they are from where a step leads. A patch
-   * that holds two surfaces scatters more than others. */
+  /** @brief Whether a patch shows another surface too, such as the reveal of a door: it
+   * scatters more than most, `scatter` squared, or goes on beyond the band. */
+  bool isMixed(std::size_t i, double scatter) const
+  {
+    constexpr double least_points = 8; // that tell it
+    const PatchSums& p = *patches_[i];
+    return p.count >= least_points &&
+           (own_variance_[i] > scatter * scatter || p.beyond > most_beyond_ * p.count);
+  }
+
+  /** @brief Weighs the patches by how far they are from where a step leads. */
   void weigh(const Eigen::Vector3d& step)
   {
     constexpr double sigmas = 4;
     constexpr double most_scatter = 1.4;
-    constexpr double least_points = 8; // that tell a scatter
     std::vector<Weighted> scaled;
     for (std::size_t i = 0; i < patches_.size(); ++i)
       if (weight_[i] > 0)
@@ -173,10 +183,9 @@ private:
     const double scatter =
         std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      weight_[i] =
-          patches_[i]->count >= least_points && own_variance_[i] > scatter * scatter
-              ? 0
-              : biweight(residual(i, step) / (sigmas * scale * deviation_[i]));
+      weight_[i] = isMixed(i, scatter)
+                       ? 0
+                       : biweight(residual(i, step) / (sigmas * scale * deviation_[i]));
   }
 
   double deviationOf(std::size_t i) const
@@ -234,6 +243,7 @@ private:
   std::vector<bool> is_top_;
   std::vector<double> weight_;
   double noise_;
+  double most_beyond_;
   double usual_variance_;
   std::vector<double> mean_;         ///< distance of each patch, metres
   std::vector<double> own_variance_; ///< see ownVariance()
@@ -249,7 +259,8 @@ PatchFit
 fitPatches(const std::vector<PatchSums>& patches,
            const std::vector<bool>& is_top,
            Eigen::Index parameters,
-           double noise)
+           double noise,
+           double most_beyond)
 {
   // Where a wall is open, a few points of something else are seen.
   constexpr double least_share = 0.05;
@@ -267,7 +278,8 @@ fitPatches(const std::vector<PatchSums>& patches,
     }
   if (own.empty())
     return {};
-  return PatchSolver(std::move(own), std::move(tops), noise).run(parameters);
+  return PatchSolver(std::move(own), std::move(tops), noise, most_beyond)
+      .run(parameters);
 }
 
 } // namespace sedr

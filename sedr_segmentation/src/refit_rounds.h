@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -46,7 +47,8 @@ public:
     }
     for (int round = 0; round < rounds; ++round) {
       sightings.update();
-      const std::vector<PatchFit> fits = fitsOf(sightings.patchSums(centre, band));
+      const std::vector<PatchFit> fits =
+          fitsOf(sightings.patchSums(centre, band), band);
       for (std::size_t t = 0; t < targets_.size(); ++t) {
         if (isSparse(t) && round > 0)
           continue;
@@ -148,6 +150,19 @@ private:
                                     targets_.gap(t) - band_sigmas * deviation}));
   }
 
+  /** @brief How many points beyond a band are too many for one surface, as a share of
+   * those within: where another surface makes it narrow, the scatter within it tells
+   * less. */
+  double mostBeyond(std::size_t t, double band) const
+  {
+    constexpr double strays = 0.1;
+    const double deviation = scatters_[t].deviation;
+    if (!isBesideAnother(t, deviation))
+      return std::numeric_limits<double>::infinity();
+    const double within = std::erf(band / deviation / std::sqrt(2.0));
+    return (1 - within) / within + strays;
+  }
+
   /** @brief Points cut off at a band draw its centre after them by a part of the way
    * only: the whole way, as it is for the normal distribution. */
   static void undoCut(double centre, double band, double deviation, PatchFit& fit)
@@ -183,22 +198,24 @@ private:
   }
 
   /** @brief Where the patches of each surface say that it is. */
-  std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums) const
+  std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums,
+                               const std::vector<double>& band) const
   {
     std::vector<PatchFit> fits(targets_.size());
     parallelBlocks(fits.size(), 1, raw_.threads, [&](std::size_t t, std::size_t) {
       if (!isSparse(t))
-        fits[t] = fitOf(sums[t], t);
+        fits[t] = fitOf(sums[t], t, band[t]);
     });
     return fits;
   }
 
-  PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t) const
+  PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t, double band) const
   {
     std::vector<bool> is_top;
     for (std::size_t p = 0; p < sums.size(); ++p)
       is_top.push_back(targets_.isTop(t, p));
-    return fitPatches(sums, is_top, parametersOf(t), scatters_[t].deviation);
+    return fitPatches(sums, is_top, parametersOf(t), scatters_[t].deviation,
+                      mostBeyond(t, band));
   }
 
   void move(std::size_t t, const PatchFit& fit)

@@ -31,6 +31,7 @@ PatchSums::operator+=(const PatchSums& other)
   count += other.count;
   sum += other.sum;
   squares += other.squares;
+  beyond += other.beyond;
   rows += other.rows;
   return *this;
 }
@@ -237,10 +238,15 @@ Sightings::patchSums(const std::vector<double>& centre,
       },
       [&](std::vector<PatchSums>& own, std::size_t t, const auto& view,
           const Eigen::Vector3d& p, double d, std::size_t place) {
-        if (std::abs(d - centre[t]) > band[t])
+        const bool is_within = std::abs(d - centre[t]) <= band[t];
+        if (!is_within && 2 * std::abs(d) > targets_.gap(t))
           return;
         const Eigen::Vector3d row = view.row(p);
-        own[view.patch(row, place)].add(d, row);
+        PatchSums& patch = own[view.patch(row, place)];
+        if (is_within)
+          patch.add(d, row);
+        else
+          patch.beyond += 1;
       });
 }
 

@@ -22,6 +22,7 @@ struct PatchSums {
   double count = 0;
   double sum = 0;     ///< of the distances
   double squares = 0; ///< of the distances
+  double beyond = 0;  ///< points nearby that are beyond the band of those that count
   Eigen::Vector3d rows = Eigen::Vector3d::Zero();
 
   void add(double distance, const Eigen::Vector3d& row)
@@ -89,7 +90,8 @@ public:
   std::vector<Scatter> scatters(double reach) const;
 
   /** @brief Sums of the patches of each surface over the points within the `band` of
-   * their surface's `centre`. The same for any number of threads. */
+   * their surface's `centre`, and how many others are nearer to it than to one that
+   * runs along it. The same for any number of threads. */
   std::vector<std::vector<PatchSums>> patchSums(const std::vector<double>& centre,
                                                 const std::vector<double>& band) const;
 
@@ -162,11 +164,14 @@ struct PatchFit {
  * noise of the others. It starts where half of the patches are nearest to each other
  * (Rousseeuw 1984), `is_top` patches counting more.
  * @param noise expected standard deviation of the points, metres: patches of few
- * points say little of it */
+ * points say little of it
+ * @param most_beyond points beyond the band, as a share of those within, of a patch
+ * that shows nothing else */
 PatchFit fitPatches(const std::vector<PatchSums>& patches,
                     const std::vector<bool>& is_top,
                     Eigen::Index parameters,
-                    double noise);
+                    double noise,
+                    double most_beyond);
 
 } // namespace sedr
 } // namespace pcl
