@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <mutex>
 
 namespace pcl {
@@ -35,17 +34,14 @@ public:
            std::size_t end,
            const IndexOf& index_of)
   {
-    for (std::size_t k = begin; k < end; ++k) {
-      points.prefetch(index_of(std::min(k + VoxelBatch::most, end - 1)));
-      const Eigen::Vector3f p = points[index_of(k)];
-      // Most sums are finite, and then all of them are; large ones may overflow.
-      if (!std::isfinite(p.x() + p.y() + p.z()) && !p.allFinite())
-        continue;
-      batch_.push(p);
-      if (batch_.isFull())
-        addBatch();
+    for (std::size_t k = begin; k < end; k += VoxelBatch::most) {
+      const std::size_t n = std::min(VoxelBatch::most, end - k);
+      batch_.fill(n, [&](std::size_t i) {
+        points.prefetch(index_of(std::min(k + i + VoxelBatch::most, end - 1)));
+        return points[index_of(k + i)];
+      });
+      addBatch();
     }
-    addBatch();
   }
 
   /** @brief Adds what was added up before; the count must not be 0. */
@@ -73,15 +69,13 @@ private:
                               : blockAt(VoxelBlock::cornerOf(first));
       const std::lock_guard<VoxelBlock> lock(block);
       do {
-        BlockSum& sum = sumOf(block, VoxelBlock::localOf(batch_.code(i)));
+        BlockSum& sum = sumOf(block, batch_.local(i));
         ++sum.count;
         for (std::size_t axis = 0; axis < 3; ++axis)
           sum.steps[axis] += batch_.steps(axis, i);
-        ++i;
-      } while (i < batch_.size() && VoxelBlock::isShared(batch_.code(i), first));
+      } while (batch_.isNextInBlock(i++));
     }
     is_scattered_ = 2 * runs > batch_.size();
-    batch_.clear();
   }
 
   /** @brief Finds the blocks of a batch, all at once, and sends for their sums. */
@@ -98,11 +92,10 @@ private:
         prefetch(reinterpret_cast<const char*>(guess + 1) - 1);
       }
     for (std::size_t i = 0; i < n; ++i) {
-      const VoxelCode code = batch_.code(i);
-      guesses_[i] = blocks_.find(VoxelBlock::cornerOf(code), hashes_[i]);
+      guesses_[i] = blocks_.find(VoxelBlock::cornerOf(batch_.code(i)), hashes_[i]);
       if (!guesses_[i])
         continue;
-      const unsigned place = guesses_[i]->placeOf(VoxelBlock::localOf(code));
+      const unsigned place = guesses_[i]->placeOf(batch_.local(i));
       const auto* const sums = guesses_[i]->sums.load(std::memory_order_relaxed);
       if (place > 0)
         prefetch(sums + place - 1);

@@ -68,12 +68,12 @@ VoxelGridSettings::addRows(const RowSource& source,
                            VoxelSums& sums) const
 {
   forEachPiece(source, indices,
-               [&](const RowSource::Piece&, const PointView& points,
+               [&](const RowSource::Piece& piece, const PointView& points,
                    const pcl::Indices* chosen) {
                  if (chosen)
                    sums.add(points, *chosen, threads_);
                  else
-                   sums.add(points, threads_);
+                   sums.add(points, threads_, piece.beside);
                });
 }
 

@@ -10,7 +10,8 @@ namespace sedr {
 
 namespace {
 
-constexpr std::size_t points_at_once = std::size_t{1} << 16;
+/** @brief So many stay close to the processor from when they are read first. */
+constexpr std::size_t points_at_once = std::size_t{1} << 14;
 
 } // namespace
 
@@ -23,10 +24,15 @@ public:
   {}
 
   template <typename IndexOf>
-  void
-  add(const PointView& points, std::size_t n, const IndexOf& index_of, unsigned threads)
+  void add(const PointView& points,
+           std::size_t n,
+           const IndexOf& index_of,
+           unsigned threads,
+           const RowSource::SeeRun& beside = {})
   {
     parallelBlocks(n, points_at_once, threads, [&](std::size_t begin, std::size_t end) {
+      if (beside)
+        beside(begin, end);
       withAdder([&](VoxelAdder& adder) { adder.add(points, begin, end, index_of); });
     });
   }
@@ -98,10 +104,12 @@ VoxelSums::frame() const
 }
 
 void
-VoxelSums::add(const PointView& points, unsigned threads)
+VoxelSums::add(const PointView& points,
+               unsigned threads,
+               const RowSource::SeeRun& beside)
 {
   state_->add(
-      points, points.size(), [](std::size_t k) { return k; }, threads);
+      points, points.size(), [](std::size_t k) { return k; }, threads, beside);
 }
 
 void

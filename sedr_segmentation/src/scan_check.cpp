@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 
@@ -57,6 +58,9 @@ exceedsBuildings(const Eigen::Vector3d& extents)
   return extents.z() > highest || std::min(extents.x(), extents.y()) > longest;
 }
 
+/** @brief Points that are counted together. */
+constexpr std::size_t block = std::size_t{1} << 16;
+
 /** @brief Number of the finite points from `begin` to `end`. */
 std::size_t
 countFinite(const PointView& points, std::size_t begin, std::size_t end)
@@ -77,19 +81,23 @@ countFinite(const PointView& points, std::size_t begin, std::size_t end)
 } // namespace
 
 void
-ScanSample::add(const PointView& points,
-                unsigned threads,
-                const std::function<void(std::size_t, std::size_t)>& beside)
+ScanSample::add(const PointView& points, unsigned threads)
 {
-  constexpr std::size_t block = std::size_t{1} << 16;
+  add(points, [&](const RowSource::SeeRun& see_run) {
+    parallelBlocks(points.size(), block, threads, see_run);
+  });
+}
+
+void
+ScanSample::add(const PointView& points, const Read& read)
+{
   const std::size_t blocks = (points.size() + block - 1) / block;
-  std::vector<std::size_t> finite(blocks, 0);
-  parallelBlocks(points.size(), block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   finite[begin / block] = countFinite(points, begin, end);
-                   if (beside)
-                     beside(begin, end);
-                 });
+  std::vector<std::atomic<std::size_t>> finite(blocks);
+  read([&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin / block; b * block < end; ++b)
+      finite[b] += countFinite(points, std::max(begin, b * block),
+                               std::min(end, (b + 1) * block));
+  });
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t begin = b * block;
     const std::size_t end = std::min(begin + block, points.size());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/large_memory.h>
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/scan_excerpt.h>
+
+#include <atomic>
 
 namespace pcl {
 namespace sedr {
@@ -10,16 +13,19 @@ void
 addToExcerpt(const PointView& points,
              std::size_t first,
              std::size_t step,
-             unsigned threads,
              ScanSample& sample,
-             std::vector<Eigen::Vector3f>& excerpt)
+             std::vector<Eigen::Vector3f>& excerpt,
+             const ScanSample::Read& read)
 {
   const auto upTo = [&](std::size_t end) { return (first + end + step - 1) / step; };
   const std::size_t before = excerpt.size();
   excerpt.resize(before + upTo(points.size()) - upTo(0));
-  sample.add(points, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = upTo(begin); k < upTo(end); ++k)
-      excerpt[before + k - upTo(0)] = points[k * step - first];
+  sample.add(points, [&](const RowSource::SeeRun& count) {
+    read([&](std::size_t begin, std::size_t end) {
+      count(begin, end);
+      for (std::size_t k = upTo(begin); k < upTo(end); ++k)
+        excerpt[before + k - upTo(0)] = points[k * step - first];
+    });
   });
 }
 
@@ -44,7 +50,9 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
   std::size_t looked_at = 0;
   scan_.forEachPiece([&](const Piece& piece) {
     const PointView points = coordinates.of(piece.rows, piece.size, threads_);
-    addToExcerpt(points, piece.first, step_, threads_, sample, *points_);
+    bool goes_on = true;
+    addToExcerpt(points, piece.first, step_, sample, *points_,
+                 [&](const SeeRun& see_run) { goes_on = show(piece, see_run, see); });
     // Whenever twice as much has been seen, which costs next to nothing.
     const std::size_t seen = piece.first + piece.size;
     if (seen >= 2 * looked_at && seen < scan_.size()) {
@@ -52,10 +60,28 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
       if (sample.isTooLarge())
         problem_ = problemOfAll();
     }
-    return problem_.empty() && see(piece);
+    return problem_.empty() && goes_on;
   });
   if (problem_.empty())
     problem_ = sample.problem();
+}
+
+bool
+ScanExcerpt::show(const Piece& piece,
+                  const SeeRun& see_run,
+                  const std::function<bool(const Piece&)>& see) const
+{
+  constexpr std::size_t rows_at_once = std::size_t{1} << 16;
+  std::atomic<bool> is_seen{false};
+  Piece shown = piece;
+  shown.beside = [&](std::size_t begin, std::size_t end) {
+    is_seen = true;
+    see_run(begin, end);
+  };
+  const bool goes_on = see(shown);
+  if (!is_seen)
+    parallelBlocks(piece.size, rows_at_once, threads_, see_run);
+  return goes_on;
 }
 
 std::string

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/scan_excerpt.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
 namespace {
 
 using pcl::sedr::addToExcerpt;
+using pcl::sedr::parallelBlocks;
 using pcl::sedr::PointView;
+using pcl::sedr::RowSource;
+using pcl::sedr::ScanExcerpt;
 using pcl::sedr::ScanSample;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -43,8 +50,10 @@ TEST(Excerpt, HasEveryKthPointWhateverThePiecesAndThreads)
       std::vector<Eigen::Vector3f> excerpt;
       ScanSample sample(points.size());
       for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
-        addToExcerpt(part(points, cuts[c], cuts[c + 1]), cuts[c], step, threads, sample,
-                     excerpt);
+        addToExcerpt(part(points, cuts[c], cuts[c + 1]), cuts[c], step, sample, excerpt,
+                     [&](const RowSource::SeeRun& see_run) {
+                       parallelBlocks(cuts[c + 1] - cuts[c], 50000, threads, see_run);
+                     });
       EXPECT_EQ(sample.finite(), 299700u);
       ASSERT_EQ(excerpt.size(), (points.size() - 1) / step + 1);
       for (std::size_t k = 0; k < excerpt.size(); ++k) {
@@ -52,6 +61,76 @@ TEST(Excerpt, HasEveryKthPointWhateverThePiecesAndThreads)
         ASSERT_EQ(std::isnan(excerpt[k].y()), std::isnan(points[k * step].y()));
       }
     }
+}
+
+/** @brief Points of a room of 4 x 3 x 2.5 m, three floats a row, in pieces. */
+class RoomInPieces : public RowSource {
+public:
+  RoomInPieces()
+  {
+    for (const char* name : {"x", "y", "z"}) {
+      pcl::PCLPointField field;
+      field.name = name;
+      field.offset = static_cast<pcl::uindex_t>(4 * fields_.size());
+      field.datatype = pcl::PCLPointField::FLOAT32;
+      field.count = 1;
+      fields_.push_back(field);
+    }
+    for (std::size_t k = 0; k < 50000; ++k)
+      points_.emplace_back(static_cast<float>(k % 41) / 10,
+                           static_cast<float>(k % 31) / 10,
+                           static_cast<float>(k % 26) / 10);
+  }
+
+  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
+  std::size_t rowSize() const override { return sizeof points_[0]; }
+  std::size_t size() const override { return points_.size(); }
+
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    constexpr std::size_t rows = 7001;
+    for (std::size_t first = 0; first < size(); first += rows)
+      if (!see({reinterpret_cast<const std::uint8_t*>(points_[first].data()), first,
+                std::min(rows, size() - first)}))
+        return;
+  }
+
+  const std::vector<Eigen::Vector3f>& points() const { return points_; }
+
+private:
+  std::vector<pcl::PCLPointField> fields_;
+  std::vector<Eigen::Vector3f> points_;
+};
+
+TEST(ScanExcerpt, IsTheSameWhetherItIsTakenBesideOrAfterwards)
+{
+  const RoomInPieces room;
+  const auto callBeside = [](const RowSource::Piece& piece) {
+    const std::size_t half = piece.size / 2;
+    piece.beside(half, piece.size);
+    piece.beside(0, half);
+    return true;
+  };
+  const auto doNot = [](const RowSource::Piece&) { return true; };
+  for (const std::function<bool(const RowSource::Piece&)>& see :
+       {std::function<bool(const RowSource::Piece&)>(callBeside),
+        std::function<bool(const RowSource::Piece&)>(doNot)}) {
+    const ScanExcerpt excerpt(room, 10000, 2);
+    excerpt.forEachPiece(see);
+    EXPECT_EQ(excerpt.problem(), "");
+    ASSERT_EQ(excerpt.points()->size(), 10000u);
+    for (std::size_t k = 0; k < 10000; ++k)
+      ASSERT_EQ((*excerpt.points())[k], room.points()[5 * k]) << k;
+  }
+}
+
+TEST(ScanExcerpt, GoesNoFartherThanItIsAskedTo)
+{
+  const RoomInPieces room;
+  const ScanExcerpt excerpt(room, 10000, 2);
+  std::size_t pieces = 0;
+  excerpt.forEachPiece([&](const RowSource::Piece&) { return ++pieces < 3; });
+  EXPECT_EQ(pieces, 3u);
 }
 
 TEST(ScanSample, CountsThePointsThatAreFinite)

@@ -39,8 +39,10 @@ PartOfScan::thin(bool stops_early)
   has_stopped_ = false;
   std::size_t looked_at = 0;
   forEachPiece([&](const PointView& points, std::size_t first) {
-    addToExcerpt(points, first, order_.excerpt_step, threads_, sample, excerpt_);
-    sums_->add(points, threads_);
+    addToExcerpt(points, first, order_.excerpt_step, sample, excerpt_,
+                 [&](const RowSource::SeeRun& see_run) {
+                   sums_->add(points, threads_, see_run);
+                 });
     // Whenever twice as much has been seen, which costs next to nothing.
     const std::size_t seen = first + points.size() - begin;
     if (stops_early && seen >= 2 * looked_at) {

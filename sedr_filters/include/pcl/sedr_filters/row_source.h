@@ -17,11 +17,18 @@ namespace sedr {
  * after row, come in pieces as they are asked for. */
 class RowSource {
 public:
+  /** @brief What is to be done with the rows [begin, end) of a piece; each row once, in
+   * any order, from several threads at once. */
+  using SeeRun = std::function<void(std::size_t begin, std::size_t end)>;
+
   /** @brief Rows one after the other; valid until the next piece. */
   struct Piece {
     const std::uint8_t* rows = nullptr;
     std::size_t first = 0; ///< number of the first of them in the whole cloud
     std::size_t size = 0;  ///< how many there are
+    /// May be set: whoever reads the rows may call it for all of them, run by run as
+    /// they are at hand, which spares the source to read them once more.
+    SeeRun beside = {};
   };
 
   virtual ~RowSource() = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/row_source.h>
 #include <pcl/sedr_filters/voxel_census.h>
 #include <pcl/sedr_filters/voxel_frame.h>
 #include <pcl/sedr_filters/voxel_hash.h>
@@ -53,8 +54,12 @@ public:
 
   /** @brief Adds points; those that are not finite are left out. A voxel may be given
    * 2^31 points in all.
-   * @param threads 0 = all processors */
-  void add(const PointView& points, unsigned threads = 0);
+   * @param threads 0 = all processors
+   * @param beside also called for runs of these points, on the same threads, before they
+   * are added */
+  void add(const PointView& points,
+           unsigned threads = 0,
+           const RowSource::SeeRun& beside = {});
 
   /** @brief The same for `points[indices]`, which must be within the cloud. */
   void add(const PointView& points, const pcl::Indices& indices, unsigned threads = 0);

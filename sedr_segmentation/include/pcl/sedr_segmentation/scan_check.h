@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/row_source.h>
 
 #include <cstddef>
 #include <functional>
@@ -25,12 +26,14 @@ public:
       , finite_(finite_before)
   {}
 
-  /** @brief Takes the next points of the scan, in their order; `threads` 0: all.
-   * @param beside also called for runs [begin, end) of these points, on the same
-   * threads, when they have just been read */
-  void add(const PointView& points,
-           unsigned threads = 0,
-           const std::function<void(std::size_t, std::size_t)>& beside = {});
+  /** @brief Takes the next points of the scan, in their order; `threads` 0: all. */
+  void add(const PointView& points, unsigned threads = 0);
+
+  /** @brief Reads points, and calls `see_run` for all of them as they are at hand. */
+  using Read = std::function<void(const RowSource::SeeRun& see_run)>;
+
+  /** @brief The same, while another purpose makes `read` go through them. */
+  void add(const PointView& points, const Read& read);
 
   void add(const Eigen::Vector3f& point)
   {

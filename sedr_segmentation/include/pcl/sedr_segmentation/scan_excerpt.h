@@ -14,16 +14,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes the next points of a scan: adds them to a sample of it, and every
- * `step`-th, those that are not finite too, to an excerpt.
- * @param first number of the first of them in the whole scan
- * @param threads 0: as many as there are processors */
+/** @brief Takes the next points of a scan while `read` goes through them: adds them to
+ * a sample of it, and every `step`-th, those that are not finite too, to an excerpt.
+ * @param first number of the first of them in the whole scan */
 void addToExcerpt(const PointView& points,
                   std::size_t first,
                   std::size_t step,
-                  unsigned threads,
                   ScanSample& sample,
-                  std::vector<Eigen::Vector3f>& excerpt);
+                  std::vector<Eigen::Vector3f>& excerpt,
+                  const ScanSample::Read& read);
 
 /** @brief A scan that is gone through once, and what is noted of it on the way: whether
  * it may be one of rooms in metres, and every k-th of its points. */
@@ -43,13 +42,20 @@ public:
   std::string problem() const override { return problem_; }
 
   /** @brief Goes through the scan, and no farther where it is so large that its unit
-   * cannot be the metre: then it would not get any smaller by thinning. */
+   * cannot be the metre: then it would not get any smaller by thinning. What is noted
+   * is taken beside what `see` does with a piece, if it calls RowSource::Piece::beside,
+   * or after it. */
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
   /** @brief Every k-th point, those that are not finite too. */
   std::shared_ptr<const std::vector<Eigen::Vector3f>> points() const { return points_; }
 
 private:
+  /** @brief Shows a piece to `see`, and its rows to `see_run` meanwhile. */
+  bool show(const Piece& piece,
+            const SeeRun& see_run,
+            const std::function<bool(const Piece&)>& see) const;
+
   /** @brief What is wrong with the whole scan, looked at without anything else. */
   std::string problemOfAll() const;
 
