@@ -6,6 +6,9 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include <pcl/conversions.h>
+#include <pcl/sedr_filters/row_source.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +16,7 @@
 
 using namespace pcl::sedr::benchmark;
 using namespace pcl::sedr::tools;
+using pcl::sedr::findField;
 
 namespace {
 
@@ -21,6 +25,7 @@ struct Settings {
   std::string labelled;
   std::string map;
   double radius = 0.0866; ///< the diagonal of a voxel of 5 cm
+  double off_surface = 0; ///< metres, 0: any
   unsigned threads = 0;
 };
 
@@ -31,6 +36,23 @@ loadLabelled(const std::string& path)
   if (!cloud.has_label)
     throw ToolError(path + " has no field 'label'");
   return {cloud.points, cloud.label};
+}
+
+LabelledPoints
+loadStructure(const Settings& settings)
+{
+  LabelledPoints structure = loadLabelled(settings.structure);
+  if (settings.off_surface == 0)
+    return structure;
+  const ToolCloud cloud = loadCloud(settings.structure);
+  for (const char* name : {"normal_x", "normal_y", "normal_z"})
+    if (!findField(cloud.blob.fields, name))
+      throw ToolError(settings.structure + " has no field '" + name +
+                      "': how far a point is off a surface cannot be told");
+  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  pcl::fromPCLPointCloud2(cloud.blob, *normals);
+  structure.normals = normals;
+  return structure;
 }
 
 std::string
@@ -72,10 +94,11 @@ int
 run(const Settings& settings)
 {
   const LabelMap map = labelMapOf(settings.map, "map");
-  const LabelledPoints structure = loadLabelled(settings.structure);
+  const LabelledPoints structure = loadStructure(settings);
   const LabelledPoints scan = thinned(loadLabelled(settings.labelled), scoring_spacing);
-  const auto predicted =
-      predictedLabels(structure, *scan.points, settings.radius, settings.threads);
+  const auto predicted = predictedLabels(
+      structure, *scan.points, settings.radius, settings.threads,
+      settings.off_surface > 0 ? settings.off_surface : settings.radius);
   const auto truth = mapped(scan.labels, map);
   if (std::all_of(truth.begin(), truth.end(),
                   [](std::uint32_t label) { return scoredAs(label) == 0; }))
@@ -109,6 +132,10 @@ main(int argc, char** argv)
                  "within which a point of the structure must lie, or the prediction is "
                  "'other'",
                  Range::above(0));
+  options.number("off-surface", settings.off_surface, "m",
+                 "how far off the structure's surface a point may lie, or the "
+                 "prediction is 'other'; 0: any",
+                 Range::atLeast(0));
   options.text("map", settings.map,
                "what the scan's labels mean here, such as 0=1,1=2,2=3; those not named "
                "stay, and above 5 they are other");

@@ -152,6 +152,17 @@ TEST_F(BenchmarkTools, labels_are_scored_by_the_nearest_point)
   EXPECT_EQ(line("12 "), (Strings{"0", "0", "1", "0", "0"}));
 }
 
+TEST_F(BenchmarkTools, surfaces_without_normals_are_refused)
+{
+  writeFile(in("structure.pcd"), pcdBytes({{0, 0, 0}}, {1}));
+  const ProgramRun result =
+      run(LABEL_EVALUATION,
+          {in("structure.pcd"), in("structure.pcd"), "--off-surface", "0.01"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("has no field 'normal_x'"), std::string::npos)
+      << result.err;
+}
+
 TEST_F(BenchmarkTools, label_evaluation_refuses_what_it_cannot_score)
 {
   writeFile(in("labelled.pcd"), pcdBytes({{0, 0, 0}}, {9}));

@@ -79,6 +79,19 @@ TEST(LabelScores, predict_by_the_nearest_point_within_the_radius)
   EXPECT_DOUBLE_EQ(scores[wall].recall(), 1);
 }
 
+TEST(LabelScores, what_is_off_the_surface_is_other)
+{
+  LabelledPoints structure = labelled({{0, 0, 0, 2}});
+  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  normals->push_back(pcl::Normal(0, 0, 1));
+  structure.normals = normals;
+  const LabelledPoints scan = labelled({{0.05f, 0, 0.009f, 2},    // beside, on it
+                                        {0.05f, 0, 0.011f, 2},    // above
+                                        {0.05f, 0, -0.011f, 2}}); // below
+  EXPECT_EQ(predictedLabels(structure, *scan.points, 0.0866, 0, 0.01),
+            (std::vector<std::uint32_t>{2, 0, 0}));
+}
+
 TEST(LabelScores, without_a_structure_everything_is_other)
 {
   const LabelScores scores =

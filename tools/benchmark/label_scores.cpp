@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/voxel_visit.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -73,11 +74,24 @@ std::vector<std::uint32_t>
 predictedLabels(const LabelledPoints& structure,
                 const pcl::PointCloud<pcl::PointXYZ>& points,
                 double radius,
-                unsigned threads)
+                unsigned threads,
+                double off_surface)
 {
-  std::vector<std::uint32_t> labels;
-  for (const pcl::index_t i : nearestWithin(structure.points, points, radius, threads))
-    labels.push_back(i < 0 ? 0 : structure.labels[static_cast<std::size_t>(i)]);
+  const auto isOff = [&](std::size_t i, const pcl::PointXYZ& point) {
+    if (!structure.normals)
+      return false;
+    const Eigen::Vector3f way =
+        point.getVector3fMap() - (*structure.points)[i].getVector3fMap();
+    return std::abs(way.dot((*structure.normals)[i].getNormalVector3fMap())) >
+           off_surface;
+  };
+  const auto nearest = nearestWithin(structure.points, points, radius, threads);
+  std::vector<std::uint32_t> labels(points.size(), 0);
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
+    const auto i = static_cast<std::size_t>(nearest[k]);
+    if (nearest[k] >= 0 && !isOff(i, points[k]))
+      labels[k] = structure.labels[i];
+  }
   return labels;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace benchmark {
 struct LabelledPoints {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr points;
   std::vector<std::uint32_t> labels; ///< StructureLabel values, one a point
+  pcl::PointCloud<pcl::Normal>::ConstPtr normals = nullptr; ///< of a structure
 };
 
 /** @brief How often a label was found, and how often rightly. */
@@ -53,11 +55,14 @@ constexpr double scoring_spacing = 0.02;
 LabelledPoints thinned(const LabelledPoints& cloud, double spacing);
 
 /** @brief The label of the structure's point nearest to each of `points`, 0 where none
- * is as near as `radius` metres. */
-std::vector<std::uint32_t> predictedLabels(const LabelledPoints& structure,
-                                           const pcl::PointCloud<pcl::PointXYZ>& points,
-                                           double radius,
-                                           unsigned threads = 0);
+ * is as near as `radius` metres, or where the surface there, if the structure has
+ * normals, is farther than `off_surface` metres. */
+std::vector<std::uint32_t>
+predictedLabels(const LabelledPoints& structure,
+                const pcl::PointCloud<pcl::PointXYZ>& points,
+                double radius,
+                unsigned threads = 0,
+                double off_surface = std::numeric_limits<double>::infinity());
 
 /** @brief Compares true and predicted labels, as many of either. */
 LabelScores compareLabels(const std::vector<std::uint32_t>& truth,
