@@ -151,7 +151,8 @@ print(const char* name, const MeshFigures& figures)
   if (figures.self_intersections)
     std::printf("  self-intersections  %zu\n", *figures.self_intersections);
   std::printf("  area                %.3f m2\n", figures.area);
-  std::printf("  volume              %.3f m3\n", figures.volume);
+  std::printf("  volume              %.3f m3%s\n", figures.volume,
+              figures.volume < 0 ? ", the faces look inwards" : "");
   std::printf("  components          %zu\n", topology.components.size());
   for (std::size_t i = 0; i < topology.components.size() && i < 10; ++i) {
     const auto& component = topology.components[i];

@@ -60,6 +60,7 @@ void
 tell(const RoomPoissonReport& report)
 {
   std::ostringstream line;
+  line.precision(3);
   line << "room " << report.room << ": " << report.points << " points "
        << report.spacing << " m apart, depth " << report.depth << ", cells "
        << report.cell << " m, " << report.attempts

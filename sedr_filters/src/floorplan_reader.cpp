@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
-#include "number_text.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/number_text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -106,7 +106,7 @@ loopFrom(const Json& json)
     const auto& next = loop.elements[(i + 1) % loop.elements.size()];
     const double gap = (loop.elements[i].end - next.start).norm();
     if (!(gap < 1e-6))
-      throw std::invalid_argument("a loop is open by " + std::to_string(gap) +
+      throw std::invalid_argument("a loop is open by " + numberText(gap) +
                                   " m after element " + std::to_string(i));
   }
   if (loop.elements.empty())

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/number_text.h>
 #include <pcl/sedr_filters/surface_cells.h>
-
-#include "number_text.h"
 
 #include <algorithm>
 #include <cmath>

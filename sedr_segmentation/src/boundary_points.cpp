@@ -3,6 +3,7 @@
 
 #include "neighbour_cells.h"
 
+#include <pcl/sedr_filters/number_text.h>
 #include <pcl/sedr_filters/parallel.h>
 
 #include <pcl/point_cloud.h>
@@ -116,7 +117,7 @@ problemOf(const BoundaryOptions& options)
            std::to_string(options.neighbours);
   if (!(options.angle > 0 && options.angle < two_pi))
     return "the angle threshold must be above 0 and below 2 pi radians, it is " +
-           std::to_string(options.angle);
+           numberText(options.angle);
   return {};
 }
 

@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/detail/wall_growing.h>
 
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/number_text.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 #include <pcl/sedr_segmentation/detail/rim_support.h>
@@ -51,7 +52,7 @@ std::string
 problemOf(const WallGrowingOptions& options)
 {
   const auto mustBe = [](const char* what, const char* range, double value) {
-    return std::string(what) + " must be " + range + ", it is " + std::to_string(value);
+    return std::string(what) + " must be " + range + ", it is " + numberText(value);
   };
   if (!(options.distance > 0) || !std::isfinite(options.distance))
     return mustBe("the distance threshold", "above 0 m", options.distance);
@@ -92,7 +93,7 @@ problemOf(const WallParts& parts, const WallGrowingOptions& options)
     return "at least 3 finite ceiling points are needed, there are " +
            std::to_string(parts.ceiling.size());
   if (options.hasSlice() && parts.floor.empty())
-    return "below the slice at " + std::to_string(options.slice_height) +
+    return "below the slice at " + numberText(options.slice_height) +
            " m the boundary of the floor seeds the walls, but no floor points were set";
   if (options.minimum_support > 0 && !options.hasSlice() && parts.floor.empty() &&
       std::isnan(options.floor_height))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/number_text.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_intersection.h>
 #include <pcl/sedr_surface/mesh_repair.h>
@@ -69,10 +70,10 @@ MeshEvaluation::checkParameters()
     return fail(class_name, "no mesh is set");
   if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
     return fail(class_name, "the sample spacing must be above 0 m, it is " +
-                                std::to_string(sample_spacing_) + " m");
+                                sedr::numberText(sample_spacing_) + " m");
   if (!(histogram_range_ > 0) || !std::isfinite(histogram_range_))
     return fail(class_name, "the histogram must end above 0 m, it ends at " +
-                                std::to_string(histogram_range_) + " m");
+                                sedr::numberText(histogram_range_) + " m");
   if (histogram_bins_ > 1'000'000)
     return fail(class_name, "the histogram takes at most 1000000 bins, " +
                                 std::to_string(histogram_bins_) + " are set");

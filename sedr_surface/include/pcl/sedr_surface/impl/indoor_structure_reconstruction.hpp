@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/number_text.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_segmentation/scan_excerpt.h>
@@ -91,9 +92,9 @@ bool
 IndoorStructureReconstruction<PointT>::checkSizes()
 {
   return getVoxelSize() <= 1.001 * getGridSize() ||
-         refuseInput("the voxel size " + std::to_string(getVoxelSize()) +
+         refuseInput("the voxel size " + sedr::numberText(getVoxelSize()) +
                      " m must not be above the grid size " +
-                     std::to_string(getGridSize()) + " m, or cells stay empty");
+                     sedr::numberText(getGridSize()) + " m, or cells stay empty");
 }
 
 template <typename PointT>
