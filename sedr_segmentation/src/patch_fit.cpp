@@ -36,13 +36,13 @@ public:
   PatchSolver(std::vector<const PatchSums*> patches,
               std::vector<bool> is_top,
               double noise,
-              double most_beyond)
+              double beyond)
       : patches_(std::move(patches))
       , is_top_(std::move(is_top))
       , weight_(patches_.size(), 1)
       , noise_(noise)
-      , most_beyond_(most_beyond)
       , usual_variance_(usualVariance())
+      , most_beyond_(std::max(beyond, usualBeyond()) + strays)
   {
     constexpr double unevenness = 0.001; // of walls, metres
     for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -149,6 +149,17 @@ private:
     return medianOf(std::move(variances));
   }
 
+  /** @brief How many points most of the patches have beyond the band, as a share of
+   * those within: the noise of another surface reaches there along all of this one. */
+  double usualBeyond() const
+  {
+    std::vector<Weighted> shares;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      if (patches_[i]->count >= points_that_tell)
+        shares.push_back({patches_[i]->beyond / patches_[i]->count, voteOf(i)});
+    return medianOf(std::move(shares));
+  }
+
   /** @brief Variance of the points within a patch: few say little of it, so that the
    * usual one counts with them. */
   double variance(std::size_t i) const
@@ -163,10 +174,12 @@ private:
    * scatters more than most, `scatter` squared, or goes on beyond the band. */
   bool isMixed(std::size_t i, double scatter) const
   {
-    constexpr double least_points = 8; // that tell it
+    constexpr double sigmas = 1; // of what chance puts there (Poisson)
     const PatchSums& p = *patches_[i];
-    return p.count >= least_points &&
-           (own_variance_[i] > scatter * scatter || p.beyond > most_beyond_ * p.count);
+    const double beyond = most_beyond_ * p.count;
+    return p.count >= points_that_tell &&
+           (own_variance_[i] > scatter * scatter ||
+            p.beyond > beyond + sigmas * std::sqrt(beyond));
   }
 
   /** @brief Weighs the patches by how far they are from where a step leads. */
@@ -236,6 +249,13 @@ private:
     fit.deviation = freedom > 0 ? std::sqrt(squares / freedom) : 0;
   }
 
+  /** @brief So many points tell whether a patch shows another surface too. */
+  static constexpr double points_that_tell = 8;
+
+  /** @brief More points beyond the band than usual are another surface's, as a share of
+   * those within. */
+  static constexpr double strays = 0.1;
+
   /** @brief A patch counts for no more points than this, however near the scanner. */
   static constexpr double most_points = 300;
 
@@ -243,9 +263,9 @@ private:
   std::vector<bool> is_top_;
   std::vector<double> weight_;
   double noise_;
-  double most_beyond_;
   double usual_variance_;
-  std::vector<double> mean_;         ///< distance of each patch, metres
+  double most_beyond_;       ///< points of one surface beyond the band, see isMixed()
+  std::vector<double> mean_; ///< distance of each patch, metres
   std::vector<double> own_variance_; ///< see ownVariance()
   std::vector<double> vote_;
   double all_votes_ = 0;
@@ -260,7 +280,7 @@ fitPatches(const std::vector<PatchSums>& patches,
            const std::vector<bool>& is_top,
            Eigen::Index parameters,
            double noise,
-           double most_beyond)
+           double beyond)
 {
   // Where a wall is open, a few points of something else are seen.
   constexpr double least_share = 0.05;
@@ -278,8 +298,7 @@ fitPatches(const std::vector<PatchSums>& patches,
     }
   if (own.empty())
     return {};
-  return PatchSolver(std::move(own), std::move(tops), noise, most_beyond)
-      .run(parameters);
+  return PatchSolver(std::move(own), std::move(tops), noise, beyond).run(parameters);
 }
 
 } // namespace sedr

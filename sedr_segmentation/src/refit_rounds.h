@@ -150,17 +150,16 @@ private:
                                     targets_.gap(t) - band_sigmas * deviation}));
   }
 
-  /** @brief How many points beyond a band are too many for one surface, as a share of
-   * those within: where another surface makes it narrow, the scatter within it tells
-   * less. */
-  double mostBeyond(std::size_t t, double band) const
+  /** @brief How many points noise puts beyond a band, as a share of those within. Asked
+   * only where another surface makes it narrow, so that the scatter within tells less
+   * of what a patch shows; infinite elsewhere. */
+  double expectedBeyond(std::size_t t, double band) const
   {
-    constexpr double strays = 0.1;
     const double deviation = scatters_[t].deviation;
     if (!isBesideAnother(t, deviation))
       return std::numeric_limits<double>::infinity();
     const double within = std::erf(band / deviation / std::sqrt(2.0));
-    return (1 - within) / within + strays;
+    return (1 - within) / within;
   }
 
   /** @brief Points cut off at a band draw its centre after them by a part of the way
@@ -215,7 +214,7 @@ private:
     for (std::size_t p = 0; p < sums.size(); ++p)
       is_top.push_back(targets_.isTop(t, p));
     return fitPatches(sums, is_top, parametersOf(t), scatters_[t].deviation,
-                      mostBeyond(t, band));
+                      expectedBeyond(t, band));
   }
 
   void move(std::size_t t, const PatchFit& fit)

@@ -165,13 +165,14 @@ struct PatchFit {
  * (Rousseeuw 1984), `is_top` patches counting more.
  * @param noise expected standard deviation of the points, metres: patches of few
  * points say little of it
- * @param most_beyond points beyond the band, as a share of those within, of a patch
- * that shows nothing else */
+ * @param beyond points that noise puts beyond the band, as a share of those within:
+ * a patch with clearly more of them than this, and than most have, shows more than
+ * the surface */
 PatchFit fitPatches(const std::vector<PatchSums>& patches,
                     const std::vector<bool>& is_top,
                     Eigen::Index parameters,
                     double noise,
-                    double most_beyond);
+                    double beyond);
 
 } // namespace sedr
 } // namespace pcl

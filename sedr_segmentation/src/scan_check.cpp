@@ -93,6 +93,8 @@ ScanSample::add(const PointView& points, const Read& read)
 {
   const std::size_t blocks = (points.size() + block - 1) / block;
   std::vector<std::atomic<std::size_t>> finite(blocks);
+  for (auto& count : finite)
+    count = 0;
   read([&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin / block; b * block < end; ++b)
       finite[b] += countFinite(points, std::max(begin, b * block),

@@ -5,6 +5,7 @@
 #include <pcl/sedr_segmentation/scan_excerpt.h>
 
 #include <atomic>
+#include <stdexcept>
 
 namespace pcl {
 namespace sedr {
@@ -72,15 +73,18 @@ ScanExcerpt::show(const Piece& piece,
                   const std::function<bool(const Piece&)>& see) const
 {
   constexpr std::size_t rows_at_once = std::size_t{1} << 16;
-  std::atomic<bool> is_seen{false};
+  std::atomic<std::size_t> seen{0};
   Piece shown = piece;
   shown.beside = [&](std::size_t begin, std::size_t end) {
-    is_seen = true;
+    seen += end - begin;
     see_run(begin, end);
   };
   const bool goes_on = see(shown);
-  if (!is_seen)
+  if (seen == 0)
     parallelBlocks(piece.size, rows_at_once, threads_, see_run);
+  else if (seen != piece.size)
+    throw std::logic_error("of " + std::to_string(piece.size) + " rows of a piece " +
+                           std::to_string(seen) + " were shown: all or none must be");
   return goes_on;
 }
 

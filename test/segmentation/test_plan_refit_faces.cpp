@@ -75,7 +75,7 @@ TEST(RefitToRaw, RevealsWithinAThinPartitionDoNotDrawItsFaceIn)
   // A door in most of a short wall: its reveals are seen far better than the face. Of
   // the noise of the points, 10 cm to the next room are five.
   const double noise = 0.02;
-  RoomPoints raw(0.03, noise);
+  RoomPoints raw(0.02, noise, 4);
   const PlanRoom closet = roomOf(rectangle(0, 0, 1.6, 1.25), 2.6);
   const auto isOpen = [](double y, double z) {
     return y > 0.25 && y < 0.95 && z < 2.05;
@@ -85,7 +85,7 @@ TEST(RefitToRaw, RevealsWithinAThinPartitionDoNotDrawItsFaceIn)
   raw.room(roomOf(rectangle(-4.1, 0, -0.1, 3), 2.6, 2), [&](const Vector3d& p) {
     return p.x() < -0.1 - 1e-6 || !isOpen(p.y(), p.z());
   });
-  RoomPoints reveals(0.01, noise, 2);
+  RoomPoints reveals(0.008, noise, 2);
   reveals.wall(segment({-0.1, 0.25}, {0, 0.25}), 0, 2.05);
   reveals.wall(segment({0, 0.95}, {-0.1, 0.95}), 0, 2.05);
   for (std::size_t i = 0; i < reveals.size(); ++i) {

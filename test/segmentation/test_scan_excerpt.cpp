@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -122,6 +123,17 @@ TEST(ScanExcerpt, IsTheSameWhetherItIsTakenBesideOrAfterwards)
     for (std::size_t k = 0; k < 10000; ++k)
       ASSERT_EQ((*excerpt.points())[k], room.points()[5 * k]) << k;
   }
+}
+
+TEST(ScanExcerpt, OfAPieceAllRowsMustBeShownOrNone)
+{
+  const RoomInPieces room;
+  const ScanExcerpt excerpt(room, 10000, 2);
+  const auto showMost = [](const RowSource::Piece& piece) {
+    piece.beside(0, piece.size - 1);
+    return true;
+  };
+  EXPECT_THROW(excerpt.forEachPiece(showMost), std::logic_error);
 }
 
 TEST(ScanExcerpt, GoesNoFartherThanItIsAskedTo)

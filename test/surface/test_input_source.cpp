@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <functional>
 #include <memory>
+#include <utility>
 
 namespace {
 
@@ -43,6 +46,34 @@ private:
   std::size_t piece_;
 };
 
+/** Another source, whose rows are shown to `beside` as they are at hand. */
+class RowsShown : public RowSource {
+public:
+  RowsShown(const RowSource& source, SeeRun beside)
+      : source_(source)
+      , beside_(std::move(beside))
+  {}
+
+  const std::vector<pcl::PCLPointField>& fields() const override
+  {
+    return source_.fields();
+  }
+  std::size_t rowSize() const override { return source_.rowSize(); }
+  std::size_t size() const override { return source_.size(); }
+
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    source_.forEachPiece([&](Piece piece) {
+      piece.beside = beside_;
+      return see(piece);
+    });
+  }
+
+private:
+  const RowSource& source_;
+  SeeRun beside_;
+};
+
 TEST(InputSource, GivesWhatTheCloudGives)
 {
   RoomPoints points;
@@ -64,6 +95,21 @@ TEST(InputSource, GivesWhatTheCloudGives)
     ASSERT_EQ((*streamed.getStructure())[i].getVector3fMap(),
               structure[i].getVector3fMap());
   EXPECT_EQ(streamed.getStageReports().front().points_in, cloud->size());
+}
+
+TEST(InputSource, ShowsItsRowsWhileTheyAreThinned)
+{
+  RoomPoints points;
+  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  const CloudInPieces cloud(*points.cloud(), 3000);
+  std::atomic<std::size_t> shown{0};
+  const RowsShown source(
+      cloud, [&](std::size_t begin, std::size_t end) { shown += end - begin; });
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  pcl::PointCloud<pcl::PointXYZ> thinned;
+  grid.filter(source, thinned);
+  EXPECT_FALSE(thinned.empty());
+  EXPECT_EQ(shown, cloud.size());
 }
 
 TEST(Thinning, ElsewhereGivesWhatThisObjectGives)

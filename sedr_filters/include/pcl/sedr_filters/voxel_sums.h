@@ -55,8 +55,8 @@ public:
   /** @brief Adds points; those that are not finite are left out. A voxel may be given
    * 2^31 points in all.
    * @param threads 0 = all processors
-   * @param beside also called for runs of these points, on the same threads, before they
-   * are added */
+   * @param beside also called for runs of these points, on the same threads, before
+   * they are added */
   void add(const PointView& points,
            unsigned threads = 0,
            const RowSource::SeeRun& beside = {});

@@ -44,7 +44,7 @@ public:
   /** @brief Goes through the scan, and no farther where it is so large that its unit
    * cannot be the metre: then it would not get any smaller by thinning. What is noted
    * is taken beside what `see` does with a piece, if it calls RowSource::Piece::beside,
-   * or after it. */
+   * or after it; std::logic_error if it calls that for a part of the rows. */
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
   /** @brief Every k-th point, those that are not finite too. */
