@@ -28,6 +28,8 @@ echo "== synth1: wall points within 5 cm of the reference walls, from the model 
 walls=(--cloud "$SEDR_DATA/synth1.pcd" --labels 2 --near "$SEDR_DATA/synth1_rooms.obj")
 "$bin/pcl_mesh_evaluation" "$out/synth1/mesh.ply" "${walls[@]}" | tail -2
 "$bin/pcl_mesh_evaluation" "$SEDR_DATA/synth1_rooms.obj" "${walls[@]}" | tail -2
+echo "-- within 3 cm of the reference"
+"$bin/pcl_mesh_evaluation" "$out/synth1/mesh.ply" "${walls[@]}" --near-distance 0.03 | tail -2
 
 echo "== office_labelled: labels, the structure's against the scan's"
 for off in 0 0.03 0.02 0.01; do

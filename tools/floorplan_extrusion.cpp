@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_picture.h"
+#include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
 #include "sedr/solid_files.h"
@@ -18,7 +20,16 @@ using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
 struct Settings {
   std::string plan;
   std::string output;
+  std::string picture;
 };
+
+/** @brief Draws a solid, whose triangles face out of the rooms. */
+void
+saveSolidPicture(const std::string& path, pcl::sedr::TriangleMesh solid)
+{
+  solid.flip();
+  savePicture(path, drawMesh(solid));
+}
 
 void
 tell(const pcl::sedr::RoomSolidReport& report)
@@ -35,6 +46,7 @@ int
 run(const Settings& settings, Extrusion& extrusion)
 {
   checkSolidOutput(settings.output);
+  checkPictureOutput(settings.picture);
   extrusion.setFloorplan(loadFloorplan(settings.plan));
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
@@ -43,6 +55,8 @@ run(const Settings& settings, Extrusion& extrusion)
   if (extrusion.getMesh().empty())
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements());
+  if (!settings.picture.empty())
+    saveSolidPicture(settings.picture, extrusion.getMesh());
   for (const auto& warning : extrusion.getWarnings())
     warn(warning);
   if (!extrusion.getErrorMessage().empty())
@@ -73,6 +87,7 @@ main(int argc, char** argv)
   options.number("snap-tolerance", snap, "m",
                  "nearer edges and corners are one; 0: by the plan's residuals",
                  Range::between(0, 0.5));
+  addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
     extrusion.setChordTolerance(chord);
     extrusion.setSnapTolerance(snap);

@@ -96,9 +96,8 @@ run(const Settings& settings)
   const LabelMap map = labelMapOf(settings.map, "map");
   const LabelledPoints structure = loadStructure(settings);
   const LabelledPoints scan = thinned(loadLabelled(settings.labelled), scoring_spacing);
-  const auto predicted = predictedLabels(
-      structure, *scan.points, settings.radius, settings.threads,
-      settings.off_surface > 0 ? settings.off_surface : settings.radius);
+  const auto predicted = predictedLabels(structure, *scan.points, settings.radius,
+                                         settings.threads, settings.off_surface);
   const auto truth = mapped(scan.labels, map);
   if (std::all_of(truth.begin(), truth.end(),
                   [](std::uint32_t label) { return scoredAs(label) == 0; }))

@@ -138,6 +138,15 @@ TEST_F(MeshPictureOption, IsDrawnWithoutADisplay)
   EXPECT_GT(imageOf(bytesOf(in("picture.png"))).width, 400);
 }
 
+TEST_F(MeshPictureOption, IsDrawnOfTheSolidToo)
+{
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  const ProgramRun result = run(FLOORPLAN_EXTRUSION, {in("plan.json"), in("solid.ply"),
+                                                      "--picture", in("picture.png")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(imageOf(bytesOf(in("picture.png"))).width, 400);
+}
+
 TEST_F(MeshPictureOption, IsRefusedBeforeTheWorkWhereItCannotBeWritten)
 {
   const ProgramRun result = draw(in("missing/picture.png"));

@@ -82,8 +82,8 @@ predictedLabels(const LabelledPoints& structure,
       return false;
     const Eigen::Vector3f way =
         point.getVector3fMap() - (*structure.points)[i].getVector3fMap();
-    return std::abs(way.dot((*structure.normals)[i].getNormalVector3fMap())) >
-           off_surface;
+    return !(std::abs(way.dot((*structure.normals)[i].getNormalVector3fMap())) <=
+             off_surface);
   };
   const auto nearest = nearestWithin(structure.points, points, radius, threads);
   std::vector<std::uint32_t> labels(points.size(), 0);

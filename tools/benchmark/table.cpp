@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <set>
+#include <string>
 
 namespace pcl {
 namespace sedr {
@@ -45,6 +47,19 @@ runTable(const std::vector<RunRow>& rows, const std::vector<TableColumn>& column
   return text;
 }
 
+/** @brief "1, 2, 3": the seeds of all rows. */
+std::string
+seedsOf(const std::vector<RunRow>& rows)
+{
+  std::set<std::uint64_t> seeds;
+  for (const RunRow& row : rows)
+    seeds.insert(row.seed);
+  std::string text;
+  for (const std::uint64_t seed : seeds)
+    text += (text.empty() ? "" : ", ") + std::to_string(seed);
+  return text;
+}
+
 std::string
 summaryOf(const std::vector<RunRow>& rows, BarKind kind)
 {
@@ -53,7 +68,7 @@ summaryOf(const std::vector<RunRow>& rows, BarKind kind)
   });
   const std::string missed = missesOf(rows, kind);
   return "Scenes: " + std::to_string(groupByScene(rows).size()) +
-         ". Runs: " + std::to_string(rows.size()) +
+         ". Seeds: " + seedsOf(rows) + ". Runs: " + std::to_string(rows.size()) +
          ". Runs that reach every bar: " + std::to_string(good) + "." +
          (missed.empty() ? "" : " Missed: " + missed + ".") + "\n";
 }
