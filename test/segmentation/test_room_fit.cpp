@@ -328,4 +328,19 @@ TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
   EXPECT_TRUE(fitted(points, parts).details.empty());
 }
 
+TEST(FitRoom, ADuctFromWallToWallIsNoDetailABeamIs)
+{
+  const PlanLoop strip = rectangle(2.01, 0.01, 2.41, 4.01);
+  for (const double gap : {0.12, 0.25, 0.0}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.8);
+    truth.details = {detailOf(strip, 2.3)};
+    RoomPoints points(0.05, 0.002);
+    const RoomParts parts = points.room(truth, [&](const Eigen::Vector3d& p) {
+      return p.x() < 1.9 || p.x() > 2.5 || p.y() < 0.1 || p.y() > 3.9 ||
+             p.z() < 2.8 - gap;
+    });
+    EXPECT_EQ(fitted(points, parts).details.size(), gap > 0 ? 0u : 1u) << gap;
+  }
+}
+
 } // namespace
