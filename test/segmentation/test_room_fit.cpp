@@ -343,4 +343,24 @@ TEST(FitRoom, ADuctFromWallToWallIsNoDetailABeamIs)
   }
 }
 
+TEST(FitRoom, FieldsBetweenBeamsAreOfTheMainCeilingWhateverLevelTheyWereFoundIn)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  truth.details = {detailOf(rectangle(1.91, 0.01, 2.11, 4.01), 2.4),
+                   detailOf(rectangle(3.91, 0.01, 4.11, 4.01), 2.4)};
+  RoomPoints points(0.05, 0.005);
+  RoomParts parts = points.room(truth);
+  const auto other_fields =
+      std::stable_partition(parts.ceiling.begin(), parts.ceiling.end(),
+                            [&](int i) { return points[i].x() < 2; });
+  parts.details.insert(parts.details.end(), other_fields, parts.ceiling.end());
+  parts.ceiling.erase(other_fields, parts.ceiling.end());
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_EQ(room.details.size(), 2u);
+  for (const double x : {1.0, 3.0, 5.0})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.7, 0.002) << x;
+  for (const double x : {2.01, 4.01})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.4, 0.002) << x;
+}
+
 } // namespace
