@@ -167,7 +167,7 @@ fitDetails(const PointView& points,
   fillHeights(map);
   if (evidence.is_floor)
     fillHiddenParts(map, columns, grid);
-  dropUnsupported(map, columns, grid);
+  dropUnsupported(map, columns, grid, evidence.is_floor);
   std::vector<Eigen::Vector2d> edges =
       riserPoints(points, evidence, map, columns, parameters);
   const BentEdges bent = bentEdges(map, grid);

@@ -2,6 +2,7 @@
 #include "detail_risers.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/ceiling_gap.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
@@ -100,12 +101,29 @@ isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double
   return false;
 }
 
+/** @brief Whether what stands at a step of a ceiling goes up to the higher side of it:
+ * a duct ends below. True where the step is too low to tell. */
+bool
+reachesCeiling(const ColumnTable& columns,
+               Cell cell,
+               double low,
+               double high,
+               const PlanSlab& higher)
+{
+  constexpr double least_body = 0.05; // metres, of what would end in a gap
+  const CeilingGap gap = gapBelow(higher);
+  return high - gap.low < low + least_body ||
+         columns.share(cell, high - gap.low, high - gap.high, 1, 2) >= 1;
+}
+
 /** @brief Whether something closes the step along most of the edge between a detail and
- * what is beside it. A shelf below a soffit has no riser: it is furniture. */
+ * what is beside it. A shelf below a soffit has no riser, that of a duct ends below the
+ * ceiling: they are furniture. */
 bool
 hasRisers(const HeightMap& map,
           const ColumnTable& columns,
           const CellGrid& grid,
+          bool is_floor,
           std::int32_t label)
 {
   std::size_t edges = 0;
@@ -128,7 +146,11 @@ hasRisers(const HeightMap& map,
       const double high = std::max(a, b) - 0.02;
       // Bins that hold a voxel each, at most four.
       const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
-      if (high - low < 0.06 || columns.share(cell, low, high, bins, 2) >= 0.5)
+      const PlanSlab& higher = map.slabOf(a > b ? label : other);
+      if (high - low < 0.06 ||
+          (columns.share(cell, low, high, bins, 2) >= 0.5 &&
+           (is_floor ||
+            reachesCeiling(columns, cell, std::min(a, b), std::max(a, b), higher))))
         ++closed;
     }
   }
@@ -186,18 +208,21 @@ fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid& grid
     if (part == largest)
       continue;
     relabel(part, tried);
-    relabel(part, hasRisers(map, columns, grid, tried) ? 0 : -1);
+    relabel(part, hasRisers(map, columns, grid, true, tried) ? 0 : -1);
   }
   map.details.pop_back();
   fillHeights(map);
 }
 
 void
-dropUnsupported(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
+dropUnsupported(HeightMap& map,
+                const ColumnTable& columns,
+                const CellGrid& grid,
+                bool is_floor)
 {
   for (std::size_t k = map.details.size(); k >= 1; --k) {
     const auto label = static_cast<std::int32_t>(k);
-    if (hasRisers(map, columns, grid, label))
+    if (hasRisers(map, columns, grid, is_floor, label))
       continue;
     for (auto& l : map.label)
       l = l == label ? -1 : l;

@@ -24,7 +24,10 @@ void fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid&
 
 /** @brief Takes out the details without risers, one by one, and gives their cells to
  * what is beside them. */
-void dropUnsupported(HeightMap& map, const ColumnTable& columns, const CellGrid& grid);
+void dropUnsupported(HeightMap& map,
+                     const ColumnTable& columns,
+                     const CellGrid& grid,
+                     bool is_floor);
 
 } // namespace sedr
 } // namespace pcl

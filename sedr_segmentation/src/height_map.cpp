@@ -157,6 +157,38 @@ heightOverMain(const PlanSlab& main,
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
+SlabEvidence
+withFieldsOfMain(const PointView& points,
+                 SlabEvidence evidence,
+                 const PlanSlab& main_slab,
+                 const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const double tolerance = parameters.slab_tolerance;
+  const auto isNear = [&](const PlanSlab& slab, int i) {
+    return std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
+           tolerance;
+  };
+  std::vector<int>& details = evidence.details;
+  const auto near_main = static_cast<double>(std::count_if(
+      details.begin(), details.end(), [&](int i) { return isNear(main_slab, i); }));
+  if (near_main * grid.size() * grid.size() < parameters.minimum_detail_area)
+    return evidence; // most have none: levels need not be looked for
+  for (const Level& level : detailLevels(points, evidence, parameters)) {
+    const CellMask cells(level.cells, boxOf(level.cells));
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >= least_step)
+      continue;
+    const auto first_of_main =
+        std::stable_partition(details.begin(), details.end(), [&](int i) {
+          const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+          return !cells.at(grid.at(p.x(), p.y())) || !isNear(level.slab, i);
+        });
+    evidence.main.insert(evidence.main.end(), first_of_main, details.end());
+    details.erase(first_of_main, details.end());
+  }
+  return evidence;
+}
+
 HeightMap
 seenHeights(const PointView& points,
             const SlabEvidence& evidence,

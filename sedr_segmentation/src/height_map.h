@@ -40,6 +40,13 @@ double heightOverMain(const PlanSlab& main,
                       const CellMask& cells,
                       const CellGrid& grid);
 
+/** @brief The evidence of a ceiling, with what is no step off its main slab among that
+ * of it: the fields into which beams part a ceiling may be of several levels. */
+SlabEvidence withFieldsOfMain(const PointView& points,
+                              SlabEvidence evidence,
+                              const PlanSlab& main_slab,
+                              const RoomFitParameters& parameters);
+
 /** @brief Labels the cells of the main slab and of each connected detail. */
 HeightMap seenHeights(const PointView& points,
                       const SlabEvidence& evidence,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "height_map.h"
 #include "loop_bumps.h"
 #include "loop_recesses.h"
 #include "main_directions.h"
@@ -96,6 +97,23 @@ boundaryOf(const Contour& contour,
   return boundary;
 }
 
+/** @brief The ceiling's points, and its main slab, of all fields that are of it. */
+SlabEvidence
+ceilingEvidence(const PointView& points,
+                const RoomEvidence& evidence,
+                const RoomFitParameters& parameters,
+                PlanSlab& ceiling)
+{
+  ceiling = slabOf(points, evidence.ceiling, parameters);
+  if (evidence.details.empty())
+    return {evidence.ceiling, {}, false};
+  SlabEvidence slab = withFieldsOfMain(
+      points, {evidence.ceiling, evidence.details, false}, ceiling, parameters);
+  if (slab.main.size() > evidence.ceiling.size())
+    ceiling = slabOf(points, slab.main, parameters);
+  return slab;
+}
+
 /** @brief The floor's points, those beyond the noise of the main plane apart. */
 SlabEvidence
 floorEvidence(const PointView& points,
@@ -184,8 +202,9 @@ fitRoom(const PointView& points,
 
   const CellMask ceilings(seen, box);
   std::unique_ptr<const ColumnTable> of_all;
+  SlabEvidence of_slabs;
   sideBySide({[&] {
-                room.ceiling = slabOf(points, evidence.ceiling, parameters);
+                of_slabs = ceilingEvidence(points, evidence, parameters, room.ceiling);
                 room.floor = slabOf(points, evidence.floor, parameters);
               },
               [&] {
@@ -253,10 +272,9 @@ fitRoom(const PointView& points,
   std::vector<PlanDetail> of_ceiling;
   std::vector<PlanDetail> of_floor;
   sideBySide({[&] {
-                if (!evidence.details.empty())
+                if (!of_slabs.details.empty())
                   of_ceiling =
-                      fitDetails(points, {evidence.ceiling, evidence.details, false},
-                                 room, outline.room, all, parameters);
+                      fitDetails(points, of_slabs, room, outline.room, all, parameters);
               },
               [&] {
                 const SlabEvidence floor =

@@ -65,6 +65,19 @@ quantileOf(const Bins& counts, double share)
   return 0;
 }
 
+/** @brief The chance to see so few points or fewer where so many are expected. */
+double
+chanceOf(std::size_t seen, double expected)
+{
+  double one = std::exp(-expected); // Poisson's distribution
+  double chance = one;
+  for (std::size_t k = 1; k <= seen; ++k) {
+    one *= expected / static_cast<double>(k);
+    chance += one;
+  }
+  return chance;
+}
+
 } // namespace
 
 SlitFace::SlitFace(const PlanRoom& room, const PlanElement& element)
@@ -129,6 +142,7 @@ SlitFace::top() const
 {
   constexpr double least_expected = 8; // points
   constexpr double most_share = 0.4;
+  constexpr double most_chance = 1e-4; // a storey has hundreds of such faces
   constexpr double sigma = 0.341; // share of the points up to one above: no lamps there
   const double plane = quantileOf(counts_.ceiling, 0.5);
   const double spread = plane - quantileOf(counts_.ceiling, 0.5 - sigma);
@@ -138,6 +152,9 @@ SlitFace::top() const
   const double slit = std::max(slit_low, noise + least_slit);
   if (slit > body_low)
     return Top::Unknown;
+  // What ends within the body has points in its lower half only.
+  const std::size_t lower =
+      countBetween(counts_.face, plane + (body_low + body_high) / 2, plane + body_high);
   const double bins = static_cast<double>(binOf(plane + slit)) -
                       static_cast<double>(binOf(plane + noise));
   const double expected =
@@ -145,7 +162,12 @@ SlitFace::top() const
   if (expected < least_expected)
     return Top::Unknown;
   const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
-  return static_cast<double>(seen) <= most_share * expected ? Top::Slit : Top::Ceiling;
+  if (static_cast<double>(seen) > most_share * expected)
+    return Top::Ceiling;
+  const double below =
+      expected * 2 * static_cast<double>(lower) / static_cast<double>(body);
+  return chanceOf(seen, std::max(expected, below)) <= most_chance ? Top::Slit
+                                                                  : Top::Unknown;
 }
 
 void

@@ -4,17 +4,74 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/region_selection.h>
+#include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/enclosed_regions.h>
 #include <pcl/sedr_segmentation/plane_list.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/sweep_gaps.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace pcl {
 namespace sedr {
+
+namespace {
+
+/** @brief The regions of a ceiling that are not kept but no specks. */
+std::vector<std::size_t>
+largerRest(const RegionMap& map)
+{
+  constexpr double least_area = 0.25; // square metres
+  std::vector<std::size_t> rest;
+  for (std::size_t r = 0; r < map.number.size(); ++r)
+    if (map.number[r] == 0 &&
+        static_cast<double>(map.regions.sizes[r]) * map.cell_size * map.cell_size >=
+            least_area)
+      rest.push_back(r);
+  return rest;
+}
+
+/** @brief Those of some regions of a ceiling that lie along one that is kept: a duct
+ * below the ceiling hides what joins them. Beside the strips of a vault there are
+ * others.
+ * @param others cells of other ceilings */
+std::vector<CellSet>
+alongKept(const RegionMap& map,
+          const std::vector<std::size_t>& asked,
+          const CellSet& others)
+{
+  constexpr double farthest = 1;      // metres from what is kept
+  constexpr double least_near = 0.8;  // share of the region
+  constexpr double rim = 0.15;        // metres around it
+  constexpr double most_others = 0.1; // share of the rim
+  const std::vector<CellSet> regions = map.regionCells();
+  const CellSet kept = map.keptCells();
+  const int reach = cellsFor(farthest, map.cell_size);
+  const auto share = [](const CellMask& of, const CellMask& in) {
+    return static_cast<double>(intersect(of, in).count()) /
+           static_cast<double>(std::max<std::size_t>(1, of.count()));
+  };
+  std::vector<CellSet> strips;
+  for (const std::size_t r : asked) {
+    const CellBox box = grown(boxOf(regions[r]), reach);
+    if (!maskProblem(box).empty())
+      continue;
+    const CellMask region(regions[r], box);
+    const CellMask around =
+        subtract(dilated(region, cellsFor(rim, map.cell_size)), region);
+    if (share(region, dilated(CellMask(kept, box), reach)) >= least_near &&
+        share(around, CellMask(others, box)) <= most_others)
+      strips.push_back(regions[r]);
+  }
+  return strips;
+}
+
+} // namespace
 
 bool
 StructureChain::keepRegions(std::size_t ceiling,
@@ -44,6 +101,45 @@ StructureChain::keepRegions(std::size_t ceiling,
       support->push_back(i);
   }
   return filter(support);
+}
+
+void
+StructureChain::keepStrips(std::size_t ceiling,
+                           const std::vector<int>& seen,
+                           const pcl::Indices& floors)
+{
+  const RegionMap& map = outlier_removal.getRegionMap();
+  std::vector<std::size_t> asked = largerRest(map);
+  if (asked.empty())
+    return;
+  const CellGrid grid(outlier_removal.getGridSize());
+  const PointView points(*cloud);
+  const std::vector<std::size_t> supported =
+      supportedCells(map.cells, map.regions, CellSet(grid, points, floors));
+  asked.erase(std::remove_if(asked.begin(), asked.end(),
+                             [&](std::size_t r) {
+                               return static_cast<double>(supported[r]) <
+                                      outlier_removal.getMinimumSupport() *
+                                          static_cast<double>(map.regions.sizes[r]);
+                             }),
+              asked.end());
+  CellSet others;
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    if (l != ceiling && levels_[l].kind == LevelKind::Ceiling)
+      others = unite(others, levels_[l].cells);
+  CellSet strips;
+  for (const CellSet& strip : alongKept(map, asked, others))
+    strips = unite(strips, strip);
+  if (strips.empty())
+    return;
+  Level& level = levels_[ceiling];
+  level.cells = unite(level.cells, strips);
+  for (const int i : seen) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (strips.contains(grid.at(p.x(), p.y())))
+      level.inliers.push_back(i);
+  }
+  std::sort(level.inliers.begin(), level.inliers.end());
 }
 
 void
@@ -102,9 +198,11 @@ StructureChain::removeOutliers(StageReport& report)
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     Level& level = levels_[l];
     if (level.kind == LevelKind::Ceiling) {
+      const std::vector<int> seen = level.inliers;
       if (!keepRegions(l, floors, *all))
         return false;
       level.cells = outlier_removal.getRegionMap().keptCells();
+      keepStrips(l, seen, *floors);
       tellResult("GridRegionOutlierRemoval");
     }
     if (level.kind != LevelKind::Other)

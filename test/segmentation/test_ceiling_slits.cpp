@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace pcl::sedr;
 using namespace sedr_test;
 
@@ -101,6 +103,35 @@ TEST(CeilingSlits, ACabinetBelowTheCeilingIsNoColumn)
     Floorplan plan = planOf(room);
     EXPECT_EQ(leftOut(plan, slit), slit > 0 ? 1u : 0u);
     EXPECT_EQ(plan.rooms.front().columns.size(), slit > 0 ? 0u : 1u);
+  }
+}
+
+TEST(CeilingSlits, AColumnOfWhichFewPointsWereSeenStays)
+{
+  // Of 90 points down to 25 cm below the ceiling 18 would be expected in the slit.
+  struct Seen {
+    int in_slit;
+    std::size_t columns;
+  };
+  for (const Seen& seen : {Seen{6, 1}, Seen{1, 0}}) {
+    PlanRoom room = roomOf(rectangle(0, 0, 4, 3), top);
+    room.columns.push_back(reversed(circle({2, 1.5}, 0.23)));
+    Floorplan plan = planOf(room);
+    RoomPoints points(0.01, noise);
+    points.slab(room.boundary, top);
+    const PlanElement& side = room.columns[0].elements[0];
+    const auto addPoints = [&](int count, double high, double low) {
+      for (int k = 0; k < count; ++k) {
+        const double share = (k + 0.5) / count;
+        const Eigen::Vector2d p =
+            side.pointAt(side.length() * (0.1 + 0.8 * std::fmod(7 * share, 1)));
+        points.point(p.x(), p.y(), top - high - (low - high) * share);
+      }
+    };
+    addPoints(90, 0.1, 0.25);
+    addPoints(seen.in_slit, 0.016, 0.044);
+    leaveOutBelowSlits(plan, points.view());
+    EXPECT_EQ(plan.rooms.front().columns.size(), seen.columns) << seen.in_slit;
   }
 }
 

@@ -328,4 +328,39 @@ TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
   EXPECT_TRUE(fitted(points, parts).details.empty());
 }
 
+TEST(FitRoom, ADuctFromWallToWallIsNoDetailABeamIs)
+{
+  const PlanLoop strip = rectangle(2.01, 0.01, 2.41, 4.01);
+  for (const double gap : {0.12, 0.25, 0.0}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.8);
+    truth.details = {detailOf(strip, 2.3)};
+    RoomPoints points(0.05, 0.002);
+    const RoomParts parts = points.room(truth, [&](const Eigen::Vector3d& p) {
+      return p.x() < 1.9 || p.x() > 2.5 || p.y() < 0.1 || p.y() > 3.9 ||
+             p.z() < 2.8 - gap;
+    });
+    EXPECT_EQ(fitted(points, parts).details.size(), gap > 0 ? 0u : 1u) << gap;
+  }
+}
+
+TEST(FitRoom, FieldsBetweenBeamsAreOfTheMainCeilingWhateverLevelTheyWereFoundIn)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
+  truth.details = {detailOf(rectangle(1.91, 0.01, 2.11, 4.01), 2.4),
+                   detailOf(rectangle(3.91, 0.01, 4.11, 4.01), 2.4)};
+  RoomPoints points(0.05, 0.005);
+  RoomParts parts = points.room(truth);
+  const auto other_fields =
+      std::stable_partition(parts.ceiling.begin(), parts.ceiling.end(),
+                            [&](int i) { return points[i].x() < 2; });
+  parts.details.insert(parts.details.end(), other_fields, parts.ceiling.end());
+  parts.ceiling.erase(other_fields, parts.ceiling.end());
+  const PlanRoom room = fitted(points, parts);
+  EXPECT_EQ(room.details.size(), 2u);
+  for (const double x : {1.0, 3.0, 5.0})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.7, 0.002) << x;
+  for (const double x : {2.01, 4.01})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.4, 0.002) << x;
+}
+
 } // namespace

@@ -223,6 +223,22 @@ TEST(StructureChain, FindsTheWallBehindADuct)
   EXPECT_NEAR(chain.plan->rooms[0].area(), 15, 0.01);
 }
 
+TEST(StructureChain, TheCeilingBetweenADuctAndTheWallBehindItIsOfTheRoom)
+{
+  // A strip of 0.9 square metres, 0.65 m from the rest, beside that of a larger room.
+  RoomPoints points;
+  points.slab(rectangle(0.01, 0.01, 3.01, 5.01), 2.6,
+              [](double, double y) { return y < 4.05 || y > 4.7; });
+  points.slab(rectangle(0.01, 0.01, 3.01, 5.01), 0);
+  for (const PlanElement& wall : rectangle(0.01, 0.01, 3.01, 5.01).elements)
+    points.wall(wall, 0, 2.6);
+  points.room(rectangle(3.11, 0.01, 9.11, 5.01), 0, 2.6);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 2u);
+  EXPECT_NEAR(chain.plan->rooms[1].area(), 15, 0.1);
+}
+
 TEST(StructureChain, OfAReflectedRoomTheScannedPointsAreThoseOfTheRoom)
 {
   const auto scan = roomOf(0.04);

@@ -19,7 +19,8 @@ namespace sedr {
  * to where the noise of the ceiling begins, furniture has hardly any from 4.5 cm below
  * the ceiling on. How far the ceiling's noise reaches down is measured before the face
  * in question; where it leaves nothing of the slit, or the face has too few points, the
- * plan stays. So it does where one face goes up to the ceiling. Walls in line are
+ * plan stays. So it does where one face goes up to the ceiling, and where so few of a
+ * face's points are expected in the slit that none may be by chance. Walls in line are
  * joined again, those around a corner meet in it.
  *
  * O(n) for n points if there is anything to ask of, and a pass over few of them; of

@@ -167,6 +167,12 @@ private:
                    const pcl::IndicesConstPtr& floors,
                    const pcl::Indices& all);
 
+  /** @brief Keeps strips of a ceiling, of the points `seen`, beside what is kept of it.
+   */
+  void keepStrips(std::size_t ceiling,
+                  const std::vector<int>& seen,
+                  const pcl::Indices& floors);
+
   /** @brief Puts points where a sweep left gaps between its lines on a ceiling.
    * @param all indices of the cloud */
   void fillSweepGaps(const pcl::Indices& all);

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_segmentation/ceiling_slits.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/niche_panes.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/settled_rooms.h>
@@ -80,6 +81,7 @@ FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
   const Indices all; // by none are all meant there; a temporary would copy the others
   const Indices& indices = raw_indices_ ? *raw_indices_ : all;
   sedr::leaveOutBelowSlits(plan, raw_(), indices, parameters_.threads);
+  sedr::leaveOutPanes(plan, raw_(), indices, parameters_.threads);
   const sedr::RefitReport report = sedr::refitToRaw(plan, raw_(), indices, parameters);
   if (!report.problem.empty())
     warnings_.push_back("the plan is not fitted to the raw cloud: " + report.problem);
