@@ -58,8 +58,9 @@ TEST(Table, has_a_row_a_scene_and_noise_in_order)
   EXPECT_EQ(linesWith(table, "| attic | 0.1 |").size(), 1u);
   EXPECT_LT(table.find("| hall | 0.1 |"), table.find("| hall | 2 |"));
   EXPECT_LT(table.find("| hall | 2 |"), table.find("| attic | 0.1 |"));
-  EXPECT_NE(table.find("Scenes: 2. Seeds: 1, 2. Runs: 4. Runs that reach every bar: 4."),
-            std::string::npos);
+  EXPECT_NE(
+      table.find("Scenes: 2. Seeds: 1, 2. Runs: 4. Runs that reach every bar: 4."),
+      std::string::npos);
 }
 
 TEST(Table, shows_the_worst_seed_and_the_median)

@@ -26,9 +26,9 @@ public:
     const std::uint8_t* rows = nullptr;
     std::size_t first = 0; ///< number of the first of them in the whole cloud
     std::size_t size = 0;  ///< how many there are
-    /// May be set, and holds until `see` returns: whoever reads the rows may call it for
-    /// all of them, run by run as they are at hand, which spares the source to read them
-    /// once more.
+    /// May be set, and holds until `see` returns: whoever reads the rows may call it
+    /// for all of them, run by run as they are at hand, which spares the source to read
+    /// them once more.
     SeeRun beside = {};
   };
 
