@@ -154,12 +154,15 @@ print(const char* name, const MeshFigures& figures)
   std::printf("  volume              %.3f m3%s\n", figures.volume,
               figures.volume < 0 ? ", the faces look inwards" : "");
   std::printf("  components          %zu\n", topology.components.size());
-  for (std::size_t i = 0; i < topology.components.size() && i < 10; ++i) {
+  constexpr std::size_t most = 10; // lines
+  for (std::size_t i = 0; i < topology.components.size() && i < most; ++i) {
     const auto& component = topology.components[i];
     std::printf("    %-3zu %8zu triangles %10.3f m2 %10.3f m3 %s\n", i + 1,
                 component.triangles, component.area, component.signed_volume,
                 component.closed ? "closed" : "open");
   }
+  if (topology.components.size() > most)
+    std::printf("    and %zu more\n", topology.components.size() - most);
 }
 
 void

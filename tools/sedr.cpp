@@ -25,6 +25,7 @@ main(int argc, char** argv)
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
+    settings.inputs = {settings.input};
     return makeModel(settings, chain, [&] {
       // What is not in its header is read while it is thinned.
       const auto scan = std::make_shared<ScanFile>(settings.input, settings.unit);

@@ -101,6 +101,7 @@ makeModelTogether(const std::string& tool,
 {
   ModelSettings& settings = call.settings;
   settings.input = joined(call.scans);
+  settings.inputs = call.scans;
   Reconstruction chain;
   apply(settings, chain);
   KeptRooms kept(settings.folder + "/rooms", watch);

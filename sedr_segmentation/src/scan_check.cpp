@@ -137,9 +137,9 @@ ScanSample::problem() const
     const bool is_centimetre = z < 10 * highest && std::min(x, y) < longest;
     return text(is_centimetre
                     ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                      "the centimetre, scale it by 0.01"
+                      "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
                     : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                      "the millimetre, scale it by 0.001",
+                      "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
                 x, y, z);
   }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)

@@ -283,6 +283,19 @@ TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)
   expectFailure(run(SEDR, {in("input.pcd"), in("model")}), 1, "mesh.ply");
 }
 
+TEST_F(SedrTool, AScanIsNotWrittenOver)
+{
+  std::filesystem::create_directory(in("same"));
+  const std::string bytes = scanOf().pcd(false);
+  writeFile(in("same/structure.pcd"), bytes);
+  const ProgramRun result = run(SEDR, {in("same/structure.pcd"), in("same/../same")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+  EXPECT_NE(result.err.find("would be written over"), std::string::npos) << result.err;
+  EXPECT_TRUE(bytesOf(in("same/structure.pcd")) == bytes);
+  EXPECT_FALSE(std::filesystem::exists(in("same/mesh.ply")));
+}
+
 TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
 {
   const RoomScan scan = scanOf();

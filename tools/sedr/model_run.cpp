@@ -16,6 +16,7 @@
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -159,9 +160,13 @@ makeModel(const ModelSettings& settings,
     throw ToolError(
         "--pictures and --report show the mesh, which --no-mesh leaves out");
   std::vector<std::string> names = output_names;
+  if (settings.no_mesh)
+    names.erase(std::find(names.begin(), names.end(), "mesh.ply"));
   if (settings.report)
     names.emplace_back("report.html");
   const OutputFolder folder(settings.folder, names);
+  for (const auto& input : settings.inputs)
+    folder.spare(input);
   std::optional<OutputFolder> picture_folder;
   std::optional<ChainPictures> pictures;
   if (settings.pictures) {

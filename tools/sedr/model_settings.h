@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -19,7 +20,8 @@ using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 struct ModelSettings {
   explicit ModelSettings(const Reconstruction& chain);
 
-  std::string input; ///< as report.json names it
+  std::string input;               ///< as report.json names it
+  std::vector<std::string> inputs; ///< what is read, each path by itself
   std::string folder;
   double voxel;
   bool keep_strays = false;

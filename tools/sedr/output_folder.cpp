@@ -38,6 +38,16 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> nam
 }
 
 void
+OutputFolder::spare(const std::string& input) const
+{
+  std::error_code error; // a file that is missing is equivalent to none
+  for (const auto& name : names_)
+    if (fs::equivalent(file(name), input, error))
+      throw ToolError("'" + input + "' would be written over by the result " + name +
+                      ": choose another output folder");
+}
+
+void
 OutputFolder::fill(const std::function<void()>& write) const
 {
   std::error_code error;

@@ -19,6 +19,9 @@ public:
    * @param names of the files that will be in it */
   OutputFolder(const std::string& path, std::vector<std::string> names);
 
+  /** @brief Refuses to write over a file that is read. */
+  void spare(const std::string& input) const;
+
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
   /** @brief Makes the folder and calls `write`, which fills it. */
