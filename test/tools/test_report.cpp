@@ -137,6 +137,18 @@ TEST(Advice, NamesUnseenWallsRepairsAndFarPoints)
   EXPECT_NE(advices[3].remedy.find("--fixed-grid"), std::string::npos);
 }
 
+TEST(Advice, AsksForNoToleranceThatTheRunHad)
+{
+  ReportData data;
+  data.distances = summarizeDistances(std::vector<double>(100, 0.03));
+  data.parameters = {{"plane_tolerance", "0.1"}, {"boundary_tolerance", "0.05"}};
+  const auto remedy = [&] { return adviceOn(data).at(0).remedy; };
+  EXPECT_EQ(remedy().find("--plane-tolerance"), std::string::npos) << remedy();
+  EXPECT_NE(remedy().find("--boundary-tolerance 0.1"), std::string::npos) << remedy();
+  data.parameters[1].second = "0.2";
+  EXPECT_EQ(remedy().find("-tolerance"), std::string::npos) << remedy();
+}
+
 TEST(Advice, KnowsWhatIsNotKnown)
 {
   ReportData data;

@@ -5,6 +5,10 @@
 #include "scale.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -113,6 +117,34 @@ addOpenModels(const ReportData& data, Advices& advices)
   }
 }
 
+/** @brief The value of a parameter of the run, 0 if it is not told. */
+double
+parameterOf(const ReportData& data, const std::string& name)
+{
+  for (const auto& [own, value] : data.parameters)
+    if (own == name)
+      return std::strtod(value.c_str(), nullptr);
+  return 0;
+}
+
+/** @brief What to do about points that are far from their model: the tolerances that
+ * noise asks for, but those that the run had. */
+std::string
+tolerancesFor(const ReportData& data)
+{
+  constexpr double wide = 0.1; // metres
+  std::string options;
+  for (const auto& [name, option] :
+       {std::pair<std::string, std::string>{"plane_tolerance", "--plane-tolerance 0.1"},
+        {"boundary_tolerance", "--boundary-tolerance 0.1"}})
+    if (parameterOf(data, name) < wide)
+      options += (options.empty() ? "" : " and ") + option;
+  if (options.empty())
+    return "That is its noise, which the tolerances of this run take in; a scan in "
+           "other units needs --unit.";
+  return "A scan so noisy needs " + options + "; one in other units --unit.";
+}
+
 void
 addDistances(const ReportData& data, Advices& advices)
 {
@@ -125,8 +157,7 @@ addDistances(const ReportData& data, Advices& advices)
   if (d.median > far_median)
     advices.push_back({"Half of the structure's points lie more than " +
                            distanceText(d.median) + " off the model.",
-                       "A scan so noisy needs --plane-tolerance 0.1 and "
-                       "--boundary-tolerance 0.1; one in other units --unit."});
+                       tolerancesFor(data)});
   else if (beyond > much_beyond)
     advices.push_back(
         {percent(beyond) + " of the structure's points lie more than 5 cm off the "
