@@ -11,6 +11,14 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
+/** Adds points that have a density or noise of their own. */
+void
+addPoints(const RoomPoints& more, RoomPoints& points)
+{
+  for (const int i : more.all())
+    points.point(more[i].x(), more[i].y(), more[i].z());
+}
+
 TEST(RefitToRaw, OfANarrowFaceAllThatWasSeenCounts)
 {
   // The far side of a pilaster, seen below 1.2 m only and found 4 mm off.
@@ -39,10 +47,7 @@ TEST(RefitToRaw, TheFacesOfAThinPartitionKeepApart)
   raw.room(left);
   RoomPoints once_more(0.01, 0.02, 2); // twice as dense on the other side
   once_more.room(right);
-  for (std::size_t i = 0; i < once_more.size(); ++i) {
-    const Eigen::Vector3f p = once_more[static_cast<int>(i)];
-    raw.point(p.x(), p.y(), p.z());
-  }
+  addPoints(once_more, raw);
   Floorplan plan;
   plan.rooms = {roomOf(rectangle(0, 0, 4.006, 3), 2.6),
                 roomOf(rectangle(4.07, 0, 8, 3), 2.6, 2)};
@@ -88,10 +93,7 @@ TEST(RefitToRaw, RevealsWithinAThinPartitionDoNotDrawItsFaceIn)
   RoomPoints reveals(0.008, noise, 2);
   reveals.wall(segment({-0.1, 0.25}, {0, 0.25}), 0, 2.05);
   reveals.wall(segment({0, 0.95}, {-0.1, 0.95}), 0, 2.05);
-  for (std::size_t i = 0; i < reveals.size(); ++i) {
-    const Eigen::Vector3f& p = reveals[static_cast<int>(i)];
-    raw.point(p.x(), p.y(), p.z());
-  }
+  addPoints(reveals, raw);
   Floorplan plan;
   plan.rooms = {roomOf(rectangle(-0.004, 0, 1.6, 1.25), 2.6),
                 roomOf(rectangle(-4.1, 0, -0.098, 3), 2.6, 2)};
