@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block_directory.h"
+#include "held_blocks.h"
 #include "voxel_batch.h"
 
 #include <pcl/sedr_filters/point_view.h>
@@ -15,11 +16,10 @@ namespace sedr {
 
 /** @brief Adds the points of one thread to the blocks that all threads share.
  *
- * A scanner sees many points of a block before it turns away, and then its neighbours:
- * a block is locked once for all of its points that come one after the other, and
- * looked for among those seen last. Where the points come in no such order, each would
- * wait for memory four times over; then blocks and sums of a whole batch are sent for
- * beforehand. */
+ * A scanner sees many points of a few blocks, to and fro, before it turns away: a
+ * block is locked once for all of its points in a batch, and looked for among those
+ * seen last. Where the points come in no such order, each would wait for memory four
+ * times over; then blocks and sums of a whole batch are sent for beforehand. */
 class VoxelAdder {
 public:
   VoxelAdder(const VoxelFrame& frame, BlockDirectory& blocks)
@@ -47,7 +47,8 @@ public:
   /** @brief Adds what was added up before; the count must not be 0. */
   void add(const VoxelSum& voxel)
   {
-    VoxelBlock& block = blockAt(VoxelBlock::cornerOf(voxel.code));
+    const VoxelCode corner = VoxelBlock::cornerOf(voxel.code);
+    VoxelBlock& block = blockAt(corner, RecentBlocks::slotOf(corner));
     const std::lock_guard<VoxelBlock> lock(block);
     BlockSum& sum = sumOf(block, VoxelBlock::localOf(voxel.code));
     sum.count += voxel.count;
@@ -56,26 +57,38 @@ public:
   }
 
 private:
+  struct ReleaseAtEnd {
+    ~ReleaseAtEnd() { held.release(); }
+    HeldBlocks& held;
+  };
+
   void addBatch()
   {
     batch_.find(frame_);
     if (is_scattered_)
       lookAhead();
-    std::size_t runs = 0;
-    for (std::size_t i = 0; i < batch_.size(); ++runs) {
-      const VoxelCode first = batch_.code(i);
-      VoxelBlock& block = is_scattered_ && guesses_[i]
-                              ? *guesses_[i]
-                              : blockAt(VoxelBlock::cornerOf(first));
-      const std::lock_guard<VoxelBlock> lock(block);
-      do {
-        BlockSum& sum = sumOf(block, batch_.local(i));
-        ++sum.count;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          sum.steps[axis] += batch_.steps(axis, i);
-      } while (batch_.isNextInBlock(i++));
+    const std::size_t held_before = held_.count();
+    const ReleaseAtEnd at_end{held_};
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      VoxelBlock* block = held_.find(batch_.slot(i), batch_.corner(i));
+      if (!block)
+        block = &hold(i);
+      BlockSum& sum = sumOf(*block, batch_.local(i));
+      ++sum.count;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        sum.steps[axis] += batch_.steps(axis, i);
     }
-    is_scattered_ = 2 * runs > batch_.size();
+    is_scattered_ = 2 * (held_.count() - held_before) > batch_.size();
+  }
+
+  /** @brief Locks the block of a point that is not held. */
+  VoxelBlock& hold(std::size_t i)
+  {
+    VoxelBlock& block = is_scattered_ && guesses_[i]
+                            ? *guesses_[i]
+                            : blockAt(batch_.corner(i), batch_.slot(i));
+    held_.hold(block, batch_.slot(i));
+    return block;
   }
 
   /** @brief Finds the blocks of a batch, all at once, and sends for their sums. */
@@ -83,7 +96,7 @@ private:
   {
     const std::size_t n = batch_.size();
     for (std::size_t i = 0; i < n; ++i) {
-      hashes_[i] = hashOf(VoxelBlock::cornerOf(batch_.code(i)));
+      hashes_[i] = hashOf(batch_.corner(i));
       prefetch(blocks_.placeOf(hashes_[i]));
     }
     for (std::size_t i = 0; i < n; ++i)
@@ -92,7 +105,7 @@ private:
         prefetch(reinterpret_cast<const char*>(guess + 1) - 1);
       }
     for (std::size_t i = 0; i < n; ++i) {
-      guesses_[i] = blocks_.find(VoxelBlock::cornerOf(batch_.code(i)), hashes_[i]);
+      guesses_[i] = blocks_.find(batch_.corner(i), hashes_[i]);
       if (!guesses_[i])
         continue;
       const unsigned place = guesses_[i]->placeOf(batch_.local(i));
@@ -102,17 +115,12 @@ private:
     }
   }
 
-  VoxelBlock& blockAt(const VoxelCode& corner)
+  VoxelBlock& blockAt(const VoxelCode& corner, std::size_t slot)
   {
-    // Blocks close to one another never share an entry.
-    constexpr std::uint32_t window = 16;
-    const auto digit = [&](std::size_t axis) {
-      return static_cast<std::uint32_t>(corner[axis]) % window;
-    };
-    VoxelBlock*& recent = recent_[digit(0) + window * (digit(1) + window * digit(2))];
-    if (!recent || !isSame(recent->corner, corner))
-      recent = &blocks_.find(corner, memory_);
-    return *recent;
+    VoxelBlock* block = recent_.find(slot, corner);
+    if (!block)
+      block = recent_.at(slot) = &blocks_.find(corner, memory_);
+    return *block;
   }
 
   BlockSum& sumOf(VoxelBlock& block, unsigned local)
@@ -130,7 +138,8 @@ private:
       false; ///< whether most points were in another block than the last
   std::array<std::uint32_t, VoxelBatch::most> hashes_{};
   std::array<VoxelBlock*, VoxelBatch::most> guesses_{};
-  std::array<VoxelBlock*, 4096> recent_{};
+  RecentBlocks recent_;
+  HeldBlocks held_;
 };
 
 } // namespace sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "voxel_block.h"
+#include "recent_blocks.h"
 
 #include <pcl/sedr_filters/voxel_frame.h>
 
@@ -36,7 +36,7 @@ public:
       leaveOutOthers();
   }
 
-  /** @brief Finds voxel and steps of every point. */
+  /** @brief Finds block, place in it and steps of every point. */
   void find(const VoxelFrame& frame)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -44,31 +44,30 @@ public:
                  steps_[axis].data());
     for (std::size_t i = 0; i < size_; ++i)
       locals_[i] = VoxelBlock::localOf(code(i));
-    for (std::size_t i = 0; i + 1 < size_; ++i)
-      shares_next_[i] = VoxelBlock::isShared(code(i), code(i + 1)) ? 1 : 0;
+    for (std::size_t i = 0; i < size_; ++i)
+      slots_[i] = RecentBlocks::slotOf(VoxelBlock::cornerOf(code(i)));
   }
 
-  VoxelCode code(std::size_t i) const
-  {
-    return {codes_[0][i], codes_[1][i], codes_[2][i]};
-  }
+  VoxelCode corner(std::size_t i) const { return VoxelBlock::cornerOf(code(i)); }
 
   std::uint64_t steps(std::size_t axis, std::size_t i) const { return steps_[axis][i]; }
 
   /** @brief VoxelBlock::localOf() the voxel. */
   unsigned local(std::size_t i) const { return locals_[i]; }
 
-  /** @brief Whether there is a next point, and in the same block. */
-  bool isNextInBlock(std::size_t i) const
-  {
-    return i + 1 < size_ && shares_next_[i] != 0;
-  }
+  /** @brief RecentBlocks::slotOf() the block. */
+  std::size_t slot(std::size_t i) const { return slots_[i]; }
 
 private:
   template <typename ValueT>
   using Column = std::array<ValueT, most>;
   template <typename ValueT>
   using Columns = std::array<Column<ValueT>, 3>;
+
+  VoxelCode code(std::size_t i) const
+  {
+    return {codes_[0][i], codes_[1][i], codes_[2][i]};
+  }
 
   bool areAllFinite() const
   {
@@ -99,7 +98,7 @@ private:
   Columns<std::int32_t> codes_;
   Columns<std::uint64_t> steps_;
   Column<std::uint32_t> locals_;
-  Column<std::uint32_t> shares_next_;
+  Column<std::uint32_t> slots_;
 };
 
 } // namespace sedr

@@ -55,13 +55,6 @@ struct alignas(32) VoxelBlock {
     return digit(0) + edge * (digit(1) + edge * digit(2));
   }
 
-  /** @brief Whether two voxels share a block. */
-  static bool isShared(const VoxelCode& a, const VoxelCode& b)
-  {
-    return static_cast<std::uint32_t>((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) <
-           edge;
-  }
-
   explicit VoxelBlock(const VoxelCode& corner_of_it)
       : corner(corner_of_it)
   {}
@@ -76,9 +69,11 @@ struct alignas(32) VoxelBlock {
             along(2, local / (edge * edge))};
   }
 
+  bool tryLock() { return !locked.exchange(true, std::memory_order_acquire); }
+
   void lock()
   {
-    while (locked.exchange(true, std::memory_order_acquire))
+    while (!tryLock())
       std::this_thread::yield();
   }
 

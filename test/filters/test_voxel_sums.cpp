@@ -94,6 +94,25 @@ TEST(VoxelSums, ThreadsThatMakeBlocksAtOnceDoNotMistakeThem)
     ASSERT_TRUE(areSame(sumsOf(points, inverse, 8), expected)) << trial;
 }
 
+TEST(VoxelSums, ThreadsThatMeetInBlocksDoNotWaitForEachOtherForEver)
+{
+  // Each goes to and fro through a row of blocks, now forwards and now backwards: a few
+  // that it comes back to at once, or more than it keeps.
+  for (const int blocks : {3, 20, 100}) {
+    std::vector<Eigen::Vector3f> points;
+    for (int k = 0; k < 400000; ++k) {
+      const int way = k / 1000 % 2 == 0 ? k % blocks : blocks - 1 - k % blocks;
+      points.emplace_back(0.2f * static_cast<float>(way) + 0.01f, 0.01f, 0.01f);
+    }
+    const auto expected = sumsOf(points);
+    ASSERT_EQ(expected.size(), static_cast<std::size_t>(blocks));
+    for (const unsigned threads : {2u, 8u})
+      EXPECT_TRUE(
+          areSame(sumsOf(points, Eigen::Array3f::Constant(20), threads), expected))
+          << blocks << ' ' << threads;
+  }
+}
+
 TEST(VoxelSums, SumsOfPartsReduceToThoseOfAll)
 {
   const auto points = roomWithStrays(200000, {-1, 0, 0});

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -222,12 +223,21 @@ ScanFile::forEachPiece(std::size_t begin,
       std::max<std::size_t>(1, piece_bytes_ / std::max(raw_size, rowSize()));
   const bool is_mapped = unpacked_.empty();
   std::vector<std::uint8_t> copy;
+  std::future<void> turned; // pages, while their neighbours are read
+  const auto turnPages = [&](std::size_t at, std::size_t size) {
+    if (turned.valid())
+      turned.wait();
+    turned = std::async([this, at, size] {
+      if (at >= layout_.begin + size)
+        file_.release(at - size, size);
+      file_.expect(at + size, size);
+    });
+  };
   bool goes_on = true;
   for (std::size_t first = begin; first < end && goes_on; first += rows_a_piece) {
     const std::size_t rows = std::min(rows_a_piece, end - first);
-    const std::size_t at = layout_.begin + first * raw_size; // bytes
     if (is_mapped)
-      file_.expect(at + rows * raw_size, rows * raw_size);
+      turnPages(layout_.begin + first * raw_size, rows_a_piece * raw_size);
     Piece piece{rows_ + first * raw_size, first, rows};
     if (!is_plain_) {
       copy.resize(rows * rowSize());
@@ -240,9 +250,10 @@ ScanFile::forEachPiece(std::size_t begin,
       piece.rows = copy.data();
     }
     goes_on = see(piece);
-    if (is_mapped)
-      file_.release(at, rows * raw_size);
   }
+  turned = {};
+  if (is_mapped)
+    file_.release(layout_.begin + begin * raw_size, (end - begin) * raw_size);
 }
 
 /** Refuses scans without a finite point, and those that lie, but for stray points, too

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "recent_blocks.h"
+
+#include <array>
+#include <cstddef>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The blocks that a thread has locked. It gives none back while it adds points
+ * to a few that lie side by side, between which a scanner goes to and fro; but all of
+ * them before it waits for one, so that no two threads wait for each other. */
+class HeldBlocks {
+public:
+  /** @brief The block with this corner, null where it is not held. */
+  VoxelBlock* find(std::size_t slot, const VoxelCode& corner) const
+  {
+    return by_slot_.find(slot, corner);
+  }
+
+  /** @brief Locks a block that is not held. */
+  void hold(VoxelBlock& block, std::size_t slot)
+  {
+    if (size_ == most || by_slot_.at(slot) || !block.tryLock()) {
+      release();
+      block.lock();
+    }
+    by_slot_.at(slot) = &block;
+    slots_[size_++] = slot;
+    ++count_;
+  }
+
+  void release()
+  {
+    while (size_ > 0) {
+      VoxelBlock*& block = by_slot_.at(slots_[--size_]);
+      block->unlock();
+      block = nullptr;
+    }
+  }
+
+  /** @brief How often a block was locked so far. */
+  std::size_t count() const { return count_; }
+
+private:
+  static constexpr std::size_t most = 32;
+
+  RecentBlocks by_slot_;
+  std::array<std::size_t, most> slots_{};
+  std::size_t size_ = 0;
+  std::size_t count_ = 0;
+};
+
+} // namespace sedr
+} // namespace pcl

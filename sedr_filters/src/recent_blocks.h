@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "voxel_block.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Blocks by the place where they lie, as many as stand close to one another: a
+ * later one takes the place of an earlier one that is 16 blocks or a multiple away. */
+class RecentBlocks {
+public:
+  /** @brief The slot of the block with this corner. */
+  static std::uint32_t slotOf(const VoxelCode& corner)
+  {
+    const auto digit = [&](std::size_t axis) {
+      return static_cast<std::uint32_t>(corner[axis]) % window;
+    };
+    return digit(0) + window * (digit(1) + window * digit(2));
+  }
+
+  VoxelBlock*& at(std::size_t slot) { return blocks_[slot]; }
+
+  /** @brief The block with this corner, null where it is not among these. */
+  VoxelBlock* find(std::size_t slot, const VoxelCode& corner) const
+  {
+    VoxelBlock* const block = blocks_[slot];
+    return block && isSame(block->corner, corner) ? block : nullptr;
+  }
+
+private:
+  static constexpr std::uint32_t window = 16;
+
+  std::array<VoxelBlock*, std::size_t{window} * window * window> blocks_{};
+};
+
+} // namespace sedr
+} // namespace pcl
