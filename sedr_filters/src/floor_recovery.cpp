@@ -60,8 +60,10 @@ recoverFloor(const CellGrid& grid,
   auto sources = pointsByCell(missing, grid, points, ceiling);
   const auto details =
       pointsByCell(subtract(missing, under_ceiling), grid, points, detail);
+  const auto ceilings = static_cast<std::ptrdiff_t>(sources.size());
   sources.insert(sources.end(), details.begin(), details.end());
-  std::sort(sources.begin(), sources.end());
+  std::inplace_merge(sources.begin(), sources.begin() + ceilings, sources.end());
+  result.sources.reserve(sources.size());
   for (const auto& source : sources)
     result.sources.push_back(source.second);
   return result;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/digit_sort.h>
 #include <pcl/sedr_filters/voxel_census.h>
 
 #include <algorithm>
@@ -35,8 +36,11 @@ saturatedSum(std::uint32_t a, std::uint32_t b)
 std::vector<VoxelCensus::Cube>
 joined(std::vector<VoxelCensus::Cube> cubes)
 {
-  std::sort(cubes.begin(), cubes.end(),
-            [](const auto& a, const auto& b) { return a.corner < b.corner; });
+  constexpr std::uint32_t sign = 1u << 31; // negative numbers come first
+  for (const std::size_t axis : {2, 1, 0})
+    sortByDigits(cubes, [&](const VoxelCensus::Cube& cube) {
+      return static_cast<std::uint32_t>(cube.corner[axis]) ^ sign;
+    });
   std::size_t kept = 0;
   for (std::size_t i = 1; i < cubes.size(); ++i)
     if (cubes[i].corner == cubes[kept].corner)

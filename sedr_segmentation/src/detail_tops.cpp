@@ -137,15 +137,15 @@ findTops(const SliceScene& scene)
   Tops tops{CellMask(scene.ceiling.box()), CellMask(scene.ceiling.box()), {}, {}};
   tops.height.assign(tops.undersides.values().size(), 0.f);
   tops.mean.assign(tops.height.size(), 0);
-  ColumnRun top;
-  for (std::size_t i = 0; i < tops.height.size(); ++i) {
+  scene.forEachCell([&](std::size_t i) {
+    ColumnRun top;
     if (!hasOwnTop(scene, tops.undersides.cellAt(i), top))
-      continue;
+      return;
     const bool is_short = top.high - top.low < 2 * scene.parameters.tolerance;
     (is_short ? tops.undersides : tops.risers).values()[i] = 1;
     tops.height[i] = top.low;
     tops.mean[i] = meanAbove(scene.columns, tops.undersides.cellAt(i), top.low);
-  }
+  });
   tops.undersides =
       intersect(tops.undersides,
                 unite(dilated(eroded(tops.undersides, 1), 2), betweenCeilings(scene)));

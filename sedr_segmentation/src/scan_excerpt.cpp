@@ -44,8 +44,7 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
 {
   problem_.clear();
   points_->clear();
-  points_->reserve(scan_.size() / step_ + 1);
-  takeLarge(points_->data(), points_->capacity() * sizeof(Eigen::Vector3f), threads_);
+  reserveLarge(*points_, scan_.size() / step_ + 1, threads_);
   ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
   std::size_t looked_at = 0;

@@ -20,11 +20,11 @@ sliceMask(const SliceScene& scene, double fraction)
 {
   CellMask slice(scene.ceiling.box());
   const double half = scene.parameters.slice_thickness / 2;
-  for (std::size_t i = 0; i < slice.values().size(); ++i) {
+  scene.forEachCell([&](std::size_t i) {
     const Cell cell = slice.cellAt(i);
     const double z = scene.sliceAt(cell, fraction);
     slice.values()[i] = scene.columns.hasWithin(cell, z - half, z + half) ? 1 : 0;
-  }
+  });
   return slice;
 }
 
@@ -65,6 +65,7 @@ SliceTrial
 makeTrial(const SliceScene& scene,
           int number,
           const std::vector<double>& fractions,
+          const CellMask& enclosed_by_ceiling,
           Cell middle)
 {
   SliceTrial trial;
@@ -76,8 +77,8 @@ makeTrial(const SliceScene& scene,
     slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
     trial.heights.push_back(scene.sliceAt(middle, fraction));
   }
-  const CellMask enclosed = subtract(enclosedCells(unite(scene.ceiling, slices)),
-                                     enclosedCells(scene.ceiling));
+  const CellMask enclosed =
+      subtract(enclosedCells(unite(scene.ceiling, slices)), enclosed_by_ceiling);
   trial.slice = slices.toSet();
   trial.enclosed = enclosed.toSet();
   judgeRegions(scene, enclosed, fractions.back(), trial);
@@ -96,9 +97,11 @@ runTrials(const SliceScene& scene, SliceDetails& details)
   if (details.ceiling.empty())
     return found;
   const Cell middle = details.ceiling[details.ceiling.size() / 2];
+  const CellMask by_ceiling = enclosedCells(scene.ceiling);
   for (int number = 1; number <= std::min(3, scene.parameters.trials); ++number) {
-    details.trials.push_back(makeTrial(
-        scene, number, fractions[static_cast<std::size_t>(number - 1)], middle));
+    details.trials.push_back(makeTrial(scene, number,
+                                       fractions[static_cast<std::size_t>(number - 1)],
+                                       by_ceiling, middle));
     const std::vector<CellSet>& accepted = details.trials.back().accepted;
     for (const CellSet& region : accepted)
       for (std::size_t i = 0; i < region.size(); ++i)
@@ -182,7 +185,7 @@ findSliceDetails(const PointView& points,
                          floor_height,
                          grid,
                          CellMask(ceiling_cells, box),
-                         ColumnTable(grid, box, points, indices)};
+                         ColumnTable(grid, box, points, indices, parameters.threads)};
   details.ceiling = ceiling_cells;
   const CellMask enclosed = runTrials(scene, details);
   CellMask refused(box);

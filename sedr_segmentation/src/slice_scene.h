@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/column_table.h>
 #include <pcl/sedr_segmentation/slice_detail.h>
 
@@ -19,6 +20,19 @@ struct SliceScene {
   CellGrid grid;
   CellMask ceiling;
   ColumnTable columns;
+
+  /** @brief Calls `see(i)` for the number of every cell of the box, in any order and
+   * from several threads at once. */
+  template <typename See>
+  void forEachCell(const See& see) const
+  {
+    constexpr std::size_t cells_a_block = 8192;
+    parallelBlocks(ceiling.values().size(), cells_a_block, parameters.threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i)
+                       see(i);
+                   });
+  }
 
   double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }
 

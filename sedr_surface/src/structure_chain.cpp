@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_filters/large_memory.h>
+
 #include <chrono>
 #include <cmath>
 
@@ -83,7 +85,8 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   enlarged_from_ = 0;
   // Points are added where something hides a ceiling: a thirtieth at most, mostly.
   cloud.reset(new Cloud);
-  cloud->reserve(thinned->size() + thinned->size() / 30);
+  reserveLarge(cloud->points, thinned->size() + thinned->size() / 30,
+               room_segmentation.threads);
   *cloud = *thinned;
   scanned_points_ = cloud->size();
   labels.assign(cloud->size(), 0);

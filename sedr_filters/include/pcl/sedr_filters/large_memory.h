@@ -19,5 +19,15 @@ void expectLarge(void* begin, std::size_t bytes);
  * for it. Some of its bytes are zero after that. */
 void takeLarge(void* begin, std::size_t bytes, unsigned threads);
 
+/** @brief Reserves and takes the memory for `size` values of an empty vector that will
+ * soon be filled. */
+template <typename Values>
+void
+reserveLarge(Values& values, std::size_t size, unsigned threads)
+{
+  values.reserve(size);
+  takeLarge(values.data(), size * sizeof(typename Values::value_type), threads);
+}
+
 } // namespace sedr
 } // namespace pcl

@@ -93,8 +93,9 @@ private:
 
   bool validate(const pcl::Indices* indices);
 
-  /** @brief Writes the means of x, y and z. */
-  void writeMeans(const sedr::VoxelSums& sums, PointCloud& output) const;
+  /** @brief Writes the means of x, y and z of the voxels that are kept. */
+  void
+  writeMeans(const sedr::VoxelSums& sums, std::size_t kept, PointCloud& output) const;
 
   /** @brief Whether the filter field, if there is one, lets a point pass. */
   bool isWithinLimits(std::size_t i) const;

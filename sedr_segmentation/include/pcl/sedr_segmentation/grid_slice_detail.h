@@ -77,6 +77,10 @@ public:
   void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
   double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
 
+  /** @brief Number of threads; 0 (default): all processors. Never changes the result. */
+  void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
+  unsigned getNumberOfThreads() const { return parameters_.threads; }
+
   /** @brief Seed of the random samples of the ceiling's plane. Default 1. */
   void setSeed(std::uint64_t seed) { seed_ = seed; }
   std::uint64_t getSeed() const { return seed_; }

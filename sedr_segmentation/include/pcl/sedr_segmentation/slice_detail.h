@@ -24,6 +24,7 @@ struct SliceParameters {
                                 ///< door's or a window's
   double minimum_island_area = 0.5; ///< square metres; what hangs free of the walls and
                                     ///< is smaller is a lamp or a vent
+  unsigned threads = 0;             ///< 0: as many as there are processors
 };
 
 /** @brief What one trial saw (paper, Figure 4b). */

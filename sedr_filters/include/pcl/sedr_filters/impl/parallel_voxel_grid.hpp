@@ -6,6 +6,7 @@
 #include <pcl/conversions.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/field_access.h>
+#include <pcl/sedr_filters/large_memory.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/voxel_visit.h>
@@ -158,8 +159,11 @@ ParallelVoxelGrid<PointT>::averageFields(const sedr::VoxelIndex& index,
 template <typename PointT>
 void
 ParallelVoxelGrid<PointT>::writeMeans(const sedr::VoxelSums& sums,
+                                      std::size_t kept,
                                       PointCloud& output) const
 {
+  sedr::reserveLarge(output.points, kept, getNumberOfThreads());
+  output.resize(kept);
   sums.forEach(
       [&](const sedr::VoxelSum* voxels, const std::size_t* places, std::size_t n) {
         for (std::size_t i = 0; i < n; ++i)
@@ -180,8 +184,7 @@ ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& out
   }
   sedr::VoxelSums sums(inverseLeaf());
   this->addRows(source, nullptr, sums);
-  output.resize(this->finish(sums));
-  writeMeans(sums, output);
+  writeMeans(sums, this->finish(sums), output);
 }
 
 template <typename PointT>
@@ -203,8 +206,7 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
     sums.add(points, *chosen, getNumberOfThreads());
   else
     sums.add(points, getNumberOfThreads());
-  output.resize(this->finish(sums));
-  writeMeans(sums, output);
+  writeMeans(sums, this->finish(sums), output);
   constexpr bool has_more_fields =
       boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;
   const bool averages = has_more_fields && getDownsampleAllData();

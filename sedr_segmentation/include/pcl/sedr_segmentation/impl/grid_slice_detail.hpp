@@ -70,7 +70,8 @@ GridSliceDetail<PointT>::run()
                     std::to_string(floor.size()));
   constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
   const sedr::PlanSlab slab =
-      sedr::findSlab(points, ceiling, parameters_.tolerance, maximum_tilt, seed_);
+      sedr::findSlab(points, ceiling, parameters_.tolerance, maximum_tilt, seed_,
+                     parameters_.threads);
   double floor_height = floor_height_;
   if (!std::isfinite(floor_height)) {
     double sum = 0;
