@@ -6,7 +6,7 @@
 #
 # MILLIONS are the sizes of the buildings, in millions of points (10 30 100). What is in OUT_DIR is not measured
 # again. SEDR_BIN is the folder of the programs (build/benchmarks/bin), built with -DSEDR_BUILD_BENCHMARKS=ON. Have
-# nothing else run beside it: half an hour on two cores.
+# nothing else run beside it: half an hour on two cores with these sizes.
 set -euo pipefail
 
 if [ $# -lt 1 ]; then
@@ -35,6 +35,21 @@ for scene in bls_room hls_hall syn_flat; do
   [ -s "$out/$scene/scan.pcd" ] || "$bin/pcl_simulate_indoor_scan" "$scene" "$out/$scene" --noise 0.01 >&2
   measure "chain_$scene" "$bin/benchmark_chain" "$out/$scene/scan.pcd"
 done
+# The way to the plan at 3 and 30 million points: scene, rays of a scanner position, name.
+while read -r scene rays name; do
+  [ -s "$out/plan_$name.json" ] ||
+    "$bin/pcl_simulate_indoor_scan" "$scene" "$out/$name" --rays "$rays" --noise 0.01 >&2
+  measure "plan_$name" "$bin/benchmark_chain" "$out/$name/scan.pcd" \
+    --benchmark_filter="^(Reading|VoxelGrid|SedrToThePlan)/" --benchmark_enable_random_interleaving=true
+  rm -rf "${out:?}/$name"
+done <<'SCENES'
+bls_room 47000 bls_room_3
+hls_hall 37700 hls_hall_3
+syn_flat 375500 syn_flat_3
+bls_room 470000 bls_room_30
+hls_hall 377000 hls_hall_30
+syn_flat 3755000 syn_flat_30
+SCENES
 [ -s "$out/buildings.csv" ] ||
   "$here/building_costs.py" "$out/buildings.csv" --bin "$bin" --folder "$out" --millions "$@" >&2
 exec python3 "$here/performance_tables.py" "$out"

@@ -9,6 +9,7 @@ performance_buildings.png into OUT_DIR. Needs matplotlib.
 """
 import csv
 import json
+import math
 import pathlib
 import sys
 
@@ -90,6 +91,17 @@ def chain(out):
                                                   "solid: times faster", "mesh: times faster"], rows)
 
 
+def plans(out):
+    rows = []
+    for millions in (3, 30):
+        for scene in SCENES:
+            runs = medians(out / f"plan_{scene}_{millions}.json")
+            read, voxels, plan = (runs[name]["real_time"] / 1000 for name in list(CHAINS)[:3])
+            rows.append([f"`{scene}`, {millions} million points", f"{read:.3f}", f"{voxels:.3f}", f"{plan:.3f}",
+                         f"{plan / voxels:.2f}", f"{plan / read:.1f}"])
+    table(["scene"] + list(CHAINS.values())[:3] + ["times `pcl::VoxelGrid`", "times the bytes"], rows)
+
+
 def stages(out):
     runs = [run for run in medians(out / "stages.json").values()]
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.6), sharey=True)
@@ -126,13 +138,23 @@ def buildings(out):
     shown = ["points", "bytes", "rooms", "voxels", "seconds", "processor_seconds", "ParallelVoxelGrid",
              "peak_mib"]
     table(shown, [[row[column] for column in shown] for row in rows])
+    for column in ("seconds", "processor_seconds"):
+        print(f"{column} grow with an exponent of {slope(points, [float(r[column]) for r in rows]):.2f}")
+
+
+def slope(x, y):
+    """That of the line through the logarithms."""
+    xs, ys = ([math.log(value) for value in values] for values in (x, y))
+    mean_x, mean_y = (sum(values) / len(values) for values in (xs, ys))
+    return (sum((a - mean_x) * (b - mean_y) for a, b in zip(xs, ys))
+            / sum((a - mean_x) ** 2 for a in xs))
 
 
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     out = pathlib.Path(sys.argv[1])
-    for part in (thinning, chain, stages, buildings):
+    for part in (thinning, chain, plans, stages, buildings):
         part(out)
 
 
