@@ -55,32 +55,42 @@ ColumnTable::hasWithin(Cell cell, double low, double high) const
   return it != end(cell) && it->z <= high;
 }
 
+namespace {
+
+/** @brief A part of the height of a column, from the end of the part below it on. */
+struct Part {
+  double end;
+  bool is_occupied;
+};
+
+} // namespace
+
 double
 ColumnTable::share(Cell cell, double low, double high, int bins, int radius) const
 {
   if (high <= low || bins <= 0)
     return 0;
-  const auto edge = [&](std::size_t b) {
-    return low + (high - low) * static_cast<double>(b) / bins;
-  };
-  constexpr std::size_t usual = 32;
-  std::array<std::uint8_t, usual> few{};
-  std::vector<std::uint8_t> many;
   const auto parts = static_cast<std::size_t>(bins);
+  constexpr std::size_t usual = 32;
+  std::array<Part, usual> few;
+  std::vector<Part> many;
   if (parts > usual)
-    many.resize(parts, 0);
-  std::uint8_t* const is_occupied = parts > usual ? many.data() : few.data();
+    many.resize(parts);
+  Part* const part = parts > usual ? many.data() : few.data();
+  for (std::size_t b = 0; b < parts; ++b)
+    part[b] = {low + (high - low) * static_cast<double>(b + 1) / bins, false};
   std::size_t empty = parts;
   const auto look = [&](Cell at) {
-    const Entry* it = begin(at);
-    const Entry* last = end(at);
+    const Entry* const last = end(at);
+    const Entry* it = std::lower_bound(
+        begin(at), last, low, [](const Entry& e, double z) { return e.z < z; });
     for (std::size_t b = 0; b < parts && it != last; ++b) {
-      if (is_occupied[b])
-        continue;
-      it = std::lower_bound(it, last, edge(b),
-                            [](const Entry& e, double z) { return e.z < z; });
-      is_occupied[b] = it != last && it->z <= edge(b + 1) ? 1 : 0;
-      empty -= is_occupied[b];
+      if (it->z <= part[b].end && !part[b].is_occupied) {
+        part[b].is_occupied = true;
+        --empty;
+      }
+      while (it != last && it->z < part[b].end)
+        ++it;
     }
   };
   for (int dy = -radius; dy <= radius && empty > 0; ++dy)
