@@ -10,7 +10,7 @@ namespace contract {
 /** Ceiling and floor are the slabs of the sample room, among the indices where there
  * are any; a room far away is room 2. Its size is the number of elements of all loops.
  *
- * What does not apply: it writes no cloud, removes no points and has no threads. */
+ * What does not apply: it writes no cloud and removes no points. */
 class FloorplanFittingAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;
@@ -31,6 +31,8 @@ public:
     fitting_.setIndices(indices);
     setParts(*indices);
   }
+
+  void setThreads(unsigned threads) { fitting_.setNumberOfThreads(threads); }
 
   void mend()
   {

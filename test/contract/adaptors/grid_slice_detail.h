@@ -14,7 +14,7 @@ namespace contract {
  * riser.
  *
  * What does not apply: it works on one room, so two of them are no input; it writes no
- * cloud, removes no points and has no threads. */
+ * cloud and removes no points. */
 class GridSliceDetailAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;
@@ -43,6 +43,8 @@ public:
         ceiling->push_back(i);
     analysis_.setCeilingIndices(ceiling);
   }
+
+  void setThreads(unsigned threads) { analysis_.setNumberOfThreads(threads); }
 
   void mend()
   {

@@ -8,7 +8,7 @@
 namespace contract {
 
 /** Its size is the number of inliers of all planes. What does not apply: it writes no
- * cloud, removes no points and has no threads. */
+ * cloud and removes no points. */
 class HorizontalPlaneDetectionAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;
@@ -17,6 +17,8 @@ public:
   void setInput(const Cloud::ConstPtr& cloud) { detection_.setInputCloud(cloud); }
 
   void setIndices(const pcl::IndicesPtr& indices) { detection_.setIndices(indices); }
+
+  void setThreads(unsigned threads) { detection_.setNumberOfThreads(threads); }
 
   void mend()
   {
