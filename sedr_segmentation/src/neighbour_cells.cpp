@@ -111,26 +111,27 @@ NeighbourCells::forEachRow(const Eigen::Vector3f& place, int reach, See see) con
   }
 }
 
-/** @brief Whether the points near by leave no gap. */
+/** @brief Whether the points near by leave no gap: those next to a point mostly tell. */
 bool
 NeighbourCells::isInner(const Eigen::Vector3f& place) const
 {
   const float within = completeWithin(grid_.size(), first_reach);
   std::uint64_t seen = 0;
   bool is_close = false;
-  forEachRow(place, first_reach, [&](std::uint32_t from, std::uint32_t to) {
-    if (is_close)
-      return;
-    for (std::uint32_t k = from; k < to; ++k) {
-      const Eigen::Vector3f way = places_[k] - place;
-      if (way.x() == 0 && way.y() == 0)
-        continue;
-      // No branch, as nothing foretells which points lie just too far away.
-      const std::uint64_t is_near = way.squaredNorm() <= within ? 1 : 0;
-      seen |= DirectionSectors::bitOf(way.x(), way.y()) * is_near;
-    }
-    is_close = sectors_.areClose(seen);
-  });
+  for (int reach = 1; reach <= first_reach && !is_close; ++reach)
+    forEachRow(place, reach, [&](std::uint32_t from, std::uint32_t to) {
+      if (is_close)
+        return;
+      for (std::uint32_t k = from; k < to; ++k) {
+        const Eigen::Vector3f way = places_[k] - place;
+        if (way.x() == 0 && way.y() == 0)
+          continue;
+        // No branch, as nothing foretells which points lie just too far away.
+        const std::uint64_t is_near = way.squaredNorm() <= within ? 1 : 0;
+        seen |= DirectionSectors::bitOf(way.x(), way.y()) * is_near;
+      }
+      is_close = sectors_.areClose(seen);
+    });
   return is_close;
 }
 
