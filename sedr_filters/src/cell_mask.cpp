@@ -109,22 +109,12 @@ CellMask
 inverted(const CellMask& mask)
 {
   CellMask result(mask.box());
-  for (std::size_t i = 0; i < mask.values().size(); ++i)
-    result.values()[i] = mask.values()[i] ? 0 : 1;
+  std::transform(mask.values().begin(), mask.values().end(), result.values().begin(),
+                 [](std::uint8_t value) { return value == 0 ? 1 : 0; });
   return result;
 }
 
 namespace {
-
-/** @brief Row `y` of a mask as seen from x = 0, null beside its box. */
-const std::uint8_t*
-rowOf(const CellMask& mask, std::int32_t y)
-{
-  const CellBox& box = mask.box();
-  return y < box.low.y || y > box.high.y
-             ? nullptr
-             : mask.values().data() + mask.indexOf({box.low.x, y}) - box.low.x;
-}
 
 /** @brief `op(a, b)` cell by cell in the box of `a`. */
 template <typename Op>
@@ -132,14 +122,22 @@ CellMask
 combined(const CellMask& a, const CellMask& b, Op op)
 {
   CellMask result(a.box());
-  const CellBox& box = a.box();
-  std::size_t i = 0;
-  for (std::int32_t y = box.low.y; y <= box.high.y; ++y) {
-    const std::uint8_t* row = rowOf(b, y);
-    for (std::int32_t x = box.low.x; x <= box.high.x; ++x, ++i) {
-      const bool in_b = row && x >= b.box().low.x && x <= b.box().high.x && row[x];
-      result.values()[i] = op(a.values()[i] != 0, in_b) ? 1 : 0;
-    }
+  const auto combine = [&](Cell first, std::size_t cells, auto in_b) {
+    const std::uint8_t* const of_a = a.values().data() + a.indexOf(first);
+    std::uint8_t* const of_result = result.values().data() + a.indexOf(first);
+    for (std::size_t k = 0; k < cells; ++k)
+      of_result[k] = op(of_a[k] != 0, in_b(k)) ? 1 : 0;
+  };
+  if (a.box().count() > 0)
+    combine(a.box().low, a.values().size(), [](std::size_t) { return false; });
+  const CellBox both = overlapOf(a.box(), b.box());
+  if (both.count() == 0)
+    return result;
+  const auto width = static_cast<std::size_t>(both.high.x - both.low.x + 1);
+  for (std::int32_t y = both.low.y; y <= both.high.y; ++y) {
+    const Cell first{both.low.x, y};
+    const std::uint8_t* const of_b = b.values().data() + b.indexOf(first);
+    combine(first, width, [&](std::size_t k) { return of_b[k] != 0; });
   }
   return result;
 }

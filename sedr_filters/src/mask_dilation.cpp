@@ -26,30 +26,36 @@ rootOf(double square, std::int32_t most)
   return root;
 }
 
-/** @brief For each cell, how far the nearest set one of its column is, up to `most`. */
+/** @brief For each cell, how far above the nearest one of its column is that is set, or
+ * that is not, up to `most`; `beside` for the row above the box. */
 std::vector<std::int32_t>
-distancesInColumns(const CellMask& mask, std::int32_t most)
+distancesAbove(const CellMask& mask,
+               bool is_set,
+               std::int32_t beside,
+               std::int32_t most)
 {
   const auto width = static_cast<std::size_t>(mask.width());
-  const auto height = static_cast<std::size_t>(mask.height());
-  const std::uint8_t* values = mask.values().data();
-  std::vector<std::int32_t> distances(width * height);
-  for (std::size_t i = 0; i < width * height; ++i)
-    distances[i] = values[i] ? 0 : most;
-  for (std::size_t i = width; i < width * height; ++i)
-    distances[i] = std::min(distances[i], distances[i - width] + 1);
-  for (std::size_t i = width * height; i-- > width;)
-    distances[i - width] = std::min(distances[i - width], distances[i] + 1);
+  std::vector<std::int32_t> distances(mask.values().size());
+  std::vector<std::int32_t> row(width, beside);
+  for (std::size_t i = 0; i < distances.size(); i += width) {
+    const std::uint8_t* const values = mask.values().data() + i;
+    std::int32_t* const nearest = row.data();
+    for (std::size_t x = 0; x < width; ++x)
+      nearest[x] = (values[x] != 0) == is_set ? 0 : std::min(nearest[x] + 1, most);
+    std::copy(row.begin(), row.end(),
+              distances.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   return distances;
 }
 
-} // namespace
-
-/** @brief Every cell covers a stretch of each row, the shorter the farther the row: a
- * cell is covered where a stretch that starts before it reaches it, or one that ends
- * behind it. O(cells). */
+/** @brief Marks the cells within a radius of those that are set, or of those that are
+ * not, which includes all beside the box.
+ *
+ * Every cell covers a stretch of each row, the shorter the farther the row: a cell is
+ * covered where a stretch that starts before it reaches it, or one that ends behind it.
+ * O(cells). */
 CellMask
-dilated(const CellMask& mask, double radius)
+nearThose(const CellMask& mask, bool is_set, double radius)
 {
   const double square = radius * radius;
   const std::int32_t far = rootOf(square, std::max(mask.width(), mask.height()));
@@ -57,35 +63,41 @@ dilated(const CellMask& mask, double radius)
   for (std::int32_t d = 0; d <= far; ++d)
     half.push_back(rootOf(square - static_cast<double>(d) * d, mask.width()));
   half.push_back(-1);
-  const std::vector<std::int32_t> distances = distancesInColumns(mask, far + 1);
+  const std::int32_t beside = is_set ? far + 1 : 0;
+  const std::vector<std::int32_t> above = distancesAbove(mask, is_set, beside, far + 1);
   CellMask result(mask.box());
-  const std::int32_t width = mask.width();
-  for (std::int32_t y = 0; y < mask.height(); ++y) {
-    const std::int32_t* row = distances.data() + std::ptrdiff_t{y} * width;
-    std::uint8_t* covered = result.values().data() + std::ptrdiff_t{y} * width;
-    const auto reachOf = [&](std::int32_t x) {
-      return half[static_cast<std::size_t>(row[x])];
-    };
-    std::int32_t left = -1; // cells that are still covered
-    for (std::int32_t x = 0; x < width; ++x, --left) {
-      left = std::max(left, reachOf(x));
-      covered[x] = left >= 0 ? 1 : 0;
-    }
-    left = -1;
-    for (std::int32_t x = width; x-- > 0; --left) {
-      left = std::max(left, reachOf(x));
-      covered[x] |= left >= 0 ? 1 : 0;
+  const std::ptrdiff_t width = mask.width();
+  std::vector<std::int32_t> nearest(static_cast<std::size_t>(width), beside);
+  for (std::ptrdiff_t y = mask.height(); y-- > 0;) {
+    std::int32_t* const row = nearest.data();
+    for (std::ptrdiff_t x = 0; x < width; ++x)
+      row[x] = std::min(above[static_cast<std::size_t>(y * width + x)], row[x] + 1);
+    std::uint8_t* const covered = result.values().data() + y * width;
+    const std::int32_t* const reach = half.data();
+    std::int32_t ahead = reach[beside] - 1; // cells that are still covered
+    std::int32_t behind = ahead;
+    for (std::ptrdiff_t x = 0, back = width - 1; x < width; ++x, --back) {
+      ahead = std::max(ahead, reach[row[x]]);
+      behind = std::max(behind, reach[row[back]]);
+      covered[x] |= ahead-- >= 0 ? 1 : 0;
+      covered[back] |= behind-- >= 0 ? 1 : 0;
     }
   }
   return result;
 }
 
+} // namespace
+
+CellMask
+dilated(const CellMask& mask, double radius)
+{
+  return nearThose(mask, true, radius);
+}
+
 CellMask
 eroded(const CellMask& mask, double radius)
 {
-  // A rim of cells that are not set stands for what lies outside.
-  const CellMask outside = inverted(cropped(mask, grown(mask.box(), 1)));
-  return inverted(cropped(dilated(outside, radius), mask.box()));
+  return inverted(nearThose(mask, false, radius));
 }
 
 } // namespace sedr
