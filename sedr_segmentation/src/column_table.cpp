@@ -33,26 +33,13 @@ ColumnTable::ColumnTable(const CellGrid& grid,
       });
 }
 
-const ColumnTable::Entry*
-ColumnTable::begin(Cell cell) const
-{
-  return frame_.isInside(cell) ? entries_.data() + first_[frame_.indexOf(cell)]
-                               : entries_.data();
-}
-
-const ColumnTable::Entry*
-ColumnTable::end(Cell cell) const
-{
-  return frame_.isInside(cell) ? entries_.data() + first_[frame_.indexOf(cell) + 1]
-                               : entries_.data();
-}
-
 bool
 ColumnTable::hasWithin(Cell cell, double low, double high) const
 {
-  const Entry* it = std::lower_bound(begin(cell), end(cell), low,
-                                     [](const Entry& e, double z) { return e.z < z; });
-  return it != end(cell) && it->z <= high;
+  const Entry* const last = end(cell);
+  const Entry* const it = std::lower_bound(
+      begin(cell), last, low, [](const Entry& e, double z) { return e.z < z; });
+  return it != last && it->z <= high;
 }
 
 namespace {
@@ -120,9 +107,11 @@ ColumnTable::indicesIn(const CellMask& cells) const
 {
   std::vector<int> indices;
   for (std::size_t i = 0; i < cells.values().size(); ++i)
-    if (cells.values()[i])
-      for (const Entry* e = begin(cells.cellAt(i)); e != end(cells.cellAt(i)); ++e)
+    if (cells.values()[i]) {
+      const Cell cell = cells.cellAt(i);
+      for (const Entry* e = begin(cell); e != end(cell); ++e)
         indices.push_back(e->index);
+    }
   std::sort(indices.begin(), indices.end());
   return indices;
 }

@@ -13,8 +13,9 @@ RoomColumns::topAround(Cell cell, int reach) const
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
       const Cell near{cell.x + dx, cell.y + dy};
-      if (columns_.begin(near) != columns_.end(near))
-        top = std::max<double>(top, (columns_.end(near) - 1)->z);
+      const ColumnTable::Entry* const end = columns_.end(near);
+      if (columns_.begin(near) != end)
+        top = std::max<double>(top, (end - 1)->z);
     }
   return std::min(top, ceilingAt(cell));
 }

@@ -34,8 +34,16 @@ public:
     int index;
   };
 
-  const Entry* begin(Cell cell) const;
-  const Entry* end(Cell cell) const;
+  const Entry* begin(Cell cell) const
+  {
+    return entries_.data() + (frame_.isInside(cell) ? first_[frame_.indexOf(cell)] : 0);
+  }
+
+  const Entry* end(Cell cell) const
+  {
+    return entries_.data() +
+           (frame_.isInside(cell) ? first_[frame_.indexOf(cell) + 1] : 0);
+  }
 
   /** @brief Whether a point of the column lies within [low, high]. */
   bool hasWithin(Cell cell, double low, double high) const;
