@@ -2,7 +2,8 @@
 #include <pcl/sedr_segmentation/plan_points.h>
 
 #include <algorithm>
-#include <utility>
+#include <functional>
+#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -10,23 +11,28 @@ namespace sedr {
 PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
     : grid_(cell_size)
 {
-  std::vector<std::pair<CellKey, std::size_t>> order;
-  order.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (grid_.holds(points[i].x(), points[i].y()))
-      order.emplace_back(keyOf(grid_.at(points[i].x(), points[i].y())), i);
-  std::sort(order.begin(), order.end());
+  const auto isHeld = [&](const Eigen::Vector2d& p) {
+    return grid_.holds(p.x(), p.y());
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), std::not_fn(isHeld)),
+               points.end());
   std::vector<CellKey> keys;
-  points_.reserve(order.size());
-  for (const auto& [key, i] : order) {
-    if (keys.empty() || keys.back() != key) {
-      keys.push_back(key);
-      first_.push_back(points_.size());
-    }
-    points_.push_back(points[i]);
+  keys.reserve(points.size());
+  for (const auto& p : points)
+    keys.push_back(keyOf(grid_.at(p.x(), p.y())));
+  cells_ = CellSet(keys);
+  first_.assign(cells_.size() + 1, 0);
+  std::vector<std::size_t> cell_of;
+  cell_of.reserve(points.size());
+  for (const CellKey key : keys) {
+    cell_of.push_back(cells_.find(cellOf(key)));
+    ++first_[cell_of.back() + 1];
   }
-  first_.push_back(points_.size());
-  cells_ = CellSet::fromSorted(std::move(keys));
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<std::size_t> next = first_;
+  points_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points_[next[cell_of[i]]++] = points[i];
 }
 
 } // namespace sedr
