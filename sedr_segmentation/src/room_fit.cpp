@@ -92,7 +92,9 @@ boundaryOf(const Contour& contour,
   constexpr int most_rounds = 4; // the loop may run along parts of a board only
   const LoopParameters loop = loopOnCells(parameters);
   PlanLoop boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
-  for (int round = 0; round < most_rounds && leaveOutBoards(boundary, walls); ++round)
+  for (int round = 0;
+       round < most_rounds && leaveOutBoards(boundary, walls, parameters.threads);
+       ++round)
     boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
   return boundary;
 }

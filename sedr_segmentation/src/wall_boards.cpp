@@ -2,6 +2,7 @@
 #include "wall_boards.h"
 
 #include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,33 +136,48 @@ hasBoard(const PlanElement& wall,
   return true;
 }
 
+/** @brief The places on a board that hangs before a wall; none where there is none. */
+std::vector<std::size_t>
+boardBefore(const PlanElement& wall,
+            const PlanLoop& boundary,
+            const std::vector<UprightPlace>& places)
+{
+  if (wall.length() < least_length || isOfPartition(wall, boundary))
+    return {};
+  const std::vector<Beside> beside = placesBeside(wall, places);
+  double from = 0;
+  if (!hasBoard(wall, places, beside, from))
+    return {};
+  std::vector<std::size_t> board;
+  for (const Beside& b : beside)
+    if (b.before > from)
+      board.push_back(b.index);
+  return board;
+}
+
 } // namespace
 
 bool
-leaveOutBoards(const PlanLoop& boundary, std::vector<UprightPlace>& places)
+leaveOutBoards(const PlanLoop& boundary,
+               std::vector<UprightPlace>& places,
+               unsigned threads)
 {
+  const std::vector<PlanElement>& walls = boundary.elements;
+  std::vector<std::vector<std::size_t>> boards(walls.size());
+  parallelBlocks(walls.size(), 1, threads, [&](std::size_t w, std::size_t) {
+    boards[w] = boardBefore(walls[w], boundary, places);
+  });
   std::vector<std::uint8_t> is_board(places.size(), 0);
-  bool has_any = false;
-  for (const PlanElement& wall : boundary.elements) {
-    if (wall.length() < least_length || isOfPartition(wall, boundary))
-      continue;
-    const std::vector<Beside> beside = placesBeside(wall, places);
-    double from = 0;
-    if (!hasBoard(wall, places, beside, from))
-      continue;
-    for (const Beside& b : beside)
-      if (b.before > from)
-        is_board[b.index] = 1;
-    has_any = true;
-  }
-  if (!has_any)
-    return false;
+  for (const auto& board : boards)
+    for (const std::size_t i : board)
+      is_board[i] = 1;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (!is_board[i])
       places[kept++] = places[i];
+  const bool has_any = kept < places.size();
   places.resize(kept);
-  return true;
+  return has_any;
 }
 
 } // namespace sedr

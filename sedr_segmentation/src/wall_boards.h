@@ -19,8 +19,11 @@ namespace sedr {
  * before that, it is no wall.
  *
  * @param[in,out] places within reach of walls and elsewhere; the order stays
+ * @param threads 0: as many as there are processors
  * @return whether any were taken out. O(n m) for n places and m walls. */
-bool leaveOutBoards(const PlanLoop& boundary, std::vector<UprightPlace>& places);
+bool leaveOutBoards(const PlanLoop& boundary,
+                    std::vector<UprightPlace>& places,
+                    unsigned threads = 1);
 
 } // namespace sedr
 } // namespace pcl
