@@ -83,7 +83,8 @@ OutlineWalls::isColumn(const CellMask& hole) const
 {
   if (!isLargeEnough(hole.count()))
     return false;
-  const CellMask rim = subtract(hole, eroded(hole, 1));
+  const CellMask own = cropped(hole, boxOf(hole.toSet()));
+  const CellMask rim = subtract(own, eroded(own, 1));
   std::size_t walled = 0;
   for (std::size_t i = 0; i < rim.values().size(); ++i)
     walled += rim.values()[i] && isFloorToCeiling(rim.cellAt(i)) ? 1 : 0;
