@@ -218,30 +218,61 @@ measureRoom(PlanRoom& room,
     note(counts, niche.boundary);
 }
 
-/** @brief The points that may lie in the box of each room; all of them where the rooms
- * are too far apart for a table. */
+/** @brief Adds entries for the places at which points may tell of the uprights of a
+ * room. */
+void
+appendEntries(const PlanRoom& room,
+              std::uint32_t number,
+              double tolerance,
+              const CellTable& table,
+              std::vector<CellTable::Entry>& entries)
+{
+  constexpr double step = 0.5; // metres, along an upright
+  const Eigen::Vector2d reach =
+      Eigen::Vector2d::Constant(reach_before + step + beside + tolerance);
+  for (const UprightSurface& surface : uprightSurfaces(room)) {
+    const double length = surface.element->length();
+    for (double s = 0; s < length + step; s += step) {
+      const Eigen::Vector2d p = surface.element->pointAt(std::min(s, length));
+      entries.push_back({table.boxAround(p - reach, p + reach), number});
+    }
+  }
+}
+
+/** @brief The points that may tell of the uprights of each room; all of them where the
+ * rooms are too far apart for a table. */
 std::vector<std::vector<int>>
 pointsNearRooms(const Floorplan& plan,
                 const PointView& points,
-                const std::vector<int>& indices)
+                const std::vector<int>& indices,
+                double tolerance,
+                unsigned threads)
 {
-  constexpr double cell = 0.5; // metres
+  constexpr double cell = 0.25; // metres
   CellTable rooms_near(cell);
   std::vector<CellTable::Entry> entries;
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    const Eigen::AlignedBox3d box = boxOf(plan.rooms[r]);
-    if (!box.isEmpty())
-      entries.push_back({rooms_near.boxAround(box.min().head<2>(), box.max().head<2>()),
-                         static_cast<std::uint32_t>(r)});
-  }
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    appendEntries(plan.rooms[r], static_cast<std::uint32_t>(r), tolerance, rooms_near,
+                  entries);
   if (!rooms_near.fill(entries).empty())
     return std::vector<std::vector<int>>(plan.rooms.size(), indices);
+  constexpr std::size_t points_a_block = std::size_t{1} << 15;
+  const std::size_t blocks = (indices.size() + points_a_block - 1) / points_a_block;
+  std::vector<std::vector<std::vector<int>>> parts(
+      blocks, std::vector<std::vector<int>>(plan.rooms.size()));
+  parallelBlocks(
+      indices.size(), points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        auto& part = parts[begin / points_a_block];
+        for (std::size_t k = begin; k < end; ++k) {
+          const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
+          for (const auto r : rooms_near.at(p.head<2>().cast<double>()))
+            part[r].push_back(indices[k]);
+        }
+      });
   std::vector<std::vector<int>> shares(plan.rooms.size());
-  for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    for (const std::uint32_t r : rooms_near.at(p.head<2>().cast<double>()))
-      shares[r].push_back(i);
-  }
+  for (const auto& part : parts)
+    for (std::size_t r = 0; r < shares.size(); ++r)
+      shares[r].insert(shares[r].end(), part[r].begin(), part[r].end());
   return shares;
 }
 
@@ -254,7 +285,8 @@ measureEvidence(Floorplan& plan,
                 double tolerance,
                 unsigned threads)
 {
-  const std::vector<std::vector<int>> shares = pointsNearRooms(plan, points, indices);
+  const std::vector<std::vector<int>> shares =
+      pointsNearRooms(plan, points, indices, tolerance, threads);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     measureRoom(plan.rooms[r], points, shares[r], tolerance, threads);
   });
