@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -51,9 +52,10 @@ public:
       for (std::int64_t x = std::max<std::int64_t>(cube.x() - 1, 0);
            x <= std::min(cube.x() + 1, width_ - 1); ++x) {
         const auto column = static_cast<std::size_t>(y * width_ + x);
-        const Entry* const end = entries_.data() + first_[column + 1];
+        const Entry* const begin = entries_.get() + first_[column];
+        const Entry* const end = entries_.get() + first_[column + 1];
         const Entry* at = std::lower_bound(
-            entries_.data() + first_[column], end, cube.z() - 1,
+            begin, end, cube.z() - 1,
             [](const Entry& entry, std::int64_t level) { return entry.level < level; });
         for (; at != end && at->level <= cube.z() + 1; ++at)
           if (asked(Eigen::Vector3d(at->place.cast<double>())))
@@ -110,7 +112,7 @@ private:
         ++first_[column + 1];
     for (std::size_t c = 1; c < first_.size(); ++c)
       first_[c] += first_[c - 1];
-    entries_.resize(first_.back());
+    entries_.reset(new Entry[first_.back()]);
     std::vector<std::size_t> next(first_.begin(), first_.end());
     for (std::size_t k = 0; k < indices.size(); ++k) {
       if (columns[k] == outside)
@@ -130,8 +132,8 @@ private:
     parallelBlocks(first_.size() - 1, columns_a_block, threads,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t c = begin; c < end; ++c) {
-                       Entry* const low = entries_.data() + first_[c];
-                       Entry* const high = entries_.data() + first_[c + 1];
+                       Entry* const low = entries_.get() + first_[c];
+                       Entry* const high = entries_.get() + first_[c + 1];
                        if (!std::is_sorted(low, high, isLower)) // as they mostly are
                          std::sort(low, high, isLower);
                      }
@@ -143,7 +145,7 @@ private:
   std::int64_t width_ = 0;         ///< columns along x
   std::int64_t height_ = 0;        ///< and along y
   std::vector<std::size_t> first_; ///< of each column, row by row, and the end
-  std::vector<Entry> entries_;
+  std::unique_ptr<Entry[]> entries_;
 };
 
 } // namespace sedr

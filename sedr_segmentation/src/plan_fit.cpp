@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -194,8 +195,14 @@ fitPlan(const PointView& points,
 
   std::vector<RoomWork> all_work;
   for (std::size_t r = 0; r < numbers.size(); ++r)
-    all_work.push_back(
-        {{around[r], ceilings[r], details[r], floors[r], walls[r], {}, behind[r]}, {}});
+    all_work.push_back({{std::move(around[r]),
+                         std::move(ceilings[r]),
+                         std::move(details[r]),
+                         std::move(floors[r]),
+                         std::move(walls[r]),
+                         {},
+                         std::move(behind[r])},
+                        {}});
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_places.h"
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_curve.h>
 
 #include <algorithm>
@@ -73,7 +74,8 @@ widthOf(const PlanLoop& loop)
 void
 RefitPlaces::addRoom(const PlanRoom& room,
                      RefitSlabRange ceilings,
-                     RefitSlabRange floors)
+                     RefitSlabRange floors,
+                     unsigned threads)
 {
   constexpr double most_cells = 100000;
   const auto [low, high] = boundsOf(room.boundary);
@@ -85,17 +87,25 @@ RefitPlaces::addRoom(const PlanRoom& room,
   map.low = low;
   map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
   map.height = static_cast<std::int32_t>(extent.y() / map.cell) + 1;
-  for (std::int32_t y = 0; y < map.height; ++y)
-    for (std::int32_t x = 0; x < map.width; ++x) {
-      const Eigen::Vector2d p = low + map.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
-      const bool is_inside = room.contains(p);
-      map.ceiling.push_back(is_inside ? static_cast<std::int32_t>(ceilings.first) + 1 +
-                                            room.detailAt(p)
-                                      : -1);
-      map.floor.push_back(is_inside ? static_cast<std::int32_t>(floors.first) + 1 +
-                                          room.floorDetailAt(p)
-                                    : -1);
-    }
+  const auto width = static_cast<std::size_t>(map.width);
+  const auto height = static_cast<std::size_t>(map.height);
+  map.ceiling.assign(width * height, -1);
+  map.floor.assign(width * height, -1);
+  constexpr std::size_t rows_a_block = 8;
+  parallelBlocks(
+      height, rows_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin * width; i < end * width; ++i) {
+          const Eigen::Vector2d p =
+              low + map.cell * Eigen::Vector2d(static_cast<double>(i % width) + 0.5,
+                                               static_cast<double>(i / width) + 0.5);
+          if (!room.contains(p))
+            continue;
+          map.ceiling[i] =
+              static_cast<std::int32_t>(ceilings.first) + 1 + room.detailAt(p);
+          map.floor[i] =
+              static_cast<std::int32_t>(floors.first) + 1 + room.floorDetailAt(p);
+        }
+      });
   map.ceiling = withoutEdges(map.ceiling, map.width, map.height);
   map.floor = withoutEdges(map.floor, map.width, map.height);
   rooms.push_back(std::move(map));

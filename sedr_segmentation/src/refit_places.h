@@ -75,7 +75,10 @@ struct RefitPlaces {
 
   /** @brief Sets `map` to where the slabs of a room are, those `ceilings` and `floors`
    * being its own. */
-  void addRoom(const PlanRoom& room, RefitSlabRange ceilings, RefitSlabRange floors);
+  void addRoom(const PlanRoom& room,
+               RefitSlabRange ceilings,
+               RefitSlabRange floors,
+               unsigned threads);
 
   /** @brief The cells in which anything may be seen, once they are sorted. */
   CellBox box() const;

@@ -25,7 +25,7 @@ public:
       : curves_(curves)
       , parameters_(parameters)
       , raw_(raw)
-      , targets_(plan, curves, parameters.reach)
+      , targets_(plan, curves, parameters.reach, parameters.threads)
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
   {

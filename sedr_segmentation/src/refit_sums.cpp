@@ -187,12 +187,18 @@ Sightings::bySurface(SizeOf sizeOf, Add add) const
     });
     parts[s] = std::move(own);
   });
-  std::vector<std::vector<Sum>> sums;
-  for (std::size_t t = 0; t < targets_.size(); ++t)
-    sums.emplace_back(sizeOf(t));
-  for (std::size_t s = 0; s < shares_.size(); ++s)
-    for (std::size_t i = 0; i < parts[s].size(); ++i)
-      sums[shares_[s].surface][i] += parts[s][i];
+  std::vector<std::vector<Sum>> sums(targets_.size());
+  parallelBlocks(sums.size(), 1, raw_.threads, [&](std::size_t t, std::size_t) {
+    sums[t].resize(sizeOf(t));
+    auto share =
+        std::partition_point(shares_.begin(), shares_.end(),
+                             [&](const Share& other) { return other.surface < t; });
+    for (; share != shares_.end() && share->surface == t; ++share) {
+      const auto& part = parts[static_cast<std::size_t>(share - shares_.begin())];
+      for (std::size_t i = 0; i < part.size(); ++i)
+        sums[t][i] += part[i];
+    }
+  });
   return sums;
 }
 

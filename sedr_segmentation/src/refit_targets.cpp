@@ -50,7 +50,10 @@ isParallel(const PlanSlab& a, const PlanSlab& b)
 
 } // namespace
 
-RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double reach)
+RefitTargets::RefitTargets(Floorplan& plan,
+                           const PlanCurves& curves,
+                           double reach,
+                           unsigned threads)
     : curves_(curves)
     , reach_(reach)
     , length_(curves.curves.size(), 0)
@@ -60,7 +63,7 @@ RefitTargets::RefitTargets(Floorplan& plan, const PlanCurves& curves, double rea
   addUprights(plan);
   findGaps();
   for (auto& room : plan.rooms)
-    addSlabs(room);
+    addSlabs(room, threads);
   numberPatches();
   problem_ = places_.tabulate(reach);
 }
@@ -212,7 +215,7 @@ RefitTargets::boundsOfPatch(const RefitSlab& slab, std::size_t patch)
 }
 
 void
-RefitTargets::addSlabs(PlanRoom& room)
+RefitTargets::addSlabs(PlanRoom& room, unsigned threads)
 {
   const std::size_t ceiling = addSlab(room.ceiling, room.boundary, nullptr, 0);
   for (auto& detail : room.details)
@@ -228,7 +231,7 @@ RefitTargets::addSlabs(PlanRoom& room)
   }
 
   places_.addRoom(room, {ceiling, floor},
-                  {floor, floor + 1 + room.floor_details.size()});
+                  {floor, floor + 1 + room.floor_details.size()}, threads);
 }
 
 void

@@ -31,7 +31,10 @@ class RefitTargets {
 public:
   /** @brief `plan` must stay where it is; moved curves and slabs are seen.
    * @pre none of its loops is empty */
-  RefitTargets(Floorplan& plan, const PlanCurves& curves, double reach);
+  RefitTargets(Floorplan& plan,
+               const PlanCurves& curves,
+               double reach,
+               unsigned threads);
 
   /** @brief Why there is nothing to look up, a sentence; empty otherwise. */
   const std::string& problem() const { return problem_; }
@@ -140,7 +143,7 @@ private:
                   double to,
                   const UprightSpan& span);
   void findGaps();
-  void addSlabs(PlanRoom& room);
+  void addSlabs(PlanRoom& room, unsigned threads);
   std::size_t addSlab(PlanSlab& slab,
                       const PlanLoop& loop,
                       const PlanSlab* parallel_to,
