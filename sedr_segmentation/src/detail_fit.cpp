@@ -162,6 +162,8 @@ fitDetails(const PointView& points,
   HeightMap map =
       seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
                   withinBoundary(cells, room.boundary, grid), parameters);
+  if (map.details.empty())
+    return {};
   if (!evidence.is_floor)
     extendBeams(map, grid);
   fillHeights(map);
