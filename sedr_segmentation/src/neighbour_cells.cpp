@@ -45,14 +45,16 @@ NeighbourCells::NeighbourCells(const std::vector<Eigen::Vector3f>& places,
 {
   if (places.size() <= neighbours || !(grid_.size() > 0))
     return;
-  CellBox box{{0, 0}, {-1, -1}};
+  Eigen::Vector3f low = places.front();
+  Eigen::Vector3f high = low;
   for (const auto& p : places) {
-    if (!grid_.holds(p.x(), p.y()))
-      return;
-    const Cell cell = grid_.at(p.x(), p.y());
-    box = around(box, {cell, cell});
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
-  box = grown(box, most_reach);
+  if (!grid_.holds(low.x(), low.y()) || !grid_.holds(high.x(), high.y()))
+    return;
+  const CellBox box =
+      grown({grid_.at(low.x(), low.y()), grid_.at(high.x(), high.y())}, most_reach);
   if (box.count() > most_cells_a_point * places.size() || !maskProblem(box).empty())
     return;
   frame_ = CellMask(box);
@@ -111,7 +113,8 @@ NeighbourCells::forEachRow(const Eigen::Vector3f& place, int reach, See see) con
   }
 }
 
-/** @brief Whether the points near by leave no gap: those next to a point mostly tell. */
+/** @brief Whether the points near by leave no gap: those next to a point mostly tell.
+ */
 bool
 NeighbourCells::isInner(const Eigen::Vector3f& place) const
 {

@@ -231,7 +231,7 @@ fitRoom(const PointView& points,
                     besides(furniture, points,
                             wallEvidence(points, evidence, outline.room, grid,
                                          parameters.loop.tolerance, parameters.threads),
-                            grid),
+                            grid, parameters.threads),
                     room, columns, grid, parameters.threads);
 
   const Contour contour = outerContour(outline.room, grid.size());

@@ -52,6 +52,8 @@ appendThose(const std::vector<int>& indices,
                    for (std::size_t k = begin; k < end; ++k)
                      is_asked[k] = asked(indices[k]) ? 1 : 0;
                  });
+  those.reserve(those.size() + static_cast<std::size_t>(
+                                   std::count(is_asked.begin(), is_asked.end(), 1)));
   for (std::size_t k = 0; k < indices.size(); ++k)
     if (is_asked[k])
       those.push_back(indices[k]);
@@ -138,14 +140,15 @@ std::vector<int>
 besides(const CellMask& furniture,
         const PointView& points,
         const std::vector<int>& indices,
-        const CellGrid& grid)
+        const CellGrid& grid,
+        unsigned threads)
 {
-  std::vector<int> rest;
-  for (const int i : indices) {
+  const auto isBeside = [&](int i) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!grid.holds(p.x(), p.y()) || !furniture.at(grid.at(p.x(), p.y())))
-      rest.push_back(i);
-  }
+    return !grid.holds(p.x(), p.y()) || !furniture.at(grid.at(p.x(), p.y()));
+  };
+  std::vector<int> rest;
+  appendThose(indices, isBeside, threads, rest);
   return rest;
 }
 

@@ -42,7 +42,8 @@ std::vector<int> wallEvidence(const PointView& points,
 std::vector<int> besides(const CellMask& furniture,
                          const PointView& points,
                          const std::vector<int>& indices,
-                         const CellGrid& grid);
+                         const CellGrid& grid,
+                         unsigned threads);
 
 } // namespace sedr
 } // namespace pcl

@@ -28,6 +28,7 @@ pcl::Indices
 without(const pcl::Indices& a, const pcl::Indices& b)
 {
   pcl::Indices rest;
+  rest.reserve(a.size());
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
   return rest;
 }
@@ -106,6 +107,7 @@ pcl::Indices
 unite(const pcl::Indices& a, const pcl::Indices& b)
 {
   pcl::Indices all;
+  all.reserve(a.size() + b.size());
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
   return all;
 }
