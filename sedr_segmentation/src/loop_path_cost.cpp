@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_path_cost.h"
 
-#include "wall_stretch.h"
-
 #include <pcl/sedr_filters/middle_value.h>
-#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace pcl {
@@ -64,26 +60,15 @@ private:
 
 /** @brief Median number of points that show a metre of wall. */
 double
-densityAlong(const std::vector<ContourSample>& samples,
-             const PlanPoints& evidence,
-             const LoopParameters& parameters)
+densityAlong(const std::vector<ContourSample>& samples, double evidence_span)
 {
-  constexpr std::size_t samples_a_block = 64;
-  std::vector<ContourSample> supported;
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(supported),
-               [](const ContourSample& s) { return s.isSupported(); });
-  std::vector<double> counts(supported.size());
-  parallelBlocks(
-      counts.size(), samples_a_block, parameters.threads,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          counts[i] = static_cast<double>(
-              wallAcross(evidence, supported[i].place, supported[i].tangent, parameters)
-                  .count);
-      });
+  std::vector<double> counts;
+  for (const ContourSample& s : samples)
+    if (s.isSupported())
+      counts.push_back(static_cast<double>(s.points));
   if (counts.empty())
     return 0;
-  return middleValue(std::move(counts)) / (2 * parameters.evidence_span);
+  return middleValue(std::move(counts)) / (2 * evidence_span);
 }
 
 } // namespace
@@ -99,7 +84,7 @@ PathCost::PathCost(const std::vector<ContourSample>& samples,
     , others_(others)
     , tolerance_(std::clamp(3 * noise, parameters.tolerance / 2, parameters.tolerance))
     , reach_(std::abs(parameters.expected_offset) + parameters.reach + 0.02)
-    , density_(densityAlong(samples, evidence, parameters))
+    , density_(densityAlong(samples, parameters.evidence_span))
     , shown_(placesOf(samples, true))
     , hidden_(placesOf(samples, false))
 {}

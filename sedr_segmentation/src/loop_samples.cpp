@@ -27,20 +27,19 @@ constexpr double least_evidence_share = 0.2;
 /** @brief Measures the evidence of each sample by that of the others; thin evidence is
  * none. */
 void
-judgeSupport(const std::vector<std::size_t>& counts,
-             std::vector<ContourSample>& samples)
+judgeSupport(std::vector<ContourSample>& samples)
 {
   std::vector<double> found;
-  for (const std::size_t c : counts)
-    if (c >= least_evidence)
-      found.push_back(static_cast<double>(c));
+  for (const ContourSample& sample : samples)
+    if (sample.points >= least_evidence)
+      found.push_back(static_cast<double>(sample.points));
   if (found.empty())
     return;
   const double median = middleValue(found);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double share = static_cast<double>(counts[i]) / median;
-    if (counts[i] >= least_evidence && share >= least_evidence_share)
-      samples[i].support = std::min(1.0, share);
+  for (ContourSample& sample : samples) {
+    const double share = static_cast<double>(sample.points) / median;
+    if (sample.points >= least_evidence && share >= least_evidence_share)
+      sample.support = std::min(1.0, share);
   }
 }
 
@@ -77,7 +76,6 @@ sampleContour(const Contour& contour,
   const double edge = n > 1 ? (contour[1] - contour[0]).norm() : 0;
 
   std::vector<ContourSample> samples(n);
-  std::vector<std::size_t> counts(n, 0);
   std::vector<Eigen::Vector2d> walls(n);
   const auto takeSample = [&](std::size_t i) {
     ContourSample& sample = samples[i];
@@ -92,7 +90,7 @@ sampleContour(const Contour& contour,
                          : Eigen::Vector2d((corner(i + 1) - corner(i)).normalized());
     const WallStretch wall =
         wallAcross(evidence, sample.place, sample.tangent, parameters);
-    counts[i] = wall.count;
+    sample.points = wall.count;
     walls[i] = sample.place + wall.offset * leftOf(sample.tangent);
   };
   parallelBlocks(n, samples_a_block, parameters.threads,
@@ -100,7 +98,7 @@ sampleContour(const Contour& contour,
                    for (std::size_t i = begin; i < end; ++i)
                      takeSample(i);
                  });
-  judgeSupport(counts, samples);
+  judgeSupport(samples);
   if (edge > 0)
     dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5),
                      samples);

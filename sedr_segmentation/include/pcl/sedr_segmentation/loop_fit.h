@@ -34,8 +34,8 @@ struct ContourSample {
   Eigen::Vector2d place;    ///< on the contour, its staircase evened out
   Eigen::Vector2d position; ///< on the wall, where points show one, or else the place
   Eigen::Vector2d tangent;  ///< unit, along the contour
-  double support =
-      0; ///< points that show the wall here, 1 for the median of the loop or more
+  std::size_t points = 0;   ///< that show the wall here, see support
+  double support = 0; ///< the same, 1 for the median of the loop or more; 0 if too few
 
   /** @brief Whether points show the wall here. */
   bool isSupported() const { return support > 0; }
