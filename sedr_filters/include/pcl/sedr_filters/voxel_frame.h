@@ -132,28 +132,7 @@ public:
             const float* values,
             std::size_t n,
             std::int32_t* codes,
-            std::uint64_t* steps) const
-  {
-    const float inverse = inverse_leaf_[static_cast<Eigen::Index>(axis)];
-    const std::uint32_t limit = bitsOf(static_cast<float>(near_limit));
-    std::uint32_t far = 0;
-    for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
-      const float scaled = values[i] * inverse;
-      const std::uint32_t is_far = bitsOf(std::abs(scaled)) >= limit ? 1 : 0;
-      far |= is_far;
-      const float held = floatOf(bitsOf(scaled) & (is_far - 1));
-      const auto cell = static_cast<std::int32_t>(held);
-      codes[i] = cell - (held < static_cast<float>(cell) ? 1 : 0);
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      steps[i] = nearSteps(values[i], axis);
-    if (far == 0)
-      return;
-    for (std::size_t i = 0; i < n; ++i) {
-      codes[i] = codeOf(values[i] * inverse);
-      steps[i] = this->steps(values[i], axis, codes[i]);
-    }
-  }
+            std::uint64_t* steps) const;
 
   /** @brief The mean of a voxel's points; its count must not be 0. */
   Eigen::Vector3f mean(const VoxelSum& voxel) const
