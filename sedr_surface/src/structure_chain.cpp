@@ -89,8 +89,12 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
                room_segmentation.threads);
   *cloud = *thinned;
   scanned_points_ = cloud->size();
-  labels.assign(cloud->size(), 0);
-  rooms.assign(cloud->size(), 0);
+  labels.clear();
+  rooms.clear();
+  for (auto* const values : {&labels, &rooms}) {
+    values->reserve(cloud->points.capacity());
+    values->resize(cloud->size(), 0);
+  }
   planes.clear();
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
