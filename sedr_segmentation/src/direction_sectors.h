@@ -51,8 +51,11 @@ public:
 private:
   static constexpr unsigned sectors = 64;
 
+  /** @brief From where a sector begins to where the last of so many ends, radians. */
+  float turnOver(unsigned first, unsigned count) const;
+
   float angle_;
-  unsigned least_run_; ///< as many empty sectors may be a gap; 0: as none too
+  unsigned least_run_ = 0; ///< as many empty sectors may be a gap; 0: as none too
   std::array<float, sectors + 1> from_{}; ///< where each sector begins, radians
 };
 

@@ -120,11 +120,8 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
 {
   const float within = completeWithin(grid_.size(), first_reach);
   std::uint64_t seen = 0;
-  bool is_close = false;
-  for (int reach = 1; reach <= first_reach && !is_close; ++reach)
+  for (int reach = 1; reach <= first_reach; ++reach) {
     forEachRow(place, reach, [&](std::uint32_t from, std::uint32_t to) {
-      if (is_close)
-        return;
       for (std::uint32_t k = from; k < to; ++k) {
         const Eigen::Vector3f way = places_[k] - place;
         if (way.x() == 0 && way.y() == 0)
@@ -133,9 +130,11 @@ NeighbourCells::isInner(const Eigen::Vector3f& place) const
         const std::uint64_t is_near = way.squaredNorm() <= within ? 1 : 0;
         seen |= DirectionSectors::bitOf(way.x(), way.y()) * is_near;
       }
-      is_close = sectors_.areClose(seen);
     });
-  return is_close;
+    if (sectors_.areClose(seen))
+      return true;
+  }
+  return false;
 }
 
 std::size_t
@@ -206,8 +205,11 @@ NeighbourCells::gapAt(const Eigen::Vector3f& place, Around& around) const
   if (countAround(place, first_reach) <= neighbours_ && isInner(place))
     return Gap::None;
   for (int reach = first_reach; reach <= most_reach; ++reach) {
-    if (countAround(place, reach) > most_crowded * neighbours_)
+    const std::size_t count = countAround(place, reach);
+    if (count > most_crowded * neighbours_)
       return Gap::Unknown;
+    if (reach > first_reach && count < neighbours_)
+      continue; // too few to tell a wide gap
     const Ball ball = ballAround(place, reach, around);
     const Gap gap = sectors_.gapOf(ball.seen);
     if (ball.count <= neighbours_ && gap == Gap::None)

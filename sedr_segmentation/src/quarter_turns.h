@@ -13,10 +13,12 @@ template <typename Scalar>
 Scalar
 quarterTurns(Scalar x, Scalar y)
 {
+  // Looked up, not branched to: nothing foretells the quadrants of points around one.
+  constexpr Scalar turns_at_axis[] = {0, 4, 2, 2};
+  constexpr Scalar sense[] = {1, 1, -1, -1};
   const Scalar part = y / (std::abs(x) + std::abs(y));
-  if (x < 0)
-    return 2 - part;
-  return part < 0 ? 4 + part : part;
+  const unsigned quadrant = (x < 0 ? 2U : 0U) + (part < 0 ? 1U : 0U);
+  return turns_at_axis[quadrant] + sense[quadrant] * part;
 }
 
 } // namespace sedr
