@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slit_faces.h"
 
+#include <pcl/sedr_filters/cell_table.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -170,6 +172,24 @@ SlitFace::top() const
                                                                   : Top::Unknown;
 }
 
+namespace {
+
+/** @brief Tells which faces may be near a place. */
+CellTable
+tableOf(const std::vector<SlitFace*>& faces)
+{
+  constexpr double cell_size = 0.5;
+  CellTable table(cell_size);
+  std::vector<CellTable::Entry> entries;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    entries.push_back({table.boxAround(faces[f]->low(), faces[f]->high()),
+                       static_cast<std::uint32_t>(f)});
+  table.fill(entries);
+  return table;
+}
+
+} // namespace
+
 void
 countAtFaces(const std::vector<SlitFace*>& faces,
              const PointView& raw,
@@ -181,6 +201,7 @@ countAtFaces(const std::vector<SlitFace*>& faces,
   double lowest = std::numeric_limits<double>::infinity();
   for (const SlitFace* face : faces)
     lowest = std::min(lowest, face->lowest());
+  const CellTable near = tableOf(faces);
   std::mutex adding;
   constexpr std::size_t points_a_block = 65536;
   parallelBlocks(
@@ -192,7 +213,7 @@ countAtFaces(const std::vector<SlitFace*>& faces,
               raw[indices.empty() ? i : static_cast<std::size_t>(indices[i])];
           if (!(p.z() >= lowest) || !std::isfinite(p.z()))
             continue;
-          for (std::size_t f = 0; f < faces.size(); ++f)
+          for (const std::uint32_t f : near.at(p.head<2>().cast<double>()))
             faces[f]->count(p, counts[f]);
         }
         const std::lock_guard<std::mutex> lock(adding);

@@ -36,6 +36,11 @@ public:
 
   void add(const Counts& counts) { counts_.add(counts); }
 
+  /** @brief The corners of the rectangle in plan that holds all points near the face.
+   */
+  const Eigen::Array2d& low() const { return low_; }
+  const Eigen::Array2d& high() const { return high_; }
+
   /** @brief No point below it is near the face, metres. */
   double lowest() const;
 
@@ -51,8 +56,9 @@ private:
   Counts counts_;
 };
 
-/** @brief Counts the points of a scan at each face. O(n) for n points, the same for any
- * number of threads.
+/** @brief Counts the points of a scan at each face. O(n) for n points, each of which is
+ * shown to the faces near it only; the same for any number of threads. None is counted
+ * at faces too far apart for a table of where they are.
  * @param indices those of the points that count; empty: all */
 void countAtFaces(const std::vector<SlitFace*>& faces,
                   const PointView& raw,
