@@ -246,6 +246,7 @@ fitShrinking(const std::vector<WeightedPoint>& points,
   std::vector<WeightedPoint> inside;
   std::vector<WeightedPoint> fitted;
   inside.reserve(points.size());
+  fitted.reserve(points.size());
   for (int round = 0; round < rounds; ++round) {
     inside.clear();
     for (const auto& p : points)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <vector>
@@ -40,8 +41,11 @@ TEST(MiddleValue, isThatOfSortedValuesHoweverTheyAreSpread)
     lumped.push_back(i == 0 ? 1e6 : normal(random));
     skewed.push_back(std::exp(1000 * normal(random)));
   }
-  for (const auto& values : {even, lumped, skewed})
-    EXPECT_EQ(middleValue(values), sortedMiddle(values));
+  for (auto values : {even, lumped, skewed})
+    for (const std::size_t some : {20001, 400, 257, 256, 20}) {
+      values.resize(some);
+      EXPECT_EQ(middleValue(values), sortedMiddle(values)) << some;
+    }
 }
 
 TEST(MiddleValue, isFoundAmongEqualAndInfiniteValues)
