@@ -49,7 +49,7 @@ double
 middleValue(std::vector<double> values)
 {
   std::size_t rank = values.size() / 2; // among the values that are left
-  if (values.size() > bins / 4)
+  if (values.size() > bins / 16)
     keepBinOf(rank, values);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(values.begin(), middle, values.end());
