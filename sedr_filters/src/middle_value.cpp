@@ -28,9 +28,10 @@ keepBinOf(std::size_t& rank, std::vector<double>& values)
   const double scale = (bins - 1) / (high - low);
   if (!std::isnormal(scale))
     return;
-  // Rises with the value, so that all values of a bin are below those of the next.
+  // Rises with the value, so that all values of a bin are below those of the next. What
+  // is no number comes last.
   const auto binOf = [&](double v) {
-    return static_cast<std::size_t>((v - low) * scale);
+    return v <= high ? static_cast<std::size_t>((v - low) * scale) : bins;
   };
   std::array<std::uint32_t, bins + 1> count{};
   for (const double v : values)
