@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -14,38 +16,41 @@ namespace {
 
 /** @brief Those of some points that lie within a band of a slab, or those that do not.
  */
-std::vector<int>
-inBand(const PointView& points,
-       const std::vector<int>& indices,
-       const PlanSlab& slab,
-       double band,
-       bool is_inside)
+Positions
+inBand(const Positions& points, const PlanSlab& slab, double band, bool is_inside)
 {
-  std::vector<int> chosen;
-  for (const int i : indices)
-    if ((std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <= band) ==
-        is_inside)
-      chosen.push_back(i);
+  Positions chosen;
+  for (const auto& p : points)
+    if ((std::abs(distanceAbove(slab, p)) <= band) == is_inside)
+      chosen.push_back(p);
   return chosen;
+}
+
+/** @brief The cells of 10 cm that hold some points. */
+CellSet
+placesOf(const Positions& points)
+{
+  const CellGrid grid(0.1);
+  std::vector<CellKey> keys;
+  for (const auto& p : points)
+    if (grid.holds(p.x(), p.y()))
+      keys.push_back(keyOf(grid.at(p.x(), p.y())));
+  return CellSet(std::move(keys));
 }
 
 /** @brief Whether the places of the second points are hardly any of the first: the
  * tails of noise lie above and below the surface that they are of. */
 bool
-areSideBySide(const PointView& points,
-              const std::vector<int>& first,
-              const std::vector<int>& second)
+areSideBySide(const Positions& first, const Positions& second)
 {
-  const CellGrid grid(0.1);
-  const CellSet places(grid, points, second);
-  return 5 * intersect(CellSet(grid, points, first), places).size() <= places.size();
+  const CellSet places = placesOf(second);
+  return 5 * intersect(placesOf(first), places).size() <= places.size();
 }
 
 } // namespace
 
 PlanSlab
-findLargerSlab(const PointView& points,
-               const std::vector<int>& indices,
+findLargerSlab(const Positions& points,
                double tolerance,
                double maximum_tilt,
                std::uint64_t seed,
@@ -54,23 +59,21 @@ findLargerSlab(const PointView& points,
   constexpr double least_spread = 0.15;  // of a plane across a step, of the tolerance
   constexpr double least_contrast = 2.5; // of its spread and that of one surface
   constexpr double most_turned = 0.01;   // radians, of one surface to the other
-  const PlanSlab wide =
-      findSlab(points, indices, tolerance, maximum_tilt, seed, threads);
+  const PlanSlab wide = findSlab(points, tolerance, maximum_tilt, seed, threads);
   if (wide.residual < least_spread * tolerance)
     return wide;
   const double thickness = tolerance / 3;
-  const auto findThin = [&](const std::vector<int>& among) {
+  const auto findThin = [&](const Positions& among) {
     // A leaning plane comes close to two surfaces within half of it.
-    const PlanSlab found =
-        findSlab(points, among, thickness / 2, maximum_tilt, seed, threads);
-    const PlanSlab refined = fitSlabRobustly(points, among, found, thickness);
+    const PlanSlab found = findSlab(among, thickness / 2, maximum_tilt, seed, threads);
+    const PlanSlab refined = fitSlabRobustly(among, found, thickness);
     return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
   };
   const auto isThin = [&](const PlanSlab& slab) {
     return least_contrast * slab.residual <= wide.residual;
   };
-  const PlanSlab larger = findThin(indices);
-  const std::vector<int> rest = inBand(points, indices, larger, thickness, false);
+  const PlanSlab larger = findThin(points);
+  const Positions rest = inBand(points, larger, thickness, false);
   if (!isThin(larger) || rest.size() < 3)
     return wide;
   const PlanSlab smaller = findThin(rest);
@@ -78,8 +81,8 @@ findLargerSlab(const PointView& points,
       larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= most_turned;
   const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
   return isThin(smaller) && are_parallel && are_all &&
-                 areSideBySide(points, inBand(points, indices, larger, thickness, true),
-                               inBand(points, rest, smaller, thickness, true))
+                 areSideBySide(inBand(points, larger, thickness, true),
+                               inBand(rest, smaller, thickness, true))
              ? larger
              : wide;
 }

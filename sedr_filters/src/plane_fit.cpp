@@ -17,46 +17,36 @@ namespace sedr {
 
 namespace {
 
-Positions
-positionsOf(const PointView& points, const std::vector<int>& indices)
+/** @brief Leaves in `inside` the points within `band` of the slab. */
+void
+keepWithinBand(const Positions& points,
+               const PlanSlab& slab,
+               double band,
+               Positions& inside)
 {
-  Positions positions;
-  positions.reserve(indices.size());
-  for (const int i : indices)
-    positions.push_back(points[static_cast<std::size_t>(i)]);
-  return positions;
+  inside.resize(points.size());
+  std::size_t count = 0;
+  for (const auto& p : points) {
+    inside[count] = p;
+    count += std::abs(distanceAbove(slab, p)) <= band ? 1 : 0;
+  }
+  inside.resize(count);
 }
 
-/** @brief The points within `band` of the slab. */
-Positions
-withinBand(const Positions& points, const PlanSlab& slab, double band)
-{
-  Positions inside;
-  inside.reserve(points.size());
-  for (const auto& p : points)
-    if (std::abs(distanceAbove(slab, p)) <= band)
-      inside.push_back(p);
-  return inside;
-}
-
-/** @brief How far each point is from the slab. */
-std::vector<double>
-distancesFrom(const PlanSlab& slab, const Positions& points)
-{
-  std::vector<double> distances(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    distances[k] = std::abs(distanceAbove(slab, points[k]));
-  return distances;
-}
-
-/** @brief Root mean square of some distances, 0 of none. */
+/** @brief Notes how far each point is from the slab; the root mean square of that, 0
+ * of none. */
 double
-residualOf(const std::vector<double>& distances)
+residualOf(const Positions& points,
+           const PlanSlab& slab,
+           std::vector<double>& distances)
 {
+  distances.resize(points.size());
   double sum = 0;
-  for (const double d : distances)
-    sum += d * d;
-  return distances.empty() ? 0 : std::sqrt(sum / static_cast<double>(distances.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    distances[k] = std::abs(distanceAbove(slab, points[k]));
+    sum += distances[k] * distances[k];
+  }
+  return points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
 }
 
 /** @brief 1.4826 times the median distance: the standard deviation, outliers left
@@ -128,11 +118,18 @@ bestSlab(const Positions& points)
   if (!points.empty())
     mean /= static_cast<double>(points.size());
 
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for (const auto& p : points) {
     const Eigen::Vector3d d = p.cast<double>() - mean;
-    scatter.noalias() += d * d.transpose();
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    xz += d.x() * d.z();
+    yy += d.y() * d.y();
+    yz += d.y() * d.z();
+    zz += d.z() * d.z();
   }
+  Eigen::Matrix3d scatter;
+  scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   PlanSlab slab = horizontalSlab(mean.z());
   slab.inliers = points.size();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
@@ -146,25 +143,6 @@ bestSlab(const Positions& points)
 }
 
 PlanSlab
-fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
-{
-  PlanSlab slab = start;
-  const double widest = band;
-  Positions fitted;
-  for (int round = 0; round < 6; ++round) {
-    Positions inside = withinBand(points, slab, band);
-    if (inside.size() < 3 || inside == fitted) // the same again gives the same
-      break;
-    slab = bestSlab(inside);
-    std::vector<double> distances = distancesFrom(slab, inside);
-    slab.residual = residualOf(distances);
-    band = shrunk(robustDeviation(std::move(distances)), widest);
-    fitted.swap(inside);
-  }
-  return slab;
-}
-
-PlanSlab
 fitParallel(const Positions& points,
             const PlanSlab& direction,
             const PlanSlab& start,
@@ -172,15 +150,17 @@ fitParallel(const Positions& points,
 {
   PlanSlab slab = start;
   slab.plane.head<3>() = direction.plane.head<3>();
+  Positions inside;
+  keepWithinBand(points, start, band, inside);
   // Turned about the points, not about the origin, which may be far away.
   std::vector<double> offsets;
-  for (const auto& p : withinBand(points, start, band))
+  for (const auto& p : inside)
     offsets.push_back(distanceAbove(slab, p));
   if (!offsets.empty())
     slab.plane[3] -= middleValue(std::move(offsets));
   const double widest = band;
   for (int round = 0; round < 6; ++round) {
-    const Positions inside = withinBand(points, slab, band);
+    keepWithinBand(points, slab, band, inside);
     if (inside.empty())
       break;
     double sum = 0;
@@ -188,8 +168,8 @@ fitParallel(const Positions& points,
       sum += distanceAbove(slab, p);
     slab.plane[3] -= sum / static_cast<double>(inside.size());
     slab.inliers = inside.size();
-    std::vector<double> distances = distancesFrom(slab, inside);
-    slab.residual = residualOf(distances);
+    std::vector<double> distances;
+    slab.residual = residualOf(inside, slab, distances);
     band = shrunk(robustDeviation(std::move(distances)), widest);
   }
   return slab;
@@ -197,27 +177,47 @@ fitParallel(const Positions& points,
 
 } // namespace
 
-PlanSlab
-fitSlab(const PointView& points, const std::vector<int>& indices)
+Positions
+positionsOf(const PointView& points, const std::vector<int>& indices)
 {
-  const Positions positions = positionsOf(points, indices);
-  PlanSlab slab = bestSlab(positions);
-  slab.residual = residualOf(distancesFrom(slab, positions));
+  Positions positions;
+  positions.reserve(indices.size());
+  for (const int i : indices)
+    positions.push_back(points[static_cast<std::size_t>(i)]);
+  return positions;
+}
+
+PlanSlab
+fitSlab(const Positions& points)
+{
+  PlanSlab slab = bestSlab(points);
+  std::vector<double> distances;
+  slab.residual = residualOf(points, slab, distances);
   return slab;
 }
 
 PlanSlab
-fitSlabRobustly(const PointView& points,
-                const std::vector<int>& indices,
-                const PlanSlab& start,
-                double band)
+fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
 {
-  return fitSlabRobustly(positionsOf(points, indices), start, band);
+  PlanSlab slab = start;
+  const double widest = band;
+  Positions inside;
+  Positions fitted;
+  for (int round = 0; round < 6; ++round) {
+    keepWithinBand(points, slab, band, inside);
+    if (inside.size() < 3 || inside == fitted) // the same again gives the same
+      break;
+    slab = bestSlab(inside);
+    std::vector<double> distances;
+    slab.residual = residualOf(inside, slab, distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
+    fitted.swap(inside);
+  }
+  return slab;
 }
 
 PlanSlab
-findSlab(const PointView& points,
-         const std::vector<int>& indices,
+findSlab(const Positions& points,
          double tolerance,
          double maximum_tilt,
          std::uint64_t seed,
@@ -228,18 +228,17 @@ findSlab(const PointView& points,
 
   std::mt19937_64 random(seed);
   const double minimum_cosine = std::cos(maximum_tilt);
-  const Positions all = positionsOf(points, indices);
   Positions scored;
-  const std::size_t step = all.size() / most_scored + 1;
-  for (std::size_t k = 0; k < all.size(); k += step)
-    scored.push_back(all[k]);
+  const std::size_t step = points.size() / most_scored + 1;
+  for (std::size_t k = 0; k < points.size(); k += step)
+    scored.push_back(points[k]);
 
   const PlanSlab level = densestLevel(scored, tolerance);
   const auto draw = [&]() {
-    return Eigen::Vector3d(all[random() % all.size()].cast<double>());
+    return Eigen::Vector3d(points[random() % points.size()].cast<double>());
   };
   std::vector<PlanSlab> slabs;
-  for (int trial = 0; trial < trials && indices.size() >= 3; ++trial) {
+  for (int trial = 0; trial < trials && points.size() >= 3; ++trial) {
     PlanSlab slab;
     const Eigen::Vector3d a = draw();
     const Eigen::Vector3d b = draw();
@@ -247,9 +246,10 @@ findSlab(const PointView& points,
       slabs.push_back(slab);
   }
   const PlanSlab best = mostAgreed(slabs, level, scored, tolerance, threads);
-  const PlanSlab refined = fitSlabRobustly(all, best, tolerance);
-  return refined.plane[2] >= minimum_cosine ? refined
-                                            : fitParallel(all, level, level, tolerance);
+  const PlanSlab refined = fitSlabRobustly(points, best, tolerance);
+  return refined.plane[2] >= minimum_cosine
+             ? refined
+             : fitParallel(points, level, level, tolerance);
 }
 
 PlanSlab

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
-
-#include <Eigen/Core>
+#include <pcl/sedr_filters/plane_fit.h>
 
 #include <vector>
 
 namespace pcl {
 namespace sedr {
-
-/** @brief Points side by side: those of a plane are all over the cloud, and looked at
- * many times. */
-using Positions = std::vector<Eigen::Vector3f>;
 
 /** @brief Of some slabs the one that most of the points agree with, the first of
  * equals; `start` where none does better. A point agrees by 1 with a slab that it is

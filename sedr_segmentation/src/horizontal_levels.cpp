@@ -149,11 +149,11 @@ slabOver(const LevelColumns& columns,
          const PlanSlab& near,
          double tolerance)
 {
-  std::vector<int> own;
+  Positions own;
   for (const Candidate& c : stretchNear(columns, candidates, near, tolerance))
     if (marked[c.cell] && std::abs(distanceAbove(near, c.position())) <= tolerance)
-      own.push_back(c.index);
-  return fitSlabRobustly(columns.points(), own, near, tolerance);
+      own.push_back(c.position());
+  return fitSlabRobustly(own, near, tolerance);
 }
 
 /** @brief Leaves a level that stands out as it is, and of any other only the regions
@@ -208,20 +208,19 @@ erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positi
 /** @brief The plane of the candidates of a window; those just outside count, as it may
  * lean. */
 PlanSlab
-slabOfWindow(const PointView& points,
-             const std::vector<Candidate>& candidates,
+slabOfWindow(const std::vector<Candidate>& candidates,
              const Window& window,
              const LevelParameters& parameters,
              std::uint64_t seed)
 {
   const double low = candidates[window.first].z - 2 * parameters.tolerance;
   const double high = candidates[window.last - 1].z + 2 * parameters.tolerance;
-  std::vector<int> around;
+  Positions around;
   for (const auto& c : candidates)
     if (c.z >= low && c.z <= high)
-      around.push_back(c.index);
-  return findLargerSlab(points, around, parameters.tolerance, parameters.maximum_tilt,
-                        seed, parameters.threads);
+      around.push_back(c.position());
+  return findLargerSlab(around, parameters.tolerance, parameters.maximum_tilt, seed,
+                        parameters.threads);
 }
 
 /** @brief The cells of a level and those up to two cells away: its walls. */
@@ -296,8 +295,8 @@ findLevels(const LevelColumns& columns,
     if (window.cells < minimum_cells)
       break;
     LevelDraft draft;
-    draft.slab = slabOfWindow(columns.points(), candidates, window, parameters,
-                              parameters.seed + levels.size());
+    draft.slab =
+        slabOfWindow(candidates, window, parameters, parameters.seed + levels.size());
     draft.apart.assign(cells.size(), 0);
     std::vector<std::size_t> own;
     bool has_changed = true;

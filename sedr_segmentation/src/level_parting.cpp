@@ -130,7 +130,6 @@ partLevel(const LevelColumns& columns,
           std::size_t minimum_cells,
           LevelDraft& draft)
 {
-  const PointView& points = columns.points();
   const CellSet& cells = columns.cells();
   const LevelRelief relief = reliefAround(columns, candidates, parameters, draft);
   std::vector<LevelRegion> regions =
@@ -150,13 +149,13 @@ partLevel(const LevelColumns& columns,
   if (stay.empty())
     return false;
   std::vector<std::uint8_t> kept(cells.size(), 0);
-  std::vector<int> own;
+  Positions own;
   for (const LevelRegion* region : stay) {
     own.insert(own.end(), region->points.begin(), region->points.end());
     for (const std::size_t i : region->cells)
       kept[i] = 1;
   }
-  const PlanSlab slab = fitSlab(points, own);
+  const PlanSlab slab = fitSlab(own);
   if ((others.empty() && isTheirPlane(draft.slab, stay)) ||
       slab.plane[2] < std::cos(parameters.maximum_tilt))
     return false;

@@ -22,19 +22,23 @@ namespace sedr {
 namespace {
 
 Moments
-momentsOf(const PointView& points, const std::vector<int>& indices)
+momentsOf(const Positions& points)
 {
   Moments moments;
-  if (indices.empty())
-    return moments;
-  moments.count = static_cast<double>(indices.size());
-  for (const int i : indices)
-    moments.mean += points[static_cast<std::size_t>(i)].cast<double>() / moments.count;
-  for (const int i : indices) {
-    const Eigen::Vector3d d =
-        points[static_cast<std::size_t>(i)].cast<double>() - moments.mean;
-    moments.covariance += d * d.transpose() / moments.count;
+  moments.count = static_cast<double>(points.size());
+  for (const auto& p : points)
+    moments.mean += p.cast<double>() / moments.count;
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const auto& p : points) {
+    const Eigen::Vector3d d = p.cast<double>() - moments.mean;
+    xx += d.x() * d.x() / moments.count;
+    xy += d.x() * d.y() / moments.count;
+    xz += d.x() * d.z() / moments.count;
+    yy += d.y() * d.y() / moments.count;
+    yz += d.y() * d.z() / moments.count;
+    zz += d.z() * d.z() / moments.count;
   }
+  moments.covariance << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return moments;
 }
 
@@ -49,14 +53,16 @@ raised(PlanSlab slab, double by)
 /** @brief Mean square distance of a surface from its plane: of the means of squares of
  * half a metre, which noise hardly moves. */
 double
-unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSlab& slab)
+unevennessOf(const Positions& points, const PlanSlab& slab)
 {
   const CellGrid grid(0.5);
-  const CellSet patches(grid, points, own);
+  std::vector<CellKey> keys;
+  for (const auto& p : points)
+    keys.push_back(keyOf(grid.at(p.x(), p.y())));
+  const CellSet patches(std::move(keys));
   std::vector<double> sum(patches.size(), 0);
   std::vector<double> count(patches.size(), 0);
-  for (const int i : own) {
-    const auto p = points[static_cast<std::size_t>(i)];
+  for (const auto& p : points) {
     const std::size_t patch = patches.find(grid.at(p.x(), p.y()));
     sum[patch] += distanceAbove(slab, p);
     count[patch] += 1;
@@ -64,7 +70,7 @@ unevennessOf(const PointView& points, const std::vector<int>& own, const PlanSla
   double squares = 0;
   for (std::size_t k = 0; k < patches.size(); ++k)
     squares += sum[k] * sum[k] / count[k];
-  return squares / std::max(1.0, static_cast<double>(own.size()));
+  return squares / std::max(1.0, static_cast<double>(points.size()));
 }
 
 /** @brief The different numbers of the cells up to six away, those of none left out. */
@@ -127,16 +133,15 @@ partedRegions(const CellSet& cells,
   return regions;
 }
 
-/** @brief Fits every region to the candidates in its cells. */
+/** @brief Gives every region the candidates in its cells. */
 void
-fitRegions(const LevelColumns& columns,
+findPoints(const LevelColumns& columns,
            const std::vector<Candidate>& candidates,
            const LevelRelief& relief,
            double tolerance,
            const PlanSlab& start,
            std::vector<LevelRegion>& regions)
 {
-  const PointView& points = columns.points();
   std::vector<std::size_t> region_of(relief.heights.size(), regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const std::size_t cell : regions[r].cells)
@@ -145,29 +150,33 @@ fitRegions(const LevelColumns& columns,
   for (const Candidate& c : stretchNear(columns, candidates, start, 2 * tolerance))
     if (region_of[c.cell] < regions.size() &&
         std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
-      regions[region_of[c.cell]].points.push_back(c.index);
-  parallelBlocks(regions.size(), 1, columns.threads(), [&](std::size_t r, std::size_t) {
-    LevelRegion& region = regions[r];
-    std::vector<double> heights;
-    for (const std::size_t i : region.cells)
-      heights.push_back(relief.heights[i]);
-    region.height = middleValue(std::move(heights));
-    const PlanSlab own =
-        fitSlabRobustly(points, region.points, raised(start, region.height), tolerance);
-    region.slab = own;
-    const double reach = std::min(tolerance, 3 * own.residual + 1e-4);
-    region.points.erase(std::remove_if(region.points.begin(), region.points.end(),
-                                       [&](int i) {
-                                         const auto p =
-                                             points[static_cast<std::size_t>(i)];
-                                         return std::abs(distanceAbove(own, p)) > reach;
-                                       }),
-                        region.points.end());
-    region.moments = momentsOf(points, region.points);
-    region.variance =
-        region.moments.variance(region.moments.normal(), region.moments.mean);
-    region.unevenness = unevennessOf(points, region.points, own);
-  });
+      regions[region_of[c.cell]].points.push_back(c.position());
+}
+
+/** @brief Fits a region to its points, of which it keeps those on its plane. */
+void
+fitRegion(const LevelRelief& relief,
+          double tolerance,
+          const PlanSlab& start,
+          LevelRegion& region)
+{
+  std::vector<double> heights;
+  for (const std::size_t i : region.cells)
+    heights.push_back(relief.heights[i]);
+  region.height = middleValue(std::move(heights));
+  const PlanSlab own =
+      fitSlabRobustly(region.points, raised(start, region.height), tolerance);
+  region.slab = own;
+  const double reach = std::min(tolerance, 3 * own.residual + 1e-4);
+  region.points.erase(std::remove_if(region.points.begin(), region.points.end(),
+                                     [&](const Eigen::Vector3f& p) {
+                                       return std::abs(distanceAbove(own, p)) > reach;
+                                     }),
+                      region.points.end());
+  region.moments = momentsOf(region.points);
+  region.variance =
+      region.moments.variance(region.moments.normal(), region.moments.mean);
+  region.unevenness = unevennessOf(region.points, own);
 }
 
 } // namespace
@@ -210,7 +219,11 @@ fittedRegions(const LevelColumns& columns,
 {
   std::vector<LevelRegion> regions =
       partedRegions(columns.cells(), relief, minimum_cells);
-  fitRegions(columns, candidates, relief, parameters.tolerance, slab, regions);
+  findPoints(columns, candidates, relief, parameters.tolerance, slab, regions);
+  parallelBlocks(regions.size(), 1, parameters.threads,
+                 [&](std::size_t r, std::size_t) {
+                   fitRegion(relief, parameters.tolerance, slab, regions[r]);
+                 });
   return regions;
 }
 

@@ -3,6 +3,8 @@
 
 #include "level_parting.h"
 
+#include <pcl/sedr_filters/plane_fit.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -42,7 +44,7 @@ struct Moments {
 /** @brief A connected region of a level, fitted by itself. */
 struct LevelRegion {
   std::vector<std::size_t> cells; ///< positions
-  std::vector<int> points;        ///< on its own plane
+  Positions points;               ///< on its own plane
   PlanSlab slab;
   Moments moments;
   std::vector<std::size_t> beyond_steps; ///< numbers of the regions across a step
