@@ -43,26 +43,28 @@ private:
 };
 
 /** @brief Joins every cell with its eight neighbours: the one before it in the row, and
- * the up to three in the row below, which a second cursor follows. */
+ * of the up to three in the row below, which a second cursor follows, those that
+ * nothing has joined with it yet. */
 void
 joinNeighbours(const CellSet& cells, DisjointSets& sets)
 {
+  const std::vector<CellKey>& keys = cells.keys();
+  const auto followsAnother = [&](std::size_t i) {
+    return i > 0 && keys[i - 1] + 1 == keys[i];
+  };
   std::size_t below = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell cell = cells[i];
-    if (i > 0 && cells[i - 1].y == cell.y && cells[i - 1].x + 1 == cell.x)
+    const bool goes_on = followsAnother(i);
+    if (goes_on)
       sets.join(i - 1, i);
-    const auto isBefore = [&](Cell other) {
-      return other.y < cell.y - 1 || (other.y == cell.y - 1 && other.x < cell.x - 1);
-    };
-    while (below < i && isBefore(cells[below]))
+    const CellKey first = keyOf({cell.x - 1, cell.y - 1});
+    while (keys[below] < first)
       ++below;
-    for (std::size_t j = below; j < i; ++j) {
-      const Cell other = cells[j];
-      if (other.y != cell.y - 1 || other.x > cell.x + 1)
-        break;
-      sets.join(i, j);
-    }
+    const CellKey fresh = goes_on ? first + 2 : first; // beside none before this cell
+    for (std::size_t j = below; keys[j] <= first + 2; ++j)
+      if (keys[j] >= fresh && (keys[j] == first || !followsAnother(j)))
+        sets.join(i, j);
   }
 }
 

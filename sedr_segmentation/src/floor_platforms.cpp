@@ -6,7 +6,9 @@
 #include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -181,6 +183,29 @@ isWithinAStep(const CellMask& region,
   });
 }
 
+/** @brief Whether a level may be as high above a floor as a platform anywhere within a
+ * box: each of two planes is highest above the other one in a corner. */
+bool
+mayStepUp(const Level& level,
+          const Level& floor,
+          const CellBox& box,
+          const CellGrid& grid,
+          const PlatformParameters& platform)
+{
+  constexpr double rounding = 1e-6; // metres
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const std::int32_t x : {box.low.x, box.high.x})
+    for (const std::int32_t y : {box.low.y, box.high.y}) {
+      const Eigen::Vector2d corner = grid.centre({x, y});
+      const double step = level.slab.heightAt(corner) - floor.slab.heightAt(corner);
+      lowest = std::min(lowest, step);
+      highest = std::max(highest, step);
+    }
+  return lowest <= platform.greatest_height + rounding &&
+         highest >= platform.least_height - rounding;
+}
+
 /** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
  * those found already, `steps_up` tells what else one may step up to from it: few
  * levels come so far that it is asked. */
@@ -199,11 +224,17 @@ platformCells(const Level& level,
   const CellGrid grid(cell_size);
   const auto least =
       static_cast<std::size_t>(cellsFor(platform.minimum_area / cell_size, cell_size));
+  const int margin = cellsFor(0.7, cell_size);
+  const CellBox all = grown(boxOf(level.cells), margin);
+  if (std::none_of(floors.begin(), floors.end(), [&](const Level* floor) {
+        return mayStepUp(level, *floor, all, grid, platform);
+      }))
+    return {};
   CellSet found;
   for (const CellSet& cells : connectedRegions(level.cells)) {
     if (cells.size() < least / 2)
       continue;
-    const CellBox box = grown(boxOf(cells), cellsFor(0.7, cell_size));
+    const CellBox box = grown(boxOf(cells), margin);
     if (!maskProblem(box).empty())
       continue;
     // What stands on a platform hides parts of it.

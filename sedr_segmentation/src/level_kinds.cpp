@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -128,6 +129,25 @@ ceilingsWithin(const std::vector<Level>& levels,
   return found;
 }
 
+/** @brief What of a level is ceiling: nothing, all of it, or some of its cells alone.
+ */
+struct CeilingPart {
+  bool is_any = false;
+  CellSet alone;
+};
+
+CeilingPart
+ceilingOf(const std::vector<Level>& levels,
+          const std::vector<CellSet>& coarse,
+          std::size_t level,
+          const LevelParameters& parameters)
+{
+  if (shareOnTop(levels, coarse, level, parameters) >= 0.5)
+    return {isHigh(levels, coarse, level, coarse[level], parameters), {}};
+  CellSet soffits = ceilingsWithin(levels, coarse, level, parameters);
+  return {!soffits.empty(), std::move(soffits)};
+}
+
 /** @brief A connected part of all ceilings together: roughly a room, steps and soffits
  * included. */
 struct CeilingRegion {
@@ -195,17 +215,15 @@ classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
     coarse[l] = coarsened(levels[l].cells, parameters.cell_size);
     levels[l].kind = LevelKind::Other;
   });
-  for (std::size_t c = 0; c < levels.size(); ++c) {
-    if (shareOnTop(levels, coarse, c, parameters) >= 0.5) {
-      if (isHigh(levels, coarse, c, coarse[c], parameters))
-        levels[c].kind = LevelKind::Ceiling;
-      continue;
-    }
-    const CellSet soffits = ceilingsWithin(levels, coarse, c, parameters);
-    if (soffits.empty())
-      continue;
-    levels[c].kind = LevelKind::Ceiling;
-    levels[c].cells = levels[c].within = soffits;
+  std::vector<CeilingPart> ceilings(levels.size());
+  parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
+    ceilings[l] = ceilingOf(levels, coarse, l, parameters);
+  });
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    if (ceilings[l].is_any)
+      levels[l].kind = LevelKind::Ceiling;
+    if (!ceilings[l].alone.empty())
+      levels[l].cells = levels[l].within = std::move(ceilings[l].alone);
   }
   for (const CeilingRegion& region : ceilingRegions(levels, parameters))
     markFloorsBelow(levels, coarse, region, parameters);
