@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "platform_rim.h"
+
 #include <pcl/sedr_segmentation/floor_platforms.h>
 
 #include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_segmentation/cell_count.h>
-#include <pcl/sedr_segmentation/column_table.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,98 +15,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Whether a region is larger than furniture: than two beds side by side. */
-bool
-isLarge(const CellMask& region, double cell_size)
-{
-  constexpr double largest_furniture = 4.5; // square metres
-  return static_cast<double>(region.count()) * cell_size * cell_size >
-         largest_furniture;
-}
-
-/** @brief A level that may be a platform, and the floor below it. */
-struct Step {
-  const Level& level;
-  const Level& floor;
-  CellGrid grid;
-  ColumnTable columns;
-  CellMask higher; ///< platforms above this one
-  const std::vector<Level>& levels;
-
-  double topAt(Cell cell) const { return level.slab.heightAt(grid.centre(cell)); }
-  double floorAt(Cell cell) const { return floor.slab.heightAt(grid.centre(cell)); }
-
-  /** @brief Whether a wall rises from the platform here. */
-  bool isWall(Cell cell) const
-  {
-    const double top = topAt(cell);
-    return columns.share(cell, top + 0.2, top + 1.4, 8, 2) >= 0.6;
-  }
-
-  /** @brief Whether something stands on the platform here, which hides how it goes on
-   * behind. */
-  bool isFurnished(Cell cell) const
-  {
-    const double top = topAt(cell);
-    return columns.share(cell, top + 0.1, top + 0.5, 4, 2) >= 0.75;
-  }
-
-  /** @brief Whether something closes the platform here, down to the floor or to a tread
-   * before it. */
-  bool isRiser(Cell cell) const
-  {
-    const double low = treadAt(cell) + 0.03;
-    const double high = topAt(cell) - 0.03;
-    const int bins = cellsFor(high - low, 0.08);
-    return columns.share(cell, low, high, bins, 1) >= 0.5;
-  }
-
-  /** @brief Height of the highest level below the platform within three cells. */
-  double treadAt(Cell cell) const
-  {
-    constexpr double least_rise = 0.06;
-    double height = floorAt(cell);
-    for (const Level& tread : levels) {
-      const double z = tread.slab.heightAt(grid.centre(cell));
-      if (z > height && z < topAt(cell) - least_rise && isNear(tread.cells, cell))
-        height = z;
-    }
-    return height;
-  }
-
-  static bool isNear(const CellSet& cells, Cell cell)
-  {
-    return anyAround(cells, cell, 3, [](std::size_t) { return true; });
-  }
-};
-
-/** @brief Whether the rim of a region is closed all around, by risers or what stands on
- * it, in part by walls or what rises from it: along a fifth of what nothing hides, for
- * furniture is closed, too. What is larger than any needs no wall. */
-bool
-isClosed(const Step& step, const CellMask& region)
-{
-  const CellMask rim = subtract(region, eroded(region, 1));
-  const CellMask near_higher = dilated(step.higher, 3);
-  std::size_t walls = 0;
-  std::size_t risers = 0;
-  std::size_t hidden = 0;
-  for (std::size_t i = 0; i < rim.values().size(); ++i) {
-    if (!rim.values()[i])
-      continue;
-    const Cell cell = rim.cellAt(i);
-    if (near_higher.at(cell) || step.isWall(cell))
-      ++walls;
-    else if (step.isFurnished(cell))
-      ++hidden;
-    else if (step.isRiser(cell))
-      ++risers;
-  }
-  const std::size_t all = rim.count();
-  return (isLarge(region, step.grid.size()) || 5 * walls >= all - hidden) &&
-         10 * (walls + hidden + risers) >= 7 * all;
-}
 
 /** @brief Whether the floor is seen below a tenth of the region, its rim left out. */
 bool
@@ -257,12 +166,12 @@ platformCells(const Level& level,
     if (floor == nullptr || is_table ||
         !isWithinAStep(region, level, *floor, levels, grid, platform))
       continue;
-    const Step step{level,
-                    *floor,
-                    grid,
-                    ColumnTable(grid, box, points, indices, parameters.threads),
-                    unite(CellMask(higher, box), CellMask(steps_up(), box)),
-                    levels};
+    const PlatformStep step{level,
+                            *floor,
+                            grid,
+                            ColumnTable(grid, box, points, indices, parameters.threads),
+                            unite(CellMask(higher, box), CellMask(steps_up(), box)),
+                            levels};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }
