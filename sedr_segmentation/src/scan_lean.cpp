@@ -48,7 +48,31 @@ struct PatchMoments {
   }
 };
 
-using PatchKey = std::array<std::int64_t, 3>;
+/** @brief Where a patch is, in patches from the origin. */
+struct PatchKey {
+  std::int64_t x;
+  std::int64_t y;
+  std::int64_t z;
+
+  friend bool operator==(const PatchKey& a, const PatchKey& b)
+  {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
+
+  friend bool operator<(const PatchKey& a, const PatchKey& b)
+  {
+    if (a.x != b.x)
+      return a.x < b.x;
+    return a.y != b.y ? a.y < b.y : a.z < b.z;
+  }
+
+  /** @brief In patches, too. */
+  Eigen::Vector3d corner() const
+  {
+    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  }
+};
+
 using Patches = std::map<PatchKey, PatchMoments>;
 
 /** @brief The turned points indices[begin, end) by patches, about whose corners they
@@ -69,15 +93,13 @@ patchesOf(const PointView& points,
         turn * points[static_cast<std::size_t>(indices[n])].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
-    PatchKey key{};
-    for (std::size_t k = 0; k < 3; ++k)
-      key[k] = static_cast<std::int64_t>(
-          std::floor(p[static_cast<Eigen::Index>(k)] / patch));
-    if (last == patches.end() || last->first != key)
+    const auto alongAxis = [&](double v) {
+      return static_cast<std::int64_t>(std::floor(v / patch));
+    };
+    const PatchKey key{alongAxis(p.x()), alongAxis(p.y()), alongAxis(p.z())};
+    if (last == patches.end() || !(last->first == key))
       last = patches.try_emplace(key).first;
-    last->second.add(p - patch * Eigen::Vector3d(static_cast<double>(key[0]),
-                                                 static_cast<double>(key[1]),
-                                                 static_cast<double>(key[2])));
+    last->second.add(p - patch * key.corner());
   }
   return patches;
 }
