@@ -98,12 +98,16 @@ sortedByHeight(const std::vector<std::vector<Candidate>>& blocks, unsigned threa
 {
   const std::vector<float> heights = evenHeights(blocks, resolveThreads(threads));
   std::vector<std::vector<Candidate>> stretches(heights.size() + 1);
+  std::size_t count = 0;
+  for (const auto& block : blocks)
+    count += block.size();
   parallelBlocks(stretches.size(), 1, threads, [&](std::size_t s, std::size_t) {
     const auto isWithin = [&](const Candidate& c) {
       return (s == 0 || c.z >= heights[s - 1]) &&
              (s == heights.size() || c.z < heights[s]);
     };
     std::vector<Candidate> own; // not next to what other threads write
+    own.reserve(count / stretches.size() + count / 16);
     for (const auto& block : blocks)
       std::copy_if(block.begin(), block.end(), std::back_inserter(own), isWithin);
     sortByHeight(own);

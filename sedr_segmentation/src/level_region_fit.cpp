@@ -158,6 +158,7 @@ void
 fitRegion(const LevelRelief& relief,
           double tolerance,
           const PlanSlab& start,
+          unsigned threads,
           LevelRegion& region)
 {
   std::vector<double> heights;
@@ -173,10 +174,15 @@ fitRegion(const LevelRelief& relief,
                                        return std::abs(distanceAbove(own, p)) > reach;
                                      }),
                       region.points.end());
-  region.moments = momentsOf(region.points);
+  const auto measure = [&](std::size_t what, std::size_t) {
+    if (what == 0)
+      region.moments = momentsOf(region.points);
+    else
+      region.unevenness = unevennessOf(region.points, own);
+  };
+  parallelBlocks(2, 1, threads, measure); // mostly there is one region, a large one
   region.variance =
       region.moments.variance(region.moments.normal(), region.moments.mean);
-  region.unevenness = unevennessOf(region.points, own);
 }
 
 } // namespace
@@ -220,10 +226,10 @@ fittedRegions(const LevelColumns& columns,
   std::vector<LevelRegion> regions =
       partedRegions(columns.cells(), relief, minimum_cells);
   findPoints(columns, candidates, relief, parameters.tolerance, slab, regions);
-  parallelBlocks(regions.size(), 1, parameters.threads,
-                 [&](std::size_t r, std::size_t) {
-                   fitRegion(relief, parameters.tolerance, slab, regions[r]);
-                 });
+  parallelBlocks(
+      regions.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+        fitRegion(relief, parameters.tolerance, slab, parameters.threads, regions[r]);
+      });
   return regions;
 }
 

@@ -95,11 +95,11 @@ public:
 
   /** @brief Whether a step is there at once: of what slopes, the two cells on either
    * side of the middle differ by no more than three fifths of the whole. */
-  bool isSharp(bool along_x) const
+  bool isSharp(double step, bool along_x) const
   {
     constexpr double least_share = 0.8;
     constexpr std::size_t least = 3;
-    return difference(along_x, 2, 1, least) / step(along_x) >= least_share;
+    return difference(along_x, 2, 1, least) / step >= least_share;
   }
 
 private:
@@ -198,18 +198,20 @@ edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned thre
   const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
   const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
   std::vector<std::uint8_t> kind(relief.size(), none);
-  parallelBlocks(relief.size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     if (!uneven[i])
-                       continue;
-                     const Surroundings around(cells, relief, i);
-                     for (const bool along_x : {true, false})
-                       if (std::abs(around.step(along_x)) >= step)
-                         kind[i] = std::max<std::uint8_t>(
-                             kind[i], around.isSharp(along_x) ? sharp_edge : edge);
-                   }
-                 });
+  parallelBlocks(
+      relief.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if (!uneven[i])
+            continue;
+          const Surroundings around(cells, relief, i);
+          for (const bool along_x : {true, false}) {
+            const double across = around.step(along_x);
+            if (std::abs(across) >= step)
+              kind[i] = std::max<std::uint8_t>(
+                  kind[i], around.isSharp(across, along_x) ? sharp_edge : edge);
+          }
+        }
+      });
   return kind;
 }
 

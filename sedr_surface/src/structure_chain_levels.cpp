@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/cell_fill.h>
 #include <pcl/sedr_segmentation/hanging_furniture.h>
 #include <pcl/sedr_segmentation/plane_list.h>
@@ -91,13 +92,13 @@ StructureChain::levelsOfPlanes(double cell_size) const
 {
   const CellGrid grid(cell_size);
   const PointView points(*cloud);
-  std::vector<Level> levels;
-  for (const auto& plane : planes) {
-    Level level = levelOf(plane);
-    if (level.kind != LevelKind::Other)
-      level.cells = CellSet(grid, points, level.inliers);
-    levels.push_back(std::move(level));
-  }
+  std::vector<Level> levels(planes.size());
+  parallelBlocks(planes.size(), 1, room_segmentation.threads,
+                 [&](std::size_t l, std::size_t) {
+                   levels[l] = levelOf(planes[l]);
+                   if (levels[l].kind != LevelKind::Other)
+                     levels[l].cells = CellSet(grid, points, levels[l].inliers);
+                 });
   return levels;
 }
 
