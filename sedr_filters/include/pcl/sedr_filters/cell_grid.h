@@ -113,8 +113,8 @@ public:
 
   bool empty() const { return keys_.empty(); }
 
-  /** @brief Position of `cell` in the set's order, npos where it is absent. O(1) in a
-   * row without gaps, else O(log of the row). */
+  /** @brief Position of `cell` in the set's order, npos where it is absent. O(log of
+   * the gaps of a row). */
   std::size_t find(Cell cell) const;
 
   bool contains(Cell cell) const { return find(cell) != npos; }
@@ -174,10 +174,15 @@ CellSet::firstFrom(Cell cell) const
     if (first == last || key <= keys[first])
       return first;
     // No cell is farther along its row than its distance from the first.
-    const std::size_t farthest = first + static_cast<std::size_t>(std::min<CellKey>(
-                                             key - keys[first], last - first - 1));
+    const std::size_t end = last - 1;
+    const std::size_t farthest =
+        first +
+        static_cast<std::size_t>(std::min<CellKey>(key - keys[first], end - first));
     if (keys[farthest] <= key)
       return farthest + (keys[farthest] < key ? 1 : 0);
+    // Nor farther from its end than its distance from the last.
+    first =
+        end - static_cast<std::size_t>(std::min<CellKey>(keys[end] - key, end - first));
     last = farthest;
   }
   return static_cast<std::size_t>(std::lower_bound(keys + first, keys + last, key) -
