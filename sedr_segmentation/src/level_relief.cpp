@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -40,6 +41,18 @@ public:
       below += values_[i] < -flat ? 1 : 0;
     }
     return above < size_ - size_ / 2 && below <= size_ / 2;
+  }
+
+  /** @brief Where the mean of the middle half is, at least and at most: it is off the
+   * mean of all by no more than half of what the farthest value is. */
+  std::pair<double, double> middleRange() const
+  {
+    constexpr double rounding = 1e-9;
+    const auto end = values_.begin() + static_cast<std::ptrdiff_t>(size_);
+    const auto [low, high] = std::minmax_element(values_.begin(), end);
+    const double mean =
+        std::accumulate(values_.begin(), end, 0.0) / static_cast<double>(size_);
+    return {mean - (*high - mean) / 2 - rounding, mean + (mean - *low) / 2 + rounding};
   }
 
   double median()
@@ -86,11 +99,11 @@ public:
   }
 
   /** @brief The step across the cell, from what is on one side of it to what is on the
-   * other; 0 where too little was seen. */
-  double step(bool along_x) const
+   * other; 0 where too little was seen, or where it is lower than `lowest`. */
+  double step(bool along_x, double lowest) const
   {
     constexpr std::size_t least = 8;
-    return difference(along_x, reach, 2, least);
+    return difference(along_x, reach, 2, least, lowest);
   }
 
   /** @brief Whether a step is there at once: of what slopes, the two cells on either
@@ -99,7 +112,7 @@ public:
   {
     constexpr double least_share = 0.8;
     constexpr std::size_t least = 3;
-    return difference(along_x, 2, 1, least) / step >= least_share;
+    return difference(along_x, 2, 1, least, 0) / step >= least_share;
   }
 
 private:
@@ -112,8 +125,13 @@ private:
   double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
 
   /** @brief How much higher what is behind the cell lies than what is before it; 0
-   * where fewer than `least` cells were seen on a side. */
-  double difference(bool along_x, int length, int half_width, std::size_t least) const
+   * where fewer than `least` cells were seen on a side, or where it is less than
+   * `lowest`, which is mostly told without sorting. */
+  double difference(bool along_x,
+                    int length,
+                    int half_width,
+                    std::size_t least,
+                    double lowest) const
   {
     Window before;
     Window behind;
@@ -124,7 +142,13 @@ private:
       }
     if (before.size() < least || behind.size() < least)
       return 0;
-    return behind.middleMean() - before.middleMean();
+    const auto [lowest_before, highest_before] = before.middleRange();
+    const auto [lowest_behind, highest_behind] = behind.middleRange();
+    if (std::max(highest_behind - lowest_before, highest_before - lowest_behind) <
+        lowest)
+      return 0;
+    const double step = behind.middleMean() - before.middleMean();
+    return std::abs(step) >= lowest ? step : 0;
   }
 
   std::array<double, side * side> values_{};
@@ -205,8 +229,8 @@ edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned thre
             continue;
           const Surroundings around(cells, relief, i);
           for (const bool along_x : {true, false}) {
-            const double across = around.step(along_x);
-            if (std::abs(across) >= step)
+            const double across = around.step(along_x, step);
+            if (across != 0)
               kind[i] = std::max<std::uint8_t>(
                   kind[i], around.isSharp(across, along_x) ? sharp_edge : edge);
           }
