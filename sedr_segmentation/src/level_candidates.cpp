@@ -62,23 +62,18 @@ StretchesNear::operator()(std::size_t cell) const
   const double height = slab_.heightAt(columns_.grid().centre(columns_.cells()[cell]));
   const double from = height + low_ - rise_ - rounding;
   const double to = height + high_ + rise_ + rounding;
-  const Candidate* const all = columns_.all().data();
-  const Candidate* first = all + columns_.first(cell);
-  const Candidate* last = all + columns_.last(cell);
-  if (first == last || first->z > to || (last - 1)->z < from) // as most columns are
+  const float* const all = columns_.heights().data();
+  const float* first = all + columns_.first(cell);
+  const float* last = all + columns_.last(cell);
+  if (first == last || *first > to || last[-1] < from) // as most columns are
     return {};
-  first = std::lower_bound(first, last, from,
-                           [](const Candidate& c, double z) { return c.z < z; });
-  last = std::upper_bound(first, last, to,
-                          [](double z, const Candidate& c) { return z < c.z; });
+  first = std::lower_bound(first, last, from);
+  last = std::upper_bound(first, last, to);
   return {static_cast<std::size_t>(first - all), static_cast<std::size_t>(last - all)};
 }
 
-HeightStretch
-stretchNear(const LevelColumns& columns,
-            const std::vector<Candidate>& sorted,
-            const PlanSlab& slab,
-            double reach)
+HeightRange
+heightsNear(const LevelColumns& columns, const PlanSlab& slab, double reach)
 {
   const CellBox box = grown(columns.box(), 1); // for what rounding does at its edge
   double lowest = std::numeric_limits<double>::infinity();
@@ -89,12 +84,21 @@ stretchNear(const LevelColumns& columns,
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-  const double from = lowest - reach / slab.plane[2] - rounding;
-  const double to = highest + reach / slab.plane[2] + rounding;
+  return {lowest - reach / slab.plane[2] - rounding,
+          highest + reach / slab.plane[2] + rounding};
+}
+
+HeightStretch
+stretchNear(const LevelColumns& columns,
+            const std::vector<Candidate>& sorted,
+            const PlanSlab& slab,
+            double reach)
+{
+  const auto [low, high] = heightsNear(columns, slab, reach);
   const Candidate* const end = sorted.data() + sorted.size();
   const Candidate* const first = std::lower_bound(
-      sorted.data(), end, from, [](const Candidate& c, double z) { return c.z < z; });
-  return {first, std::upper_bound(first, end, to, [](double z, const Candidate& c) {
+      sorted.data(), end, low, [](const Candidate& c, double z) { return c.z < z; });
+  return {first, std::upper_bound(first, end, high, [](double z, const Candidate& c) {
             return z < c.z;
           })};
 }

@@ -58,6 +58,17 @@ private:
   double high_;
 };
 
+/** @brief Heights from `low` to `high`, metres. */
+struct HeightRange {
+  double low = 0;
+  double high = 0;
+};
+
+/** @brief The heights at which points of some columns may lie within `reach` metres of
+ * a plane. */
+HeightRange
+heightsNear(const LevelColumns& columns, const PlanSlab& slab, double reach);
+
 /** @brief A stretch [first, last) of candidates sorted by height. */
 struct HeightStretch {
   const Candidate* first = nullptr;

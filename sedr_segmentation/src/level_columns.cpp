@@ -22,7 +22,7 @@ namespace {
 class RisingWindow {
 public:
   RisingWindow(const LevelColumns& columns, const CellBlock& block)
-      : all_(columns.all().data())
+      : heights_(columns.heights().data())
   {
     for (const std::size_t cell : block)
       columns_[size_++] = {columns.first(cell), columns.last(cell)};
@@ -43,12 +43,12 @@ public:
 private:
   bool holdsIn(ColumnStretch& rest, float low, float high) const
   {
-    while (rest.first < rest.last && all_[rest.first].z < low)
+    while (rest.first < rest.last && heights_[rest.first] < low)
       ++rest.first;
-    return rest.first < rest.last && all_[rest.first].z <= high;
+    return rest.first < rest.last && heights_[rest.first] <= high;
   }
 
-  const Candidate* all_;
+  const float* heights_;
   std::array<ColumnStretch, 9> columns_{}; ///< from the first point not below it
   std::size_t size_ = 0;
   std::size_t held_last_ = 0;
@@ -154,6 +154,13 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices)
         return Candidate{indices[k], cell, p.x(), p.y(), p.z()};
       },
       isLower);
+  constexpr std::size_t points_a_block = 65536;
+  heights_.resize(all_.size());
+  parallelBlocks(all_.size(), points_a_block, threads_,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     heights_[k] = all_[k].z;
+                 });
 }
 
 void
@@ -170,7 +177,7 @@ LevelColumns::leaveOutWalls(double tolerance)
       RisingWindow above(*this, block);
       RisingWindow below(*this, block);
       for (std::size_t i = first(cell); i < last(cell); ++i) {
-        const float z = all_[i].z;
+        const float z = heights_[i];
         if (!above.holds(z + near, z + far) || !below.holds(z - far, z - near))
           horizontal.push_back(all_[i]);
       }

@@ -29,11 +29,16 @@ ownLevels(const std::vector<Level>& levels,
   const double tolerance = parameters.tolerance;
   const std::vector<Candidate>& all = columns.all();
   std::vector<std::size_t> own(all.size(), levels.size());
+  std::vector<HeightRange> reach;
+  for (const Level& level : levels)
+    reach.push_back(heightsNear(columns, level.slab, tolerance));
   const auto look = [&](std::size_t k) {
     const Cell cell = columns.cells()[all[k].cell];
     double least = tolerance;
     bool is_found_there = false;
     for (std::size_t l = 0; l < levels.size(); ++l) {
+      if (all[k].z < reach[l].low || all[k].z > reach[l].high) // as most are
+        continue;
       const double d = std::abs(distanceAbove(levels[l].slab, all[k].position()));
       if (d > tolerance)
         continue;

@@ -58,6 +58,9 @@ public:
   /** @brief All points, sorted by cell and height. */
   const std::vector<Candidate>& all() const { return all_; }
 
+  /** @brief Their heights alone, side by side: of most columns no more is looked at. */
+  const std::vector<float>& heights() const { return heights_; }
+
   /** @brief Where the points of a cell of cells() begin in all(), and end. */
   std::size_t first(std::size_t cell) const { return first_[cell]; }
   std::size_t last(std::size_t cell) const { return first_[cell + 1]; }
@@ -80,6 +83,7 @@ private:
   CellSet cells_;
   CellBox box_;
   std::vector<Candidate> all_;
+  std::vector<float> heights_;
   std::vector<std::size_t> first_; ///< of the points of each cell, and the end
   std::vector<Candidate> without_walls_;
 };
