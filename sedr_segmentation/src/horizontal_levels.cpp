@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "height_windows.h"
 #include "level_candidates.h"
 #include "level_contrast.h"
 #include "level_parting.h"
 #include "level_regions.h"
+#include "level_relief.h"
 #include "level_steps.h"
 
 #include <pcl/sedr_segmentation/horizontal_levels.h>
@@ -20,56 +22,6 @@ namespace {
 
 /** @brief A plane is fitted to its regions and these found anew at most so often. */
 constexpr int most_rounds = 10;
-
-/** @brief A stretch [first, last) of candidates sorted by height, and its number of
- * cells. */
-struct Window {
-  std::size_t first = 0;
-  std::size_t last = 0;
-  std::size_t cells = 0;
-};
-
-/** @brief The window of the given height that holds points in most cells. O(n). */
-Window
-densestWindow(const std::vector<Candidate>& sorted,
-              double height,
-              std::size_t cell_count)
-{
-  Window best;
-  std::vector<std::uint32_t> points_in_cell(cell_count, 0);
-  std::size_t occupied = 0;
-  std::size_t first = 0;
-  for (std::size_t last = 0; last < sorted.size(); ++last) {
-    if (points_in_cell[sorted[last].cell]++ == 0)
-      ++occupied;
-    for (; sorted[last].z - sorted[first].z > height; ++first)
-      if (--points_in_cell[sorted[first].cell] == 0)
-        --occupied;
-    if (occupied > best.cells)
-      best = {first, last + 1, occupied};
-  }
-  return best;
-}
-
-/** @brief Counts the cells of candidates sorted by height, bin by bin. */
-HeightHistogram
-histogramOf(const std::vector<Candidate>& sorted,
-            double bin_height,
-            std::size_t cell_count)
-{
-  HeightHistogram histogram{bin_height, {}};
-  std::vector<std::size_t> last_bin_of(cell_count, 0); // that counted a cell, from 1
-  for (std::size_t k = 0; k < sorted.size();) {
-    const double bin = std::floor(sorted[k].z / bin_height);
-    histogram.bins.push_back({bin * bin_height, 0});
-    do {
-      std::size_t& last = last_bin_of[sorted[k++].cell];
-      histogram.bins.back().cells += last < histogram.bins.size() ? 1 : 0;
-      last = histogram.bins.size();
-    } while (k < sorted.size() && sorted[k].z / bin_height < bin + 1);
-  }
-  return histogram;
-}
 
 /** @brief Marks the cells that hold a chosen candidate. */
 std::vector<std::uint8_t>
@@ -190,21 +142,6 @@ keepWhatStandsOut(const LevelColumns& columns,
   return true;
 }
 
-/** @brief Takes `positions`, increasing, out of the candidates. */
-void
-erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positions)
-{
-  std::size_t next = 0;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (next < positions.size() && positions[next] == k)
-      ++next;
-    else
-      candidates[kept++] = candidates[k];
-  }
-  candidates.resize(kept);
-}
-
 /** @brief The plane of the candidates of a window; those just outside count, as it may
  * lean. */
 PlanSlab
@@ -215,10 +152,16 @@ slabOfWindow(const std::vector<Candidate>& candidates,
 {
   const double low = candidates[window.first].z - 2 * parameters.tolerance;
   const double high = candidates[window.last - 1].z + 2 * parameters.tolerance;
+  const auto first =
+      std::lower_bound(candidates.begin(), candidates.end(), low,
+                       [](const Candidate& c, double z) { return c.z < z; });
+  const auto last =
+      std::upper_bound(first, candidates.end(), high,
+                       [](double z, const Candidate& c) { return z < c.z; });
   Positions around;
-  for (const auto& c : candidates)
-    if (c.z >= low && c.z <= high)
-      around.push_back(c.position());
+  around.reserve(static_cast<std::size_t>(last - first));
+  for (auto c = first; c != last; ++c)
+    around.push_back(c->position());
   return findLargerSlab(around, parameters.tolerance, parameters.maximum_tilt, seed,
                         parameters.threads);
 }
@@ -290,25 +233,25 @@ findLevels(const LevelColumns& columns,
   std::vector<Level> levels;
   std::vector<CellSet> with_rims; // those of the levels that were needed
   while (true) {
-    const Window window =
-        densestWindow(candidates, 2 * parameters.tolerance, cells.size());
-    if (window.cells < minimum_cells)
+    const Window window = densestWindow(candidates, 2 * parameters.tolerance,
+                                        cells.size(), minimum_cells - 1);
+    if (window.cells == 0)
       break;
     LevelDraft draft;
     draft.slab =
         slabOfWindow(candidates, window, parameters, parameters.seed + levels.size());
     draft.apart.assign(cells.size(), 0);
-    std::vector<std::size_t> own;
-    bool has_changed = true;
-    for (int round = 0; round < most_rounds && has_changed; ++round) {
-      own = nearPlane(columns, candidates, draft, parameters.tolerance);
-      draft.cells = cellsOf(candidates, own, cells.size());
-      has_changed = partLevel(columns, candidates, parameters, minimum_cells, draft);
+    for (int round = 0;; ++round) {
+      draft.relief =
+          reliefOf(columns, candidates, draft.slab, 2 * parameters.tolerance);
+      if (round == most_rounds ||
+          !partLevel(columns, candidates, parameters, minimum_cells, draft))
+        break;
     }
-    if (setStepsApart(columns, candidates, parameters.tolerance, draft)) {
-      own = nearPlane(columns, candidates, draft, parameters.tolerance);
-      draft.cells = cellsOf(candidates, own, cells.size());
-    }
+    setStepsApart(columns, parameters.tolerance, draft);
+    std::vector<std::size_t> own =
+        nearPlane(columns, candidates, draft, parameters.tolerance);
+    draft.cells = cellsOf(candidates, own, cells.size());
     if (keepWhatStandsOut(columns, candidates, parameters.tolerance, minimum_cells,
                           draft)) {
       Level level;

@@ -131,7 +131,7 @@ partLevel(const LevelColumns& columns,
           LevelDraft& draft)
 {
   const CellSet& cells = columns.cells();
-  const LevelRelief relief = reliefAround(columns, candidates, parameters, draft);
+  const LevelRelief relief = reliefAround(columns, parameters, draft);
   std::vector<LevelRegion> regions =
       fittedRegions(columns, candidates, relief, draft.slab, parameters, minimum_cells);
 

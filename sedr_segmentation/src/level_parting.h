@@ -15,6 +15,7 @@ namespace sedr {
 /** @brief A level that is being looked for: its plane, and what it does not reach. */
 struct LevelDraft {
   PlanSlab slab;
+  std::vector<double> relief;      ///< two tolerances about the plane, see reliefOf()
   std::vector<std::uint8_t> cells; ///< marks those with a candidate on the plane
   std::vector<std::uint8_t> apart; ///< marks those at a level of their own
 };
@@ -29,7 +30,7 @@ struct LevelDraft {
  * @param candidates those that no level has taken yet
  * @param[in,out] draft gets the plane of the regions that stay, and the others' cells,
  *   with those around them, apart
- * @return whether there were others; then its cells are out of date */
+ * @return whether there were others; then its relief and cells are out of date */
 bool partLevel(const LevelColumns& columns,
                const std::vector<Candidate>& candidates,
                const LevelParameters& parameters,

@@ -197,13 +197,12 @@ Moments::normal() const
 
 LevelRelief
 reliefAround(const LevelColumns& columns,
-             const std::vector<Candidate>& candidates,
              const LevelParameters& parameters,
              const LevelDraft& draft)
 {
   const CellSet& cells = columns.cells();
   LevelRelief relief;
-  relief.heights = reliefOf(columns, candidates, draft.slab, 2 * parameters.tolerance);
+  relief.heights = draft.relief;
   std::vector<std::uint8_t> seen(cells.size(), 0);
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i] = !std::isnan(relief.heights[i]) && !draft.apart[i] ? 1 : 0;

@@ -63,7 +63,6 @@ struct LevelRelief {
 /** @brief The relief up to two tolerances from a level: with what noise puts within one
  * tolerance of it comes the whole of the surface that it belongs to. O(n). */
 LevelRelief reliefAround(const LevelColumns& columns,
-                         const std::vector<Candidate>& candidates,
                          const LevelParameters& parameters,
                          const LevelDraft& draft);
 

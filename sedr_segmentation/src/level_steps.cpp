@@ -76,16 +76,13 @@ withoutFringes(const CellSet& cells)
   return CellSet::fromSorted(std::move(kept));
 }
 
-bool
-setStepsApart(const LevelColumns& columns,
-              const std::vector<Candidate>& candidates,
-              double tolerance,
-              LevelDraft& draft)
+void
+setStepsApart(const LevelColumns& columns, double tolerance, LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
   const CellSet& cells = columns.cells();
   const double reach = 2 * tolerance;
-  std::vector<double> relief = reliefOf(columns, candidates, draft.slab, reach);
+  std::vector<double> relief = draft.relief;
   const double noise =
       std::min(tolerance, std::max(2 * noiseOfRelief(cells, relief), least_noise));
   // Of what is about as far as that, the noise alone is within reach.
@@ -103,15 +100,12 @@ setStepsApart(const LevelColumns& columns,
   std::vector<std::vector<std::size_t>> regions(labels.sizes.size());
   for (std::size_t i = 0; i < wide.size(); ++i)
     regions[labels.label[i]].push_back(cells.find(wide[i]));
-  bool has_steps = false;
   for (const auto& region : regions) {
     if (region.size() < least_cells || !isStep(cells, region, offsets, noise))
       continue;
     for (const std::size_t i : region)
       draft.apart[i] = 1;
-    has_steps = true;
   }
-  return has_steps;
 }
 
 } // namespace sedr

@@ -16,14 +16,9 @@ namespace sedr {
  * What is off the plane by 3 cm, or four times the noise of its cells if that is more,
  * a decimetre and more wide, and begins at once where the plane ends, is a surface of
  * its own; a plane that is uneven leaves itself gradually. O(n).
- * @param columns    all points
- * @param candidates those that no level has taken yet
- * @param[in,out] draft with its plane and cells; gets the cells apart
- * @return whether there were any; then its cells are out of date */
-bool setStepsApart(const LevelColumns& columns,
-                   const std::vector<Candidate>& candidates,
-                   double tolerance,
-                   LevelDraft& draft);
+ * @param columns all points
+ * @param[in,out] draft with its plane and relief; gets the cells apart */
+void setStepsApart(const LevelColumns& columns, double tolerance, LevelDraft& draft);
 
 /** @brief How far from a plane its own points are: four standard deviations, at least
  * 1.5 cm, at most the tolerance; metres. */
