@@ -40,13 +40,16 @@ squareOf(Cell cell)
 void
 countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares)
 {
+  auto last = squares.end(); // where the next one in a row mostly is, too
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell middle{cells[i].x + way.x, cells[i].y + way.y};
     if (!cells.contains({middle.x + way.x, middle.y + way.y}))
       continue;
-    Between& square = squares[squareOf(middle)];
-    ++square.all;
-    square.occupied += cells.contains(middle) ? 1 : 0;
+    const CellKey square = squareOf(middle);
+    if (last == squares.end() || last->first != square)
+      last = squares.try_emplace(square).first;
+    ++last->second.all;
+    last->second.occupied += cells.contains(middle) ? 1 : 0;
   }
 }
 

@@ -103,11 +103,11 @@ StructureChain::levelsOfPlanes(double cell_size) const
 }
 
 bool
-StructureChain::leaveOutHangingFurniture()
+StructureChain::leaveOutHangingFurniture(const std::vector<Level>& levels)
 {
   const double size = plane_detection.getGridSize();
   const HangingFurniture hanging = hangingFurnitureBelow(
-      levelsOfPlanes(size), PointView(*cloud), size, room_segmentation.minimum_height,
+      levels, PointView(*cloud), size, room_segmentation.minimum_height,
       room_segmentation.threads);
   if (hanging.points.empty())
     return false;
@@ -126,14 +126,13 @@ StructureChain::leaveOutHangingFurniture()
 }
 
 double
-StructureChain::cellSizeThatFills() const
+StructureChain::cellSizeThatFills(const std::vector<Level>& levels) const
 {
-  const double size = plane_detection.getGridSize();
   std::vector<CellSet> ceilings;
-  for (const auto& plane : planes)
-    if (plane.kind == LevelKind::Ceiling)
-      ceilings.emplace_back(CellGrid(size), PointView(*cloud), plane.inliers.indices);
-  return cellSizeFor(ceilings, size);
+  for (const Level& level : levels)
+    if (level.kind == LevelKind::Ceiling)
+      ceilings.push_back(level.cells);
+  return cellSizeFor(ceilings, plane_detection.getGridSize());
 }
 
 bool
@@ -142,13 +141,15 @@ StructureChain::findPlanes(StageReport& report)
   if (!detectPlanes())
     return false;
   const double size = plane_detection.getGridSize();
-  const double wanted = adapts_grid ? cellSizeThatFills() : size;
+  std::vector<Level> levels = levelsOfPlanes(size);
+  const double wanted = adapts_grid ? cellSizeThatFills(levels) : size;
   if (wanted > size) {
     enlargeCells(wanted);
     if (!detectPlanes())
       return false;
+    levels = levelsOfPlanes(wanted);
     constexpr double uneven = 1.2; // what fills at random fills no square quite alike
-    const bool is_filled = cellSizeThatFills() < uneven * wanted;
+    const bool is_filled = cellSizeThatFills(levels) < uneven * wanted;
     char text[200];
     std::snprintf(text, sizeof text,
                   "the scan is too sparse for cells of %.2f m, its ceilings leave some "
@@ -158,7 +159,7 @@ StructureChain::findPlanes(StageReport& report)
                             : ", of which some are still empty: walls may be guesses");
     warnings.push_back(text);
   }
-  if (leaveOutHangingFurniture() && !detectPlanes())
+  if (leaveOutHangingFurniture(levels) && !detectPlanes())
     return false;
   tellResult("HorizontalPlaneDetection");
   for (const auto& plane : planes)

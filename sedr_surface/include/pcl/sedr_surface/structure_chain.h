@@ -153,9 +153,9 @@ private:
   /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
    * puts points on the walls that they hide, before any has a label.
    * @return whether there were any: the planes must be found again */
-  bool leaveOutHangingFurniture();
+  bool leaveOutHangingFurniture(const std::vector<Level>& levels);
 
-  double cellSizeThatFills() const;
+  double cellSizeThatFills(const std::vector<Level>& levels) const;
   void enlargeCells(double size);
 
   /** @brief Gives outlier removal its minimum back, unless another was set since. */
