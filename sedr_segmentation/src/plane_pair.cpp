@@ -156,6 +156,29 @@ bestPair(const PointView& points,
   return best;
 }
 
+namespace {
+
+/** @brief The box around all points that are finite. */
+Eigen::AlignedBox3f
+boxAround(const PointView& points, const std::vector<int>& indices, unsigned threads)
+{
+  std::vector<Eigen::AlignedBox3f> parts(indices.size() / points_a_block + 1);
+  parallelBlocks(
+      indices.size(), points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        Eigen::AlignedBox3f part;
+        for (std::size_t k = begin; k < end; ++k)
+          if (const auto i = static_cast<std::size_t>(indices[k]); points.isFinite(i))
+            part.extend(points[i]);
+        parts[begin / points_a_block] = part;
+      });
+  Eigen::AlignedBox3f box;
+  for (const Eigen::AlignedBox3f& part : parts)
+    box.extend(part);
+  return box;
+}
+
+} // namespace
+
 SidePair
 bestSidePair(const PointView& points,
              const std::vector<int>& indices,
@@ -165,10 +188,7 @@ bestSidePair(const PointView& points,
 {
   constexpr double least_area = 2; // square metres
   constexpr double cell_area = cell_size * cell_size;
-  Eigen::AlignedBox3f box;
-  for (const int i : indices)
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      box.extend(points[static_cast<std::size_t>(i)]);
+  const Eigen::AlignedBox3f box = boxAround(points, indices, threads);
   const Eigen::Vector3d reach =
       box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                     : Eigen::Vector3d(box.sizes().cast<double>().array() + 0.2);

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 namespace pcl {
 namespace sedr {
@@ -93,8 +94,9 @@ patchesOf(const PointView& points,
         turn * points[static_cast<std::size_t>(indices[n])].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
-    const auto alongAxis = [&](double v) {
-      return static_cast<std::int64_t>(std::floor(v / patch));
+    const auto alongAxis = [&](double v) { // rounds down, without a call
+      const auto whole = static_cast<std::int64_t>(v / patch);
+      return whole - (v / patch < static_cast<double>(whole) ? 1 : 0);
     };
     const PatchKey key{alongAxis(p.x()), alongAxis(p.y()), alongAxis(p.z())};
     if (last == patches.end() || !(last->first == key))
@@ -102,6 +104,25 @@ patchesOf(const PointView& points,
     last->second.add(p - patch * key.corner());
   }
   return patches;
+}
+
+/** @brief The normal of a patch that is a plane, z not below 0. */
+std::optional<Eigen::Vector3d>
+normalOf(const PatchMoments& patch)
+{
+  constexpr double fewest = 20;
+  constexpr double most_scatter = 0.02; // across a plane, metres
+  constexpr double least_spread = 0.08; // along it
+  if (patch.count < fewest)
+    return {};
+  const Eigen::Vector3d mean = patch.sum / patch.count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      patch.squares / patch.count - mean * mean.transpose());
+  if (solver.eigenvalues()[0] > most_scatter * most_scatter ||
+      solver.eigenvalues()[1] < least_spread * least_spread)
+    return {};
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  return normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
 /** @brief The normals of the patches that are planes, z not below 0, all turned. */
@@ -112,10 +133,8 @@ normalsOf(const PointView& points,
           double patch,
           unsigned threads)
 {
-  constexpr double fewest = 20;
-  constexpr double most_scatter = 0.02; // across a plane, metres
-  constexpr double least_spread = 0.08; // along it
   constexpr std::size_t block = std::size_t{1} << 15;
+  constexpr std::size_t patches_a_block = 512;
   std::vector<Patches> parts(indices.size() / block + 1);
   parallelBlocks(
       indices.size(), block, threads, [&](std::size_t begin, std::size_t end) {
@@ -125,19 +144,19 @@ normalsOf(const PointView& points,
   for (const Patches& part : parts)
     for (const auto& [key, moments] : part)
       patches[key].add(moments);
+  std::vector<const PatchMoments*> moments;
+  for (const auto& [key, patch_moments] : patches)
+    moments.push_back(&patch_moments);
+  std::vector<std::optional<Eigen::Vector3d>> normal_of(moments.size());
+  parallelBlocks(moments.size(), patches_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     normal_of[k] = normalOf(*moments[k]);
+                 });
   std::vector<Eigen::Vector3d> normals;
-  for (const auto& [key, m] : patches) {
-    if (m.count < fewest)
-      continue;
-    const Eigen::Vector3d mean = m.sum / m.count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        m.squares / m.count - mean * mean.transpose());
-    if (solver.eigenvalues()[0] > most_scatter * most_scatter ||
-        solver.eigenvalues()[1] < least_spread * least_spread)
-      continue;
-    const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    normals.push_back(normal.z() < 0 ? Eigen::Vector3d(-normal) : normal);
-  }
+  for (const auto& normal : normal_of)
+    if (normal)
+      normals.push_back(*normal);
   return normals;
 }
 
