@@ -71,14 +71,21 @@ TEST(HeightWindows, OfNoCandidatesThereIsNone)
 TEST(HeightWindows, WhatIsTakenOutIsGoneAndTheRestStaysInOrder)
 {
   const std::vector<Candidate> all = scattered(50, 1);
-  for (const std::vector<std::size_t>& positions :
-       {std::vector<std::size_t>{}, {0}, {49}, {0, 1, 2, 48, 49}, {7, 9, 10, 30}}) {
+  const std::vector<std::vector<std::size_t>> taken{{},
+                                                    {0},
+                                                    {49},
+                                                    {0, 1, 2, 48, 49},
+                                                    {7, 9, 10, 30}};
+  for (const std::vector<std::size_t>& positions : taken) {
     std::vector<Candidate> rest = all;
     erase(rest, positions);
     ASSERT_EQ(rest.size(), all.size() - positions.size());
-    for (std::size_t k = 0, next = 0; k < all.size(); ++k)
-      if (!std::count(positions.begin(), positions.end(), k))
-        EXPECT_EQ(rest[next++].index, all[k].index);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (std::count(positions.begin(), positions.end(), k) > 0)
+        continue;
+      EXPECT_EQ(rest[next++].index, all[k].index);
+    }
   }
 }
 
