@@ -39,13 +39,13 @@ private:
 
 } // namespace
 
-Window
+HeightWindow
 densestWindow(const std::vector<Candidate>& sorted,
               double height,
               std::size_t cell_count,
               std::size_t fewer)
 {
-  Window best;
+  HeightWindow best;
   best.cells = fewer;
   CellsOfStretch cells(sorted, cell_count);
   std::size_t first = 0;
@@ -58,7 +58,7 @@ densestWindow(const std::vector<Candidate>& sorted,
     if (occupied > best.cells)
       best = {first, last + 1, occupied};
   }
-  return best.last > 0 ? best : Window();
+  return best.last > 0 ? best : HeightWindow();
 }
 
 HeightHistogram

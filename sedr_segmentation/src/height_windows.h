@@ -11,7 +11,7 @@ namespace sedr {
 
 /** @brief A stretch [first, last) of candidates sorted by height, and its number of
  * cells. */
-struct Window {
+struct HeightWindow {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t cells = 0;
@@ -20,10 +20,10 @@ struct Window {
 /** @brief The lowest of the windows of the given height that hold points in most cells,
  * in more than `fewer`; none where there is no such. Cells are counted only where there
  * are points enough. O(n). */
-Window densestWindow(const std::vector<Candidate>& sorted,
-                     double height,
-                     std::size_t cell_count,
-                     std::size_t fewer);
+HeightWindow densestWindow(const std::vector<Candidate>& sorted,
+                           double height,
+                           std::size_t cell_count,
+                           std::size_t fewer);
 
 /** @brief Counts the cells of candidates sorted by height, bin by bin. O(n). */
 HeightHistogram histogramOf(const std::vector<Candidate>& sorted,

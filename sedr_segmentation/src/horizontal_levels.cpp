@@ -146,7 +146,7 @@ keepWhatStandsOut(const LevelColumns& columns,
  * lean. */
 PlanSlab
 slabOfWindow(const std::vector<Candidate>& candidates,
-             const Window& window,
+             const HeightWindow& window,
              const LevelParameters& parameters,
              std::uint64_t seed)
 {
@@ -233,8 +233,8 @@ findLevels(const LevelColumns& columns,
   std::vector<Level> levels;
   std::vector<CellSet> with_rims; // those of the levels that were needed
   while (true) {
-    const Window window = densestWindow(candidates, 2 * parameters.tolerance,
-                                        cells.size(), minimum_cells - 1);
+    const HeightWindow window = densestWindow(candidates, 2 * parameters.tolerance,
+                                              cells.size(), minimum_cells - 1);
     if (window.cells == 0)
       break;
     LevelDraft draft;

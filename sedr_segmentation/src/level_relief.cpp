@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_relief.h"
+#include "relief_window.h"
 
 #include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/parallel.h>
@@ -9,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -19,69 +18,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t cells_a_block = 4096;
-
-/** @brief What up to 25 values of a window agree on. */
-class Window {
-public:
-  void add(double value)
-  {
-    if (!std::isnan(value))
-      values_[size_++] = value;
-  }
-
-  std::size_t size() const { return size_; }
-
-  /** @brief Whether the median is no farther than that from 0: told by counting. */
-  bool isWithin(double flat) const
-  {
-    std::size_t above = 0;
-    std::size_t below = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      above += values_[i] > flat ? 1 : 0;
-      below += values_[i] < -flat ? 1 : 0;
-    }
-    return above < size_ - size_ / 2 && below <= size_ / 2;
-  }
-
-  /** @brief Where the mean of the middle half is, at least and at most: it is off the
-   * mean of all by no more than half of what the farthest value is. */
-  std::pair<double, double> middleRange() const
-  {
-    constexpr double rounding = 1e-9;
-    const auto end = values_.begin() + static_cast<std::ptrdiff_t>(size_);
-    const auto [low, high] = std::minmax_element(values_.begin(), end);
-    const double mean =
-        std::accumulate(values_.begin(), end, 0.0) / static_cast<double>(size_);
-    return {mean - (*high - mean) / 2 - rounding, mean + (mean - *low) / 2 + rounding};
-  }
-
-  double median()
-  {
-    const auto middle = at(size_ / 2);
-    std::nth_element(values_.begin(), middle, at(size_));
-    return *middle;
-  }
-
-  /** @brief Mean of the middle half. Heights of voxels come in layers, between which a
-   * median may jump. */
-  double middleMean()
-  {
-    std::sort(values_.begin(), at(size_));
-    const std::size_t first = size_ / 4;
-    const std::size_t last = size_ - first;
-    return std::accumulate(at(first), at(last), 0.0) /
-           static_cast<double>(last - first);
-  }
-
-private:
-  std::array<double, 25>::iterator at(std::size_t i)
-  {
-    return values_.begin() + static_cast<std::ptrdiff_t>(i);
-  }
-
-  std::array<double, 25> values_{};
-  std::size_t size_ = 0;
-};
 
 /** @brief The relief around a cell, up to four cells away. */
 class Surroundings {
@@ -133,8 +69,8 @@ private:
                     std::size_t least,
                     double lowest) const
   {
-    Window before;
-    Window behind;
+    ReliefWindow before;
+    ReliefWindow behind;
     for (int along = 1; along <= length; ++along)
       for (int across = -half_width; across <= half_width; ++across) {
         before.add(along_x ? at(-along, across) : at(across, -along));
@@ -286,7 +222,7 @@ smoothRelief(const CellSet& cells,
                    for (std::size_t i = begin; i < end; ++i) {
                      if (std::isnan(relief[i]))
                        continue;
-                     Window window;
+                     ReliefWindow window;
                      for (const std::size_t k : blockAround(cells, i))
                        window.add(relief[k]);
                      smooth[i] = window.isWithin(flat) ? 0 : window.median();

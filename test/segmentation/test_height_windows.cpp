@@ -31,10 +31,10 @@ scattered(std::size_t count, unsigned seed)
 }
 
 /** The same by counting the cells of every window. */
-Window
+HeightWindow
 densestOfAll(const std::vector<Candidate>& sorted, double height, std::size_t fewer)
 {
-  Window best;
+  HeightWindow best;
   for (std::size_t last = 1; last <= sorted.size(); ++last) {
     std::size_t first = last - 1;
     while (first > 0 && sorted[last - 1].z - sorted[first - 1].z <= height)
@@ -54,8 +54,8 @@ TEST(HeightWindows, TheDensestIsThatOfAllWindows)
     const std::vector<Candidate> sorted = scattered(20 + 10 * seed, seed);
     for (const double height : {0.0, 0.05, 0.14, 3.0})
       for (const std::size_t fewer : {0, 5, 20, 40}) {
-        const Window found = densestWindow(sorted, height, cell_count, fewer);
-        const Window expected = densestOfAll(sorted, height, fewer);
+        const HeightWindow found = densestWindow(sorted, height, cell_count, fewer);
+        const HeightWindow expected = densestOfAll(sorted, height, fewer);
         EXPECT_EQ(found.first, expected.first) << "seed " << seed;
         EXPECT_EQ(found.last, expected.last) << "seed " << seed;
         EXPECT_EQ(found.cells, expected.cells) << "seed " << seed;
