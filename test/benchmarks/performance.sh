@@ -29,18 +29,24 @@ measure() {
   [ -s "$file" ] || mv "$file.part" "$file"
 }
 
-measure thinning "$bin/benchmark_parallel_voxel_grid"
+# What is compared runs in turn, as machines slow down and recover.
+in_turn=--benchmark_enable_random_interleaving=true
+
+for cloud in 3/random:0 30/random:0 50/random:0 30/random:1 50/random:1; do
+  measure "thinning_${cloud/\/random:/_}" "$bin/benchmark_parallel_voxel_grid" $in_turn \
+    --benchmark_filter="^(VoxelGrid|ApproximateVoxelGrid|ParallelVoxelGrid)/Mpoints:$cloud"
+done
 measure stages "$bin/benchmark_stages"
 for scene in bls_room hls_hall syn_flat; do
   [ -s "$out/$scene/scan.pcd" ] || "$bin/pcl_simulate_indoor_scan" "$scene" "$out/$scene" --noise 0.01 >&2
-  measure "chain_$scene" "$bin/benchmark_chain" "$out/$scene/scan.pcd"
+  measure "chain_$scene" "$bin/benchmark_chain" "$out/$scene/scan.pcd" $in_turn
 done
 # The way to the plan at 3 and 30 million points: scene, rays of a scanner position, name.
 while read -r scene rays name; do
   [ -s "$out/plan_$name.json" ] ||
     "$bin/pcl_simulate_indoor_scan" "$scene" "$out/$name" --rays "$rays" --noise 0.01 >&2
   measure "plan_$name" "$bin/benchmark_chain" "$out/$name/scan.pcd" \
-    --benchmark_filter="^(Reading|VoxelGrid|SedrToThePlan)/" --benchmark_enable_random_interleaving=true
+    --benchmark_filter="^(Reading|VoxelGrid|SedrToThePlan)/" $in_turn
   rm -rf "${out:?}/$name"
 done <<'SCENES'
 bls_room 47000 bls_room_3

@@ -58,7 +58,9 @@ def save(figure, path):
 
 def thinning(out):
     rows = []
-    runs = medians(out / "thinning.json")
+    runs = {}
+    for cloud in ("3_0", "30_0", "50_0", "30_1", "50_1"):  # million points, whether shuffled
+        runs.update(medians(out / f"thinning_{cloud}.json"))
     for name, run in runs.items():
         if not name.startswith("VoxelGrid"):
             continue
