@@ -259,6 +259,7 @@ main(int argc, char** argv)
   double thickness = analysis.getSliceThickness();
   double island = analysis.getMinimumIslandArea();
   std::uint64_t seed = analysis.getSeed();
+  unsigned threads = analysis.getNumberOfThreads();
 
   Options options("pcl_grid_slice_detail",
                   "Labels the details of every room's ceiling, soffits, beams and "
@@ -289,6 +290,7 @@ main(int argc, char** argv)
                          settings.has_floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  options.number("threads", threads, "", "threads to use, 0 = all processors");
   addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
@@ -299,6 +301,7 @@ main(int argc, char** argv)
     analysis.setSliceThickness(thickness);
     analysis.setMinimumIslandArea(island);
     analysis.setSeed(seed);
+    analysis.setNumberOfThreads(threads);
     return run(settings, analysis);
   });
 }

@@ -207,6 +207,7 @@ main(int argc, char** argv)
   double area = detection.getMinimumArea();
   double height = detection.getMinimumRoomHeight();
   std::uint64_t seed = detection.getSeed();
+  unsigned threads = detection.getNumberOfThreads();
 
   Options options(
       "pcl_horizontal_plane_detection",
@@ -225,6 +226,7 @@ main(int argc, char** argv)
   options.number("min-height", height, "m",
                  "smallest height of a ceiling above its floor", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
+  options.number("threads", threads, "", "threads to use, 0 = all processors");
   options.text("planes", settings.planes, "JSON file for the list of planes");
   addPictureOption(options, settings.picture);
   options.flag("z-up", settings.trust_up,
@@ -238,6 +240,7 @@ main(int argc, char** argv)
     detection.setMinimumArea(area);
     detection.setMinimumRoomHeight(height);
     detection.setSeed(seed);
+    detection.setNumberOfThreads(threads);
     return run(settings, detection);
   });
 }

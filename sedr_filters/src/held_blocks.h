@@ -11,9 +11,15 @@ namespace sedr {
 
 /** @brief The blocks that a thread has locked. It gives none back while it adds points
  * to a few that lie side by side, between which a scanner goes to and fro; but all of
- * them before it waits for one, so that no two threads wait for each other. */
+ * them before it waits for one, so that no two threads wait for each other. For memory
+ * and for the directory of blocks it may wait while it holds some: who has these never
+ * waits for a block. */
 class HeldBlocks {
 public:
+  HeldBlocks() = default;
+  HeldBlocks(const HeldBlocks&) = delete;
+  HeldBlocks& operator=(const HeldBlocks&) = delete;
+
   /** @brief The block with this corner, null where it is not held. */
   VoxelBlock* find(std::size_t slot, const VoxelCode& corner) const
   {

@@ -13,6 +13,7 @@ namespace sedr {
 namespace {
 
 constexpr std::size_t bins = 1024;
+constexpr std::size_t fewest_for_bins = 65;
 
 /** @brief Of values spread over a range, leaves those that share a part of it with the
  * one at `rank`, which becomes the rank among these. */
@@ -28,8 +29,8 @@ keepBinOf(std::size_t& rank, std::vector<double>& values)
   const double scale = (bins - 1) / (high - low);
   if (!std::isnormal(scale))
     return;
-  // Rises with the value, so that all values of a bin are below those of the next. What
-  // is no number comes last.
+  // Rises with the value, so that all values of a bin are below those of the next; the
+  // last one is for what is no number, lest the bins be left.
   const auto binOf = [&](double v) {
     return v <= high ? static_cast<std::size_t>((v - low) * scale) : bins;
   };
@@ -50,7 +51,7 @@ double
 middleValue(std::vector<double> values)
 {
   std::size_t rank = values.size() / 2; // among the values that are left
-  if (values.size() > bins / 16)
+  if (values.size() >= fewest_for_bins)
     keepBinOf(rank, values);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(values.begin(), middle, values.end());

@@ -227,7 +227,7 @@ appendEntries(const PlanRoom& room,
               const CellTable& table,
               std::vector<CellTable::Entry>& entries)
 {
-  constexpr double step = 0.1; // metres, along an upright
+  constexpr double step = 0.5; // metres, along an upright
   const Eigen::Vector2d reach =
       Eigen::Vector2d::Constant(reach_before + step / 2 + beside + tolerance);
   for (const UprightSurface& surface : uprightSurfaces(room)) {

@@ -112,7 +112,7 @@ private:
         ++first_[column + 1];
     for (std::size_t c = 1; c < first_.size(); ++c)
       first_[c] += first_[c - 1];
-    entries_.reset(new Entry[first_.back()]);
+    entries_.reset(new Entry[first_.back()]); // not cleared: all are written
     std::vector<std::size_t> next(first_.begin(), first_.end());
     for (std::size_t k = 0; k < indices.size(); ++k) {
       if (columns[k] == outside)

@@ -17,9 +17,9 @@ namespace sedr {
 /** @brief Adds the points of one thread to the blocks that all threads share.
  *
  * A scanner sees many points of a few blocks, to and fro, before it turns away: a
- * block is locked once for all of its points in a batch, and looked for among those
- * seen last. Where the points come in no such order, each would wait for memory four
- * times over; then blocks and sums of a whole batch are sent for beforehand. */
+ * block is mostly locked once for all of its points in a batch, and looked for among
+ * those seen last. Where the points come in no such order, each would wait for memory
+ * four times over; then blocks and sums of a whole batch are sent for beforehand. */
 class VoxelAdder {
 public:
   VoxelAdder(const VoxelFrame& frame, BlockDirectory& blocks)
@@ -134,8 +134,7 @@ private:
   BlockDirectory& blocks_;
   BlockMemory memory_;
   VoxelBatch batch_;
-  bool is_scattered_ =
-      false; ///< whether most points were in another block than the last
+  bool is_scattered_ = false; ///< whether fewer than two points came to each lock
   std::array<std::uint32_t, VoxelBatch::most> hashes_{};
   std::array<VoxelBlock*, VoxelBatch::most> guesses_{};
   RecentBlocks recent_;

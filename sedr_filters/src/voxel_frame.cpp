@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/voxel_frame.h>
 
-/** @brief Compiles a function twice, for processors with AVX2 as well, of which a
- * program chooses one as it starts. That is too early for a thread sanitizer. No sum is
- * fused with a product: the results are the same. */
+/** @brief Compiles a function twice, for processors with AVX2 as well, of which the
+ * loader chooses one as a program starts: glibc's can, and it is too early for a thread
+ * sanitizer. All products here are with powers of two and exact, so that both give the
+ * same. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&                 \
-    !defined(__SANITIZE_THREAD__)
+    defined(__GLIBC__) && !defined(__SANITIZE_THREAD__)
 #define SEDR_FOR_WIDE_VECTORS_TOO __attribute__((target_clones("avx2", "default")))
 #else
 #define SEDR_FOR_WIDE_VECTORS_TOO

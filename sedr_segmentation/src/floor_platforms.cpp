@@ -78,7 +78,8 @@ isWithinAStep(const CellMask& region,
   const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
   const double top = level.slab.heightAt(middle);
   const double bottom = floor.slab.heightAt(middle);
-  if (top - bottom <= platform.greatest_step || isLarge(region, grid.size()))
+  if (top - bottom <= platform.greatest_step ||
+      isLargerThanFurniture(region, grid.size()))
     return true;
   const CellMask rim = subtract(dilated(region, 2), region);
   const auto least = static_cast<std::size_t>(cellsFor(0.4, grid.size()));

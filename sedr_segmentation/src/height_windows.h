@@ -18,8 +18,8 @@ struct HeightWindow {
 };
 
 /** @brief The lowest of the windows of the given height that hold points in most cells,
- * in more than `fewer`; none where there is no such. Cells are counted only where there
- * are points enough. O(n). */
+ * in more than `fewer`, of candidates sorted by height; none where there is no such.
+ * Cells are counted only where there are points enough. O(n). */
 HeightWindow densestWindow(const std::vector<Candidate>& sorted,
                            double height,
                            std::size_t cell_count,

@@ -53,7 +53,7 @@ PlatformStep::treadAt(Cell cell) const
 }
 
 bool
-isLarge(const CellMask& region, double cell_size)
+isLargerThanFurniture(const CellMask& region, double cell_size)
 {
   constexpr double largest_furniture = 4.5; // square metres
   return static_cast<double>(region.count()) * cell_size * cell_size >
@@ -80,7 +80,8 @@ isClosed(const PlatformStep& step, const CellMask& region)
       ++risers;
   }
   const std::size_t all = rim.count();
-  return (isLarge(region, step.grid.size()) || 5 * walls >= all - hidden) &&
+  return (isLargerThanFurniture(region, step.grid.size()) ||
+          5 * walls >= all - hidden) &&
          10 * (walls + hidden + risers) >= 7 * all;
 }
 

@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Whether a region is larger than furniture: than two beds side by side. */
-bool isLarge(const CellMask& region, double cell_size);
+bool isLargerThanFurniture(const CellMask& region, double cell_size);
 
 /** @brief A level that may be a platform, and the floor below it. */
 struct PlatformStep {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_segmentation/room_territory.h>
 
+#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
@@ -47,6 +48,19 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
     if (quarter.frame.isInside(cell))
       return quarter.room[quarter.frame.indexOf(cell)];
   return -1;
+}
+
+std::vector<std::int32_t>
+RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
+{
+  constexpr std::size_t points_a_block = 32768;
+  std::vector<std::int32_t> rooms(points.size());
+  parallelBlocks(points.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     rooms[i] = roomAt(points[i]);
+                 });
+  return rooms;
 }
 
 CellSet

@@ -174,19 +174,33 @@ SlitFace::top() const
 
 namespace {
 
-/** @brief Tells which faces may be near a place. */
-CellTable
-tableOf(const std::vector<SlitFace*>& faces)
-{
-  constexpr double cell_size = 0.5;
-  CellTable table(cell_size);
-  std::vector<CellTable::Entry> entries;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    entries.push_back({table.boxAround(faces[f]->low(), faces[f]->high()),
-                       static_cast<std::uint32_t>(f)});
-  table.fill(entries);
-  return table;
-}
+/** @brief Which faces may be near a place; all of them where they are too far apart for
+ * a table. */
+class FacesNear {
+public:
+  explicit FacesNear(const std::vector<SlitFace*>& faces)
+      : table_(0.5) // metres
+      , all_(faces.size())
+  {
+    std::iota(all_.begin(), all_.end(), 0u);
+    std::vector<CellTable::Entry> entries;
+    for (const std::uint32_t f : all_)
+      entries.push_back({table_.boxAround(faces[f]->low(), faces[f]->high()), f});
+    is_table_filled_ = table_.fill(entries).empty();
+  }
+
+  CellTable::Numbers at(const Eigen::Vector2d& place) const
+  {
+    if (!is_table_filled_)
+      return {all_.data(), all_.data() + all_.size()};
+    return table_.at(place);
+  }
+
+private:
+  CellTable table_;
+  std::vector<std::uint32_t> all_;
+  bool is_table_filled_ = false;
+};
 
 } // namespace
 
@@ -201,7 +215,7 @@ countAtFaces(const std::vector<SlitFace*>& faces,
   double lowest = std::numeric_limits<double>::infinity();
   for (const SlitFace* face : faces)
     lowest = std::min(lowest, face->lowest());
-  const CellTable near = tableOf(faces);
+  const FacesNear near(faces);
   std::mutex adding;
   constexpr std::size_t points_a_block = 65536;
   parallelBlocks(

@@ -57,8 +57,7 @@ private:
 };
 
 /** @brief Counts the points of a scan at each face. O(n) for n points, each of which is
- * shown to the faces near it only; the same for any number of threads. None is counted
- * at faces too far apart for a table of where they are.
+ * shown to the faces near it only; the same for any number of threads.
  * @param indices those of the points that count; empty: all */
 void countAtFaces(const std::vector<SlitFace*>& faces,
                   const PointView& raw,

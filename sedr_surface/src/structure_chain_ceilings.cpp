@@ -305,13 +305,8 @@ StructureChain::territories() const
   for (std::size_t r = 0; r < regions_.size(); ++r)
     result.emplace_back(new pcl::Indices);
   const PointView points(*cloud);
-  std::vector<std::int32_t> room(points.size());
-  constexpr std::size_t points_a_block = 32768;
-  parallelBlocks(points.size(), points_a_block, room_segmentation.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     room[i] = territory.roomAt(points[i]);
-                 });
+  const std::vector<std::int32_t> room =
+      territory.roomsAt(points, room_segmentation.threads);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (room[i] >= 0)
       result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));

@@ -4,7 +4,6 @@
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/column_table.h>
-#include <pcl/sedr_segmentation/room_territory.h>
 
 #include <gtest/gtest.h>
 
@@ -184,6 +183,17 @@ TEST(ColumnTable, ShareIsThatOfTheOccupiedParts)
   EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 0, 1), 0) << "no parts";
 }
 
+TEST(ColumnTable, APointBetweenTwoPartsIsInBoth)
+{
+  RoomPoints points;
+  for (const double z : {0.5, 1.5})
+    points.point(0.01, 0.01, z);
+  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 0), 1);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0.5, 1.5, 4, 0), 0.5);
+  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0.5, 1.5, 40, 0), 0.05) << "many parts";
+}
+
 TEST(ColumnTable, RunsArePartedByLargerGaps)
 {
   RoomPoints points;
@@ -267,94 +277,6 @@ TEST(ClusterBoxes, OfEmptyBoxesAreNone)
 {
   EXPECT_TRUE(clusterBoxes({}, 3).empty());
   EXPECT_TRUE(clusterBoxes({{{0, 0}, {-1, -1}}}, 3).empty());
-}
-
-CellSet
-cellsOf(const PlanLoop& loop)
-{
-  RoomPoints points;
-  points.slab(loop, 0);
-  return CellSet(CellGrid(0.05), points.view(), points.all());
-}
-
-TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
-{
-  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),
-                                                 cellsOf(rectangle(4.1, 0, 7, 3))});
-  ASSERT_EQ(territory.problem(), "");
-  EXPECT_EQ(territory.roomAt({2, 1, 9}), 0);
-  EXPECT_EQ(territory.roomAt({5, 1, -9}), 1);
-  EXPECT_EQ(territory.roomAt({4.01f, 1, 1}), 0);
-  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
-}
-
-TEST(RoomTerritory, ReachesAsFarAsWallsCanBe)
-{
-  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
-  EXPECT_EQ(territory.roomAt({4.68f, 1.5f, 1}), 0);
-  EXPECT_EQ(territory.roomAt({4.72f, 1.5f, 1}), -1);
-  EXPECT_EQ(territory.roomAt({-0.68f, 1.5f, 1}), 0);
-  EXPECT_EQ(territory.roomAt({-0.72f, 1.5f, 1}), -1);
-  EXPECT_EQ(territory.roomAt({1000, 1000, 1}), -1);
-}
-
-TEST(RoomTerritory, ReachesAsFarAsAskedButNotIntoOthers)
-{
-  const RoomTerritory territory(
-      CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, 1.5);
-  EXPECT_EQ(territory.roomAt({-1.48f, 1.5f, 1}), 0);
-  EXPECT_EQ(territory.roomAt({-1.52f, 1.5f, 1}), -1);
-  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
-}
-
-TEST(RoomTerritory, PointsThatAreNotFiniteAreInNone)
-{
-  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
-  constexpr float lost = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(territory.roomAt({1, 1, lost}), -1);
-  EXPECT_EQ(territory.roomAt({lost, 1, 1}), -1);
-  EXPECT_EQ(territory.roomAt({1, std::numeric_limits<float>::infinity(), 1}), -1);
-}
-
-TEST(RoomTerritory, SharedCellsGoToTheFirstRoom)
-{
-  const RoomTerritory territory(
-      CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(3, 0, 6, 3))});
-  EXPECT_EQ(territory.roomAt({3.5f, 1, 1}), 0);
-  EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1);
-}
-
-TEST(RoomTerritory, RoomsTenKilometresApartAreNoBurden)
-{
-  const RoomTerritory territory(
-      CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(8192, 8192, 8196, 8195))});
-  EXPECT_EQ(territory.problem(), "");
-  EXPECT_EQ(territory.roomAt({1, 1, 1}), 0);
-  EXPECT_EQ(territory.roomAt({8193, 8193, 1}), 1);
-  EXPECT_EQ(territory.roomAt({4000, 4000, 1}), -1);
-}
-
-TEST(RoomTerritory, IsAsWideInMetresForAnyCellSize)
-{
-  for (const double size : {0.02, 0.1}) {
-    RoomPoints points(size);
-    points.slab(rectangle(0, 0, 4, 3), 0);
-    const CellGrid grid(size);
-    const RoomTerritory territory(grid, {CellSet(grid, points.view(), points.all())});
-    EXPECT_EQ(territory.roomAt({4.6f, 1.5f, 1}), 0) << size;
-    EXPECT_EQ(territory.roomAt({4.8f, 1.5f, 1}), -1) << size;
-  }
-}
-
-TEST(RoomTerritory, WithoutRoomsOrOfOneTooLargeThereIsNone)
-{
-  EXPECT_EQ(RoomTerritory(CellGrid(0.05), {}).roomAt({0, 0, 0}), -1);
-  const CellSet far({keyOf({0, 0}), keyOf({2000000000, 2000000000})});
-  const RoomTerritory territory(CellGrid(0.05), {far});
-  EXPECT_NE(territory.problem(), "");
-  EXPECT_EQ(territory.roomAt({0.01f, 0.01f, 0}), -1);
 }
 
 } // namespace

@@ -224,11 +224,11 @@ ScanFile::forEachPiece(std::size_t begin,
   const bool is_mapped = unpacked_.empty();
   std::vector<std::uint8_t> copy;
   std::future<void> turned; // pages, while their neighbours are read
-  const auto turnPages = [&](std::size_t at, std::size_t size) {
+  const auto turnPages = [&](std::size_t at, std::size_t size, bool is_first) {
     if (turned.valid())
       turned.wait();
-    turned = std::async([this, at, size] {
-      if (at >= layout_.begin + size)
+    turned = std::async([this, at, size, is_first] {
+      if (!is_first)
         file_.release(at - size, size);
       file_.expect(at + size, size);
     });
@@ -237,7 +237,8 @@ ScanFile::forEachPiece(std::size_t begin,
   for (std::size_t first = begin; first < end && goes_on; first += rows_a_piece) {
     const std::size_t rows = std::min(rows_a_piece, end - first);
     if (is_mapped)
-      turnPages(layout_.begin + first * raw_size, rows_a_piece * raw_size);
+      turnPages(layout_.begin + first * raw_size, rows_a_piece * raw_size,
+                first == begin);
     Piece piece{rows_ + first * raw_size, first, rows};
     if (!is_plain_) {
       copy.resize(rows * rowSize());

@@ -28,8 +28,9 @@ ScanHead readScanHead(const std::string& path);
  * Its rows have every field of the file, x, y and z as FLOAT32 metres, no padding.
  * Those of a binary file come piece by piece from the mapped file, and from there
  * without a copy if they stand there as they are wanted; the pages of a piece are given
- * back after it, so that a scan of any size takes no more memory than one piece.
- * binary_compressed and ascii are unpacked into memory first.
+ * back while the next one is read, so that a scan of any size takes no more memory than
+ * two pieces, and one more where they are copied. binary_compressed and ascii are
+ * unpacked into memory first.
  *
  * Of a mesh the vertices are the points, and a warning says so where the first of them
  * is read, once in a process.

@@ -19,12 +19,13 @@ void expectLarge(void* begin, std::size_t bytes);
  * for it. Some of its bytes are zero after that. */
 void takeLarge(void* begin, std::size_t bytes, unsigned threads);
 
-/** @brief Reserves and takes the memory for `size` values of an empty vector that will
- * soon be filled. */
+/** @brief Empties a vector, and reserves and takes the memory for `size` values, plain
+ * ones, with which it will soon be filled. O(bytes); `threads` 0 = all. */
 template <typename Values>
 void
 reserveLarge(Values& values, std::size_t size, unsigned threads)
 {
+  values.clear();
   values.reserve(size);
   takeLarge(values.data(), size * sizeof(typename Values::value_type), threads);
 }

@@ -11,8 +11,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points side by side: those of a plane are all over the cloud, and looked at
- * many times. */
+/** @brief Finite points, metres, side by side: those of a plane are all over the cloud,
+ * and looked at many times. */
 using Positions = std::vector<Eigen::Vector3f>;
 
 /** @brief `points[indices]`. */

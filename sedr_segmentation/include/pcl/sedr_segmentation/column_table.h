@@ -49,7 +49,8 @@ public:
   bool hasWithin(Cell cell, double low, double high) const;
 
   /** @brief Share of the `bins` equal parts of [low, high] in which the column or one
-   * of its neighbours within `radius` cells holds a point. */
+   * of its neighbours within `radius` cells holds a point. O(points of these columns
+   * there). */
   double share(Cell cell, double low, double high, int bins, int radius) const;
 
   /** @brief The stretches of the column that gaps of more than `gap` metres part,

@@ -34,7 +34,7 @@ struct ContourSample {
   Eigen::Vector2d place;    ///< on the contour, its staircase evened out
   Eigen::Vector2d position; ///< on the wall, where points show one, or else the place
   Eigen::Vector2d tangent;  ///< unit, along the contour
-  double support = 0;       ///< 1 for as many points as at most others; 0 for too few
+  double support = 0;       ///< points by the loop's median, 1 at most; 0 for too few
   std::size_t points = 0;   ///< that show the wall here
 
   /** @brief Whether points show the wall here. */

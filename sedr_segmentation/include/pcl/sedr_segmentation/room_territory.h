@@ -31,6 +31,10 @@ public:
    * finite. */
   std::int32_t roomAt(const Eigen::Vector3f& p) const;
 
+  /** @brief The same of every point. O(n); `threads` 0: as many as there are
+   * processors. */
+  std::vector<std::int32_t> roomsAt(const PointView& points, unsigned threads) const;
+
   const CellGrid& grid() const { return grid_; }
 
   /** @brief The cells of one room that touch one of another, at a corner perhaps. */

@@ -184,7 +184,8 @@ ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& out
   }
   sedr::VoxelSums sums(inverseLeaf());
   this->addRows(source, nullptr, sums);
-  writeMeans(sums, this->finish(sums), output);
+  const std::size_t kept = this->finish(sums);
+  writeMeans(sums, kept, output);
 }
 
 template <typename PointT>
@@ -206,7 +207,8 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
     sums.add(points, *chosen, getNumberOfThreads());
   else
     sums.add(points, getNumberOfThreads());
-  writeMeans(sums, this->finish(sums), output);
+  const std::size_t kept = this->finish(sums);
+  writeMeans(sums, kept, output);
   constexpr bool has_more_fields =
       boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;
   const bool averages = has_more_fields && getDownsampleAllData();

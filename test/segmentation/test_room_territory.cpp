@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include <pcl/sedr_segmentation/room_territory.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+CellSet
+cellsOf(const PlanLoop& loop)
+{
+  RoomPoints points;
+  points.slab(loop, 0);
+  return CellSet(CellGrid(0.05), points.view(), points.all());
+}
+
+TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),
+                                                 cellsOf(rectangle(4.1, 0, 7, 3))});
+  ASSERT_EQ(territory.problem(), "");
+  EXPECT_EQ(territory.roomAt({2, 1, 9}), 0);
+  EXPECT_EQ(territory.roomAt({5, 1, -9}), 1);
+  EXPECT_EQ(territory.roomAt({4.01f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
+}
+
+TEST(RoomTerritory, TellsTheRoomsOfManyPointsByAnyNumberOfThreads)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),
+                                                 cellsOf(rectangle(4.1, 0, 7, 3))});
+  RoomPoints points;
+  for (int k = 0; k < 100000; ++k)
+    points.point(-1 + 1e-4 * k, 1, k % 1000 == 0 ? nan : 1);
+  for (const unsigned threads : {1u, 3u}) {
+    const auto rooms = territory.roomsAt(points.view(), threads);
+    ASSERT_EQ(rooms.size(), 100000u);
+    for (std::size_t k = 0; k < rooms.size(); ++k)
+      ASSERT_EQ(rooms[k], territory.roomAt(points.view()[k])) << k << ' ' << threads;
+  }
+}
+
+TEST(RoomTerritory, ReachesAsFarAsWallsCanBe)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
+  EXPECT_EQ(territory.roomAt({4.68f, 1.5f, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.72f, 1.5f, 1}), -1);
+  EXPECT_EQ(territory.roomAt({-0.68f, 1.5f, 1}), 0);
+  EXPECT_EQ(territory.roomAt({-0.72f, 1.5f, 1}), -1);
+  EXPECT_EQ(territory.roomAt({1000, 1000, 1}), -1);
+}
+
+TEST(RoomTerritory, ReachesAsFarAsAskedButNotIntoOthers)
+{
+  const RoomTerritory territory(
+      CellGrid(0.05),
+      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, 1.5);
+  EXPECT_EQ(territory.roomAt({-1.48f, 1.5f, 1}), 0);
+  EXPECT_EQ(territory.roomAt({-1.52f, 1.5f, 1}), -1);
+  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
+}
+
+TEST(RoomTerritory, PointsThatAreNotFiniteAreInNone)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
+  constexpr float lost = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(territory.roomAt({1, 1, lost}), -1);
+  EXPECT_EQ(territory.roomAt({lost, 1, 1}), -1);
+  EXPECT_EQ(territory.roomAt({1, std::numeric_limits<float>::infinity(), 1}), -1);
+}
+
+TEST(RoomTerritory, SharedCellsGoToTheFirstRoom)
+{
+  const RoomTerritory territory(
+      CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(3, 0, 6, 3))});
+  EXPECT_EQ(territory.roomAt({3.5f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1);
+}
+
+TEST(RoomTerritory, RoomsTenKilometresApartAreNoBurden)
+{
+  const RoomTerritory territory(
+      CellGrid(0.05),
+      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(8192, 8192, 8196, 8195))});
+  EXPECT_EQ(territory.problem(), "");
+  EXPECT_EQ(territory.roomAt({1, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({8193, 8193, 1}), 1);
+  EXPECT_EQ(territory.roomAt({4000, 4000, 1}), -1);
+}
+
+TEST(RoomTerritory, IsAsWideInMetresForAnyCellSize)
+{
+  for (const double size : {0.02, 0.1}) {
+    RoomPoints points(size);
+    points.slab(rectangle(0, 0, 4, 3), 0);
+    const CellGrid grid(size);
+    const RoomTerritory territory(grid, {CellSet(grid, points.view(), points.all())});
+    EXPECT_EQ(territory.roomAt({4.6f, 1.5f, 1}), 0) << size;
+    EXPECT_EQ(territory.roomAt({4.8f, 1.5f, 1}), -1) << size;
+  }
+}
+
+TEST(RoomTerritory, WithoutRoomsOrOfOneTooLargeThereIsNone)
+{
+  EXPECT_EQ(RoomTerritory(CellGrid(0.05), {}).roomAt({0, 0, 0}), -1);
+  const CellSet far({keyOf({0, 0}), keyOf({2000000000, 2000000000})});
+  const RoomTerritory territory(CellGrid(0.05), {far});
+  EXPECT_NE(territory.problem(), "");
+  EXPECT_EQ(territory.roomAt({0.01f, 0.01f, 0}), -1);
+}
+
+} // namespace
