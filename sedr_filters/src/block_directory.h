@@ -67,6 +67,8 @@ public:
     return table.at(hash & table.mask);
   }
 
+  std::atomic<std::uint32_t> meetings{0}; ///< of threads that add to the same block
+
 private:
   struct Table {
     explicit Table(std::size_t size)

@@ -3,8 +3,11 @@
 
 #include "recent_blocks.h"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 namespace pcl {
 namespace sedr {
@@ -16,7 +19,10 @@ namespace sedr {
  * waits for a block. */
 class HeldBlocks {
 public:
-  HeldBlocks() = default;
+  /** @param meetings counts how often a thread had to wait for another */
+  explicit HeldBlocks(std::atomic<std::uint32_t>& meetings)
+      : meetings_(meetings)
+  {}
   HeldBlocks(const HeldBlocks&) = delete;
   HeldBlocks& operator=(const HeldBlocks&) = delete;
 
@@ -29,8 +35,11 @@ public:
   /** @brief Locks a block that is not held. */
   void hold(VoxelBlock& block, std::size_t slot)
   {
-    if (size_ == most || by_slot_.at(slot) || !block.tryLock()) {
+    if (size_ >= most_ || by_slot_.at(slot))
       release();
+    if (!block.tryLock()) {
+      release();
+      ++meetings_;
       block.lock();
     }
     by_slot_.at(slot) = &block;
@@ -47,12 +56,24 @@ public:
     }
   }
 
+  /** @brief Begins with the next points. Where threads have met in a block since the
+   * last time, one is held at a time for a while. */
+  void begin()
+  {
+    const std::uint32_t meetings = meetings_.load(std::memory_order_relaxed);
+    most_ = meetings != seen_meetings_ ? 1 : std::min(2 * most_, most);
+    seen_meetings_ = meetings;
+  }
+
   /** @brief How often a block was locked so far. */
   std::size_t count() const { return count_; }
 
 private:
   static constexpr std::size_t most = 32;
 
+  std::atomic<std::uint32_t>& meetings_;
+  std::uint32_t seen_meetings_ = 0;
+  std::size_t most_ = most;
   RecentBlocks by_slot_;
   std::array<std::size_t, most> slots_{};
   std::size_t size_ = 0;

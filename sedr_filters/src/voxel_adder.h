@@ -25,6 +25,7 @@ public:
   VoxelAdder(const VoxelFrame& frame, BlockDirectory& blocks)
       : frame_(frame)
       , blocks_(blocks)
+      , held_(blocks.meetings)
   {}
 
   /** @brief Adds points[index_of(k)] for k from `begin` to `end`. */
@@ -67,6 +68,7 @@ private:
     batch_.find(frame_);
     if (is_scattered_)
       lookAhead();
+    held_.begin();
     const std::size_t held_before = held_.count();
     const ReleaseAtEnd at_end{held_};
     for (std::size_t i = 0; i < batch_.size(); ++i) {
