@@ -98,6 +98,42 @@ TEST_F(PlanEvidenceTest, WithoutPointsAllIsHidden)
   EXPECT_EQ(wall(measured(), 0).hidden, 1);
 }
 
+TEST_F(PlanEvidenceTest, WhatStandsAlmostAMetreBeforeAWallHidesIt)
+{
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5},
+          [](const Place& p) { return p.x() > 1 && p.x() < 3; });
+  addFace({1, 0.93, 0}, {2, 0, 0}, {0, 0, 2.5});
+  EXPECT_NEAR(wall(measured(), 0).hidden, 0.5, 0.05);
+}
+
+TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
+{
+  const std::vector<PlanRoom> rooms{roomOf(rectangle(0, 0, 4, 3), 2.5),
+                                    roomOf(rectangle(4.1, 0, 7, 3), 2.5),
+                                    roomOf(rectangle(20, 0, 23, 3), 2.5)};
+  for (const double x : {0.0, 4.0, 4.1, 7.0, 20.0})
+    for (int copies = 0; copies < 5; ++copies) // so many points are shared out in parts
+      addFace({x, 0, 0}, {0, 3, 0}, {0, 0, 2.5},
+              [&](const Place& p) { return x == 4.1 && p.y() > 1 && p.y() < 2; });
+  std::vector<int> all(cloud_.size());
+  std::iota(all.begin(), all.end(), 0);
+  Floorplan together{rooms};
+  measureEvidence(together, PointView(cloud_), all, 0.05, 3);
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    Floorplan alone{{rooms[r]}};
+    measureEvidence(alone, PointView(cloud_), all);
+    for (std::size_t e = 0; e < 4; ++e) {
+      const ElementEvidence& one = wall(alone, e);
+      const ElementEvidence& other = together.rooms[r].boundary.elements[e].evidence;
+      EXPECT_EQ(one.seen, other.seen) << r << ' ' << e;
+      EXPECT_EQ(one.hidden, other.hidden) << r << ' ' << e;
+      EXPECT_EQ(one.opening, other.opening) << r << ' ' << e;
+    }
+  }
+  EXPECT_GT(together.rooms[0].boundary.elements[1].evidence.seen, 0.9);
+  EXPECT_LT(together.rooms[1].boundary.elements[3].evidence.seen, 0.8);
+}
+
 TEST_F(PlanEvidenceTest, AWallThatNobodyCouldSeeIsToldFromOneBehindAWardrobe)
 {
   addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});

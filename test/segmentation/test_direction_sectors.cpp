@@ -44,6 +44,19 @@ TEST(DirectionSectors, AgreeWithTheAnglesThemselves)
   }
 }
 
+TEST(DirectionSectors, AreQuicklyCloseAllAroundWithGapsOfHalfTheAngle)
+{
+  for (const float angle : {0.7854f, 1.0472f, 2.f}) {
+    std::vector<float> directions;
+    for (float d = 0; d < 6.2832f; d += angle / 2)
+      directions.push_back(d);
+    const DirectionSectors sectors(angle);
+    EXPECT_TRUE(sectors.areClose(sectorsOf(directions))) << angle;
+    directions.erase(directions.begin() + 2, directions.begin() + 5);
+    EXPECT_FALSE(sectors.areClose(sectorsOf(directions))) << angle;
+  }
+}
+
 TEST(DirectionSectors, TellAGapThatLiesAcrossTheFirstDirection)
 {
   const DirectionSectors sectors(static_cast<float>(M_PI / 3));
