@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <nlohmann/json.hpp>
 

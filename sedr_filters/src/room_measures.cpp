@@ -73,29 +73,6 @@ thicknessAt(const Floorplan& plan, const PlanElement& element, double s, double 
   return thickness;
 }
 
-/** @brief A room's heights at the middle of its outline. */
-struct HeightRange {
-  double low = 0;
-  double high = 0;
-};
-
-HeightRange
-heightsOf(const PlanRoom& room)
-{
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
-  const Eigen::Vector2d middle = box.center();
-  return {room.floor.heightAt(middle), room.ceiling.heightAt(middle)};
-}
-
-bool
-areBeside(const HeightRange& a, const HeightRange& b)
-{
-  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
-  return common > 0.5 * std::min(a.high - a.low, b.high - b.low);
-}
-
 } // namespace
 
 double
@@ -155,40 +132,6 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
       found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
   std::nth_element(found.begin(), middle, found.end());
   return *middle;
-}
-
-std::vector<PlanStorey>
-storeysOf(const Floorplan& plan)
-{
-  std::vector<HeightRange> heights;
-  for (const PlanRoom& room : plan.rooms)
-    heights.push_back(heightsOf(room));
-  std::vector<PlanStorey> storeys;
-  std::vector<bool> is_placed(heights.size(), false);
-  for (std::size_t first = 0; first < heights.size(); ++first) {
-    if (is_placed[first])
-      continue;
-    std::vector<std::size_t> members{first};
-    is_placed[first] = true;
-    for (std::size_t m = 0; m < members.size(); ++m)
-      for (std::size_t r = 0; r < heights.size(); ++r)
-        if (!is_placed[r] && areBeside(heights[members[m]], heights[r])) {
-          is_placed[r] = true;
-          members.push_back(r);
-        }
-    std::sort(members.begin(), members.end());
-    PlanStorey storey;
-    storey.floor = infinity;
-    for (const std::size_t r : members) {
-      storey.floor = std::min(storey.floor, heights[r].low);
-      storey.rooms.push_back(plan.rooms[r].id);
-    }
-    storeys.push_back(storey);
-  }
-  std::stable_sort(
-      storeys.begin(), storeys.end(),
-      [](const PlanStorey& a, const PlanStorey& b) { return a.floor < b.floor; });
-  return storeys;
 }
 
 } // namespace sedr

@@ -63,24 +63,4 @@ TEST(RoomMeasures, AFaceThatIsNotParallelTellsNoThickness)
   EXPECT_EQ(wallThickness(plan, 0, 1), 0);
 }
 
-TEST(RoomMeasures, RoomsAboveEachOtherAreStoreys)
-{
-  PlanRoom upper = roomOf(rectangle(0, 0, 4, 3), 5.3, 3);
-  upper.floor = slabAt(2.8);
-  PlanRoom raised = roomOf(rectangle(5, 0, 9, 3), 3, 2);
-  raised.floor = slabAt(0.4);
-  const Floorplan plan{{upper, roomOf(rectangle(0, 0, 4, 3), 2.5), raised}};
-  const auto storeys = storeysOf(plan);
-  ASSERT_EQ(storeys.size(), 2u);
-  EXPECT_EQ(storeys[0].rooms, (std::vector<std::uint32_t>{1, 2}));
-  EXPECT_NEAR(storeys[0].floor, 0, 1e-9);
-  EXPECT_EQ(storeys[1].rooms, (std::vector<std::uint32_t>{3}));
-  EXPECT_NEAR(storeys[1].floor, 2.8, 1e-9);
-}
-
-TEST(RoomMeasures, NoRoomsAreNoStoreys)
-{
-  EXPECT_TRUE(storeysOf({}).empty());
-}
-
 } // namespace

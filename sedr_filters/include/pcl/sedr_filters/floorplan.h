@@ -5,8 +5,10 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -181,9 +183,41 @@ struct PlanRoom {
   double perimeter() const { return boundary.length(); }
 };
 
-/** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7). */
+/** @brief A storey of a building: rooms that one walks between without stairs. */
+struct PlanStorey {
+  std::uint32_t number = 1;         ///< from the lowest up, from 1
+  std::string name = "storey 1";    ///< for people: drawings, tables
+  double floor = 0;                 ///< the lowest of its rooms' floors, metres
+  double ceiling = 0;               ///< the highest of its rooms' ceilings, metres
+  std::vector<std::uint32_t> rooms; ///< PlanRoom::id, increasing
+};
+
+/** @brief Where one walks from a room into another one, or out of the building. */
+struct PlanDoorway {
+  std::array<std::uint32_t, 2> rooms{}; ///< ids of those on its two sides, 0 outside
+  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in the middle of the wall
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< likewise
+  double bottom = 0;                               ///< metres
+  double top = 0;                                  ///< metres
+
+  double width() const { return (end - start).norm(); }
+};
+
+/** @brief Where one climbs from a room to one that lies higher. */
+struct PlanStair {
+  std::array<std::uint32_t, 2> rooms{};         ///< ids of the lower, the upper one
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< in plan
+  double bottom = 0;                            ///< metres
+  double top = 0;                               ///< metres
+};
+
+/** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7), and
+ * how they hang together where that is known. */
 struct Floorplan {
   std::vector<PlanRoom> rooms;
+  std::vector<PlanStorey> storeys{};   ///< from the lowest up; empty: see storeysOf()
+  std::vector<PlanDoorway> doorways{}; ///< those that were found
+  std::vector<PlanStair> stairs{};     ///< likewise
 };
 
 } // namespace sedr

@@ -4,8 +4,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -26,17 +24,6 @@ double wallThickness(const Floorplan& plan,
                      std::size_t room,
                      std::size_t element,
                      double most = 0.6);
-
-/** @brief Rooms that lie one beside the other. */
-struct PlanStorey {
-  double floor = 0;                 ///< the lowest of its rooms' floors, metres
-  std::vector<std::uint32_t> rooms; ///< PlanRoom::id, in the order of the plan
-};
-
-/** @brief The rooms by storey, from the lowest up: rooms are of one where the heights
- * from floor to ceiling, at the middle of each, have more than half of the lower room's
- * in common with those of a room of it. */
-std::vector<PlanStorey> storeysOf(const Floorplan& plan);
 
 } // namespace sedr
 } // namespace pcl

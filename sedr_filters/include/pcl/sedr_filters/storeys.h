@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What a room takes up of the height of a building, metres. */
+struct HeightRange {
+  double low = 0;
+  double high = 0;
+};
+
+/** @brief The heights of a room's main floor and ceiling at the middle of the box
+ * around its boundary. */
+HeightRange heightsOf(const PlanRoom& room);
+
+/** @brief Those of all rooms, in their order. */
+std::vector<HeightRange> heightsOf(const Floorplan& plan);
+
+/** @brief Whether rooms of these heights can have to do with each other in plan: share
+ * a wall, be in each other's way. They do where they have more than a quarter of the
+ * lower room's height in common. Rooms that do not lie one above the other, whatever
+ * their storeys: a hall of two storeys shares heights with the rooms of both. A floor
+ * found too low or a ceiling that slopes up beside the floor above is forgiven. */
+bool shareHeights(const HeightRange& a, const HeightRange& b);
+
+/** @brief The rooms by storey, from the lowest up: every room is in one of them, and
+ * each has a room.
+ *
+ * Floorplan::storeys where the plan has them, without rooms and storeys that are not
+ * there (any more); a room that none of them lists goes to the one whose floor is
+ * nearest. Else rooms are of one storey where their heights have more than half of the
+ * lower room's in common with those of a room of it. Cost: rooms squared. */
+std::vector<PlanStorey> storeysOf(const Floorplan& plan);
+
+/** @brief The part of a plan that is of a storey: its rooms, and the doorways and
+ * stairs that touch one of them. */
+Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
+
+/** @brief The usual name of a storey: "storey 2". */
+std::string storeyName(std::uint32_t number);
+
+} // namespace sedr
+} // namespace pcl

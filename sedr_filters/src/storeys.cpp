@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/storeys.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+/** @brief The share of the lower range that two have in common; 0 where they have
+ * none. */
+double
+commonShare(const HeightRange& a, const HeightRange& b)
+{
+  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
+  const double lower = std::min(a.high - a.low, b.high - b.low);
+  return common > 0 && lower > 0 ? common / lower : 0;
+}
+
+bool
+isListed(const std::vector<std::uint32_t>& ids, std::uint32_t id)
+{
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/** @brief Sets the heights of a storey from those of its rooms and sorts these. */
+void
+complete(PlanStorey& storey,
+         const Floorplan& plan,
+         const std::vector<HeightRange>& heights)
+{
+  storey.floor = std::numeric_limits<double>::infinity();
+  storey.ceiling = -storey.floor;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    if (isListed(storey.rooms, plan.rooms[r].id)) {
+      storey.floor = std::min(storey.floor, heights[r].low);
+      storey.ceiling = std::max(storey.ceiling, heights[r].high);
+    }
+  std::sort(storey.rooms.begin(), storey.rooms.end());
+}
+
+/** @brief The rooms that are reached from a first one over rooms that lie beside each
+ * other, which are marked as placed. */
+PlanStorey
+storeyAround(std::size_t first,
+             const Floorplan& plan,
+             const std::vector<HeightRange>& heights,
+             std::vector<bool>& is_placed)
+{
+  constexpr double beside = 0.5;
+  std::vector<std::size_t> members{first};
+  is_placed[first] = true;
+  for (std::size_t m = 0; m < members.size(); ++m)
+    for (std::size_t r = 0; r < heights.size(); ++r)
+      if (!is_placed[r] && commonShare(heights[members[m]], heights[r]) > beside) {
+        is_placed[r] = true;
+        members.push_back(r);
+      }
+  PlanStorey storey;
+  for (const std::size_t r : members)
+    storey.rooms.push_back(plan.rooms[r].id);
+  complete(storey, plan, heights);
+  return storey;
+}
+
+std::vector<PlanStorey>
+storeysByHeight(const Floorplan& plan, const std::vector<HeightRange>& heights)
+{
+  std::vector<PlanStorey> storeys;
+  std::vector<bool> is_placed(heights.size(), false);
+  for (std::size_t first = 0; first < heights.size(); ++first)
+    if (!is_placed[first])
+      storeys.push_back(storeyAround(first, plan, heights, is_placed));
+  std::stable_sort(
+      storeys.begin(), storeys.end(),
+      [](const PlanStorey& a, const PlanStorey& b) { return a.floor < b.floor; });
+  for (std::size_t s = 0; s < storeys.size(); ++s) {
+    storeys[s].number = static_cast<std::uint32_t>(s + 1);
+    storeys[s].name = storeyName(storeys[s].number);
+  }
+  return storeys;
+}
+
+PlanStorey&
+nearestOf(std::vector<PlanStorey>& storeys, double floor)
+{
+  return *std::min_element(storeys.begin(), storeys.end(),
+                           [floor](const PlanStorey& a, const PlanStorey& b) {
+                             return std::abs(a.floor - floor) <
+                                    std::abs(b.floor - floor);
+                           });
+}
+
+/** @brief The storeys that a plan names, with just the rooms that it has. */
+std::vector<PlanStorey>
+namedStoreys(const Floorplan& plan, const std::vector<HeightRange>& heights)
+{
+  std::vector<PlanStorey> storeys = plan.storeys;
+  for (PlanStorey& storey : storeys)
+    storey.rooms.clear();
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const std::uint32_t id = plan.rooms[r].id;
+    const auto listing = std::find_if(
+        plan.storeys.begin(), plan.storeys.end(),
+        [id](const PlanStorey& storey) { return isListed(storey.rooms, id); });
+    if (listing != plan.storeys.end())
+      storeys[static_cast<std::size_t>(listing - plan.storeys.begin())].rooms.push_back(
+          id);
+    else
+      nearestOf(storeys, heights[r].low).rooms.push_back(id);
+  }
+  storeys.erase(std::remove_if(storeys.begin(), storeys.end(),
+                               [](const PlanStorey& s) { return s.rooms.empty(); }),
+                storeys.end());
+  for (PlanStorey& storey : storeys)
+    complete(storey, plan, heights);
+  return storeys;
+}
+
+} // namespace
+
+HeightRange
+heightsOf(const PlanRoom& room)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : room.boundary.polygon(0.01))
+    box.extend(corner);
+  const Eigen::Vector2d middle =
+      box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center());
+  return {room.floor.heightAt(middle), room.ceiling.heightAt(middle)};
+}
+
+std::vector<HeightRange>
+heightsOf(const Floorplan& plan)
+{
+  std::vector<HeightRange> heights;
+  for (const PlanRoom& room : plan.rooms)
+    heights.push_back(heightsOf(room));
+  return heights;
+}
+
+bool
+shareHeights(const HeightRange& a, const HeightRange& b)
+{
+  constexpr double forgiven = 0.25;
+  return commonShare(a, b) > forgiven;
+}
+
+std::vector<PlanStorey>
+storeysOf(const Floorplan& plan)
+{
+  const std::vector<HeightRange> heights = heightsOf(plan);
+  return plan.storeys.empty() ? storeysByHeight(plan, heights)
+                              : namedStoreys(plan, heights);
+}
+
+Floorplan
+partOf(const Floorplan& plan, const PlanStorey& storey)
+{
+  const auto touches = [&storey](const auto& link) {
+    return isListed(storey.rooms, link.rooms[0]) ||
+           isListed(storey.rooms, link.rooms[1]);
+  };
+  Floorplan part;
+  for (const PlanRoom& room : plan.rooms)
+    if (isListed(storey.rooms, room.id))
+      part.rooms.push_back(room);
+  part.storeys = {storey};
+  std::copy_if(plan.doorways.begin(), plan.doorways.end(),
+               std::back_inserter(part.doorways), touches);
+  std::copy_if(plan.stairs.begin(), plan.stairs.end(), std::back_inserter(part.stairs),
+               touches);
+  return part;
+}
+
+std::string
+storeyName(std::uint32_t number)
+{
+  return "storey " + std::to_string(number);
+}
+
+} // namespace sedr
+} // namespace pcl

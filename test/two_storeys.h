@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_loops.h"
+
+namespace sedr_test {
+
+/** A room of a storey: its floor and ceiling at heights of their own. */
+inline pcl::sedr::PlanRoom
+roomBetween(const pcl::sedr::PlanLoop& boundary,
+            double floor,
+            double ceiling,
+            std::uint32_t id)
+{
+  pcl::sedr::PlanRoom room = roomOf(boundary, ceiling, id);
+  room.floor = slabAt(floor);
+  return room;
+}
+
+/** Two rooms with a wall of 10 cm between them, ids from `first_id`: 4 x 3 m and
+ * 5 x 3 m, the wall between them and the one behind shifted by `shift` metres. */
+inline std::vector<pcl::sedr::PlanRoom>
+storeyBetween(double floor, double ceiling, std::uint32_t first_id, double shift = 0)
+{
+  return {roomBetween(rectangle(0, 0, 4 + shift, 3), floor, ceiling, first_id),
+          roomBetween(rectangle(4.1 + shift, 0, 9.1, 3 + shift), floor, ceiling,
+                      first_id + 1)};
+}
+
+/** Rooms 1 and 2 from 0 to 2.5 m, and 3 and 4 from 2.8 to 5.2 m that lie above them,
+ * with walls shifted by `shift`. */
+inline pcl::sedr::Floorplan
+twoStoreys(double shift = 0)
+{
+  pcl::sedr::Floorplan plan;
+  plan.rooms = storeyBetween(0, 2.5, 1);
+  for (const auto& room : storeyBetween(2.8, 5.2, 3, shift))
+    plan.rooms.push_back(room);
+  return plan;
+}
+
+} // namespace sedr_test
