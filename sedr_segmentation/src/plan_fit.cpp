@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -62,6 +63,28 @@ sharesOf(const std::vector<int>& indices,
     if (room_of[k] >= 0)
       shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
   return shares;
+}
+
+/** @brief The heights from floor to ceiling of each room, of points that are shared out
+ * to the rooms; none where a room has no points of its floor. */
+std::vector<HeightRange>
+heightsOfRooms(const PointView& points,
+               const std::array<std::vector<std::vector<int>>, 3>& parts)
+{
+  std::vector<HeightRange> heights(parts[0].size());
+  for (std::size_t r = 0; r < heights.size(); ++r) {
+    heights[r] = {std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
+    for (const auto& part : parts)
+      for (const int i : part[r]) {
+        const double z = points[static_cast<std::size_t>(i)].z();
+        heights[r].low = std::min(heights[r].low, z);
+        heights[r].high = std::max(heights[r].high, z);
+      }
+    if (parts[2][r].empty())
+      return {};
+  }
+  return heights;
 }
 
 /** @brief What a room was fitted to. */
@@ -172,11 +195,14 @@ fitPlan(const PointView& points,
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
+  const std::vector<HeightRange> heights =
+      heightsOfRooms(points, {ceilings, details, shareBy(evidence.floor, labelled)});
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(
       territories.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
         territories[k] = std::make_unique<RoomTerritory>(
-            grid, scopes, k == 0 ? RoomTerritory::farthest_wall : nicheReach());
+            grid, scopes, heights,
+            k == 0 ? RoomTerritory::farthest_wall : nicheReach());
       });
   const RoomTerritory& territory = *territories[0];
   const RoomTerritory& wide = *territories[1];

@@ -5,28 +5,80 @@
 #include <pcl/sedr_segmentation/box_clusters.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
 namespace sedr {
 
+namespace {
+
+/** @brief Rooms by layers, lowest first: a room that would lie above one of a layer
+ * starts the next. */
+std::vector<std::vector<std::size_t>>
+layersOf(std::size_t rooms, const std::vector<HeightRange>& heights)
+{
+  std::vector<std::size_t> order(rooms);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (heights.empty())
+    return {order};
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return heights[a].low < heights[b].low;
+  });
+  std::vector<std::vector<std::size_t>> layers;
+  for (const std::size_t r : order) {
+    if (layers.empty() || !shareHeights(heights[layers.back().front()], heights[r]))
+      layers.emplace_back();
+    layers.back().push_back(r);
+  }
+  for (auto& layer : layers)
+    std::sort(layer.begin(), layer.end());
+  return layers;
+}
+
+/** @brief How far a height is from those of a room, 0 within. */
+double
+awayFrom(const HeightRange& range, double z)
+{
+  return std::max({0.0, range.low - z, z - range.high});
+}
+
+} // namespace
+
 RoomTerritory::RoomTerritory(const CellGrid& grid,
                              const std::vector<CellSet>& scopes,
+                             const std::vector<HeightRange>& heights,
                              double reach)
     : grid_(grid)
 {
   const int steps = cellsFor(reach, grid.size(), 3);
+  for (const auto& layer : layersOf(scopes.size(), heights))
+    if (!addLayer(scopes, layer, steps))
+      return;
+  if (layers_.size() > 1) {
+    scopes_ = scopes;
+    heights_ = heights;
+  }
+}
+
+bool
+RoomTerritory::addLayer(const std::vector<CellSet>& scopes,
+                        const std::vector<std::size_t>& rooms,
+                        int steps)
+{
   std::vector<CellBox> boxes;
-  for (const auto& scope : scopes)
-    boxes.push_back(boxOf(scope));
+  for (const std::size_t r : rooms)
+    boxes.push_back(boxOf(scopes[r]));
+  Layer layer;
   for (const CellBox& box : clusterBoxes(boxes, steps + 1)) {
     problem_ = maskProblem(box);
     if (!problem_.empty())
-      return;
+      return false;
     Quarter quarter{inverted(CellMask(box)), {}};
     quarter.room.assign(quarter.frame.values().size(), -1);
-    for (std::size_t r = 0; r < scopes.size(); ++r)
+    for (const std::size_t r : rooms)
       for (std::size_t i = 0; i < scopes[r].size(); ++i) {
         if (!quarter.frame.isInside(scopes[r][i]))
           break; // a room lies in one quarter wholly
@@ -34,20 +86,46 @@ RoomTerritory::RoomTerritory(const CellGrid& grid,
         room = room < 0 ? static_cast<std::int32_t>(r) : room;
       }
     growLabels(quarter.frame, steps, quarter.room);
-    quarters_.push_back(std::move(quarter));
+    layer.push_back(std::move(quarter));
   }
+  layers_.push_back(std::move(layer));
+  return true;
+}
+
+std::int32_t
+RoomTerritory::roomIn(const Layer& layer, Cell cell) const
+{
+  for (const auto& quarter : layer)
+    if (quarter.frame.isInside(cell))
+      return quarter.room[quarter.frame.indexOf(cell)];
+  return -1;
 }
 
 std::int32_t
 RoomTerritory::roomAt(const Eigen::Vector3f& p) const
 {
+  constexpr double reach = 0.3;   // metres: a surface's noise, half of a slab
+  constexpr double outside = 0.1; // metres that count for a place beside the room
   if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
     return -1;
   const Cell cell = grid_.at(p.x(), p.y());
-  for (const auto& quarter : quarters_)
-    if (quarter.frame.isInside(cell))
-      return quarter.room[quarter.frame.indexOf(cell)];
-  return -1;
+  if (layers_.size() == 1)
+    return roomIn(layers_.front(), cell);
+  std::int32_t best = -1;
+  double least = reach + outside;
+  for (const Layer& layer : layers_) {
+    const std::int32_t room = roomIn(layer, cell);
+    if (room < 0)
+      continue;
+    const auto r = static_cast<std::size_t>(room);
+    const double away = awayFrom(heights_[r], p.z());
+    const double cost = away + (scopes_[r].contains(cell) ? 0 : outside);
+    if (away <= reach && cost < least) {
+      least = cost;
+      best = room;
+    }
+  }
+  return best;
 }
 
 std::vector<std::int32_t>
@@ -67,23 +145,26 @@ CellSet
 RoomTerritory::frontier() const
 {
   std::vector<CellKey> keys;
-  for (const auto& quarter : quarters_) {
-    const auto meets = [&](std::int32_t room, Cell near) {
-      const std::int32_t other =
-          quarter.frame.isInside(near) ? quarter.room[quarter.frame.indexOf(near)] : -1;
-      return other >= 0 && other != room;
-    };
-    for (std::size_t i = 0; i < quarter.room.size(); ++i) {
-      if (quarter.room[i] < 0)
-        continue;
-      const Cell cell = quarter.frame.cellAt(i);
-      for (const Cell d : {Cell{1, -1}, Cell{1, 0}, Cell{1, 1}, Cell{0, 1}})
-        if (const Cell near{cell.x + d.x, cell.y + d.y}; meets(quarter.room[i], near)) {
-          keys.push_back(keyOf(cell));
-          keys.push_back(keyOf(near));
-        }
+  for (const Layer& layer : layers_)
+    for (const auto& quarter : layer) {
+      const auto meets = [&](std::int32_t room, Cell near) {
+        const std::int32_t other = quarter.frame.isInside(near)
+                                       ? quarter.room[quarter.frame.indexOf(near)]
+                                       : -1;
+        return other >= 0 && other != room;
+      };
+      for (std::size_t i = 0; i < quarter.room.size(); ++i) {
+        if (quarter.room[i] < 0)
+          continue;
+        const Cell cell = quarter.frame.cellAt(i);
+        for (const Cell d : {Cell{1, -1}, Cell{1, 0}, Cell{1, 1}, Cell{0, 1}})
+          if (const Cell near{cell.x + d.x, cell.y + d.y};
+              meets(quarter.room[i], near)) {
+            keys.push_back(keyOf(cell));
+            keys.push_back(keyOf(near));
+          }
+      }
     }
-  }
   return CellSet(std::move(keys));
 }
 

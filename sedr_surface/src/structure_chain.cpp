@@ -36,23 +36,13 @@ StructureChain::StructureChain()
 void
 StructureChain::setGridSize(double size)
 {
-  if (enlarged_from_ > 0)
-    restoreSupportedCells();
   plane_detection.setGridSize(size);
-  outlier_removal.setGridSize(size);
-  room_segmentation.cell_size = size;
+  room_segmentation.setGridSize(size);
   slice_detail.setGridSize(size);
   floor_recovery.setGridSize(size);
   floorplan_fitting.setGridSize(size);
   hole_repair.setGridSize(size);
   enlarged_from_ = 0;
-}
-
-void
-StructureChain::restoreSupportedCells()
-{
-  if (outlier_removal.getMinimumSupportedCells() == scaled_cells_)
-    outlier_removal.setMinimumSupportedCells(supported_cells_);
 }
 
 /** @brief Larger cells for what looks at the scan; repaired points stay as dense. */
@@ -63,11 +53,6 @@ StructureChain::enlargeCells(double size)
   const double repaired = hole_repair.getGridSize();
   setGridSize(size);
   hole_repair.setGridSize(repaired);
-  // As many square metres as before.
-  supported_cells_ = outlier_removal.getMinimumSupportedCells();
-  scaled_cells_ = static_cast<std::size_t>(std::lround(
-      static_cast<double>(supported_cells_) * least * least / (size * size)));
-  outlier_removal.setMinimumSupportedCells(scaled_cells_);
   wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
                                     2 * (size - least));
   enlarged_from_ = least;
@@ -76,17 +61,13 @@ StructureChain::enlargeCells(double size)
 void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
-  if (enlarged_from_ > 0) {
-    restoreSupportedCells();
-    const std::size_t supported = outlier_removal.getMinimumSupportedCells();
+  if (enlarged_from_ > 0)
     enlargeCells(enlarged_from_); // smaller ones, in truth
-    outlier_removal.setMinimumSupportedCells(supported);
-  }
   enlarged_from_ = 0;
   // Points are added where something hides a ceiling: a thirtieth at most, mostly.
   cloud.reset(new Cloud);
   reserveLarge(cloud->points, thinned->size() + thinned->size() / 30,
-               room_segmentation.threads);
+               room_segmentation.getNumberOfThreads());
   *cloud = *thinned;
   scanned_points_ = cloud->size();
   labels.clear();
@@ -104,7 +85,6 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   warnings.clear();
   failed_stage.clear();
   problem.clear();
-  levels_.clear();
   regions_.clear();
   territory_.clear();
   slice_height_.clear();
@@ -159,11 +139,9 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
         std::to_string(stray_limit) + " points were left out");
   const std::size_t n = cloud->size();
   return checkScan() &&
+         runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
                   [&](auto& r) { return findPlanes(r); }) &&
-         runStage("GridRegionOutlierRemoval", n,
-                  [&](auto& r) { return removeOutliers(r); }) &&
-         runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
          runStage("FloorProjectionRecovery", n,
                   [&](auto& r) { return recoverFloors(r); }) &&

@@ -4,6 +4,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
@@ -54,20 +55,19 @@ StructureChain::findDetails(StageReport& report)
   shareOut();
   std::vector<Detection> detections(regions_.size(), slice_detail);
   std::vector<pcl::PointIndices> details(regions_.size());
-  const CellGrid grid(outlier_removal.getGridSize());
+  const CellGrid grid(plane_detection.getGridSize());
   const auto detect = [&](std::size_t r, std::size_t) {
-    const RoomRegion& region = regions_[r];
+    const ChainRoom& region = regions_[r];
     const Eigen::Vector2d middle = grid.centre(region.scope[region.scope.size() / 2]);
     Detection& own = detections[r];
     own.setIndices(territory_[r]);
     own.setCeilingIndices(
         labelled(StructureLabel::Ceiling, static_cast<std::uint32_t>(r + 1)));
-    own.setFloorHeight(levels_[region.floor_level].slab.heightAt(middle));
+    own.setFloorHeight(region.floor_slab.heightAt(middle));
     own.segment(details[r]);
   };
-  parallelBlocks(regions_.size(), 1, room_segmentation.threads, detect);
+  parallelBlocks(regions_.size(), 1, room_segmentation.getNumberOfThreads(), detect);
 
-  const pcl::Indices lower = unlabelledCeilings();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     slice_detail = std::move(detections[r]);
@@ -79,34 +79,20 @@ StructureChain::findDetails(StageReport& report)
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
       rooms[static_cast<std::size_t>(i)] = room;
     }
-    report.points_out += details[r].indices.size() + labelLowerCeilings(r, lower);
+    report.points_out += details[r].indices.size() + labelLowerCeilings(r);
   }
   return true;
 }
 
-pcl::Indices
-StructureChain::unlabelledCeilings() const
-{
-  pcl::Indices indices;
-  for (const Level& level : levels_)
-    if (level.kind == LevelKind::Ceiling)
-      std::copy_if(level.inliers.begin(), level.inliers.end(),
-                   std::back_inserter(indices),
-                   [&](int i) { return labels[static_cast<std::size_t>(i)] == 0; });
-  return indices;
-}
-
 std::size_t
-StructureChain::labelLowerCeilings(std::size_t region, const pcl::Indices& unlabelled)
+StructureChain::labelLowerCeilings(std::size_t region)
 {
-  const CellGrid grid(outlier_removal.getGridSize());
   const PointView points(*cloud);
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const int i : unlabelled) {
+  for (const int i : regions_[region].ceiling) {
     const auto at = static_cast<std::size_t>(i);
-    if (labels[at] != 0 ||
-        !regions_[region].scope.contains(grid.at(points[at].x(), points[at].y())))
+    if (labels[at] != 0)
       continue;
     labels[at] = valueOf(StructureLabel::Detail);
     rooms[at] = static_cast<std::uint32_t>(region + 1);
@@ -116,49 +102,20 @@ StructureChain::labelLowerCeilings(std::size_t region, const pcl::Indices& unlab
   // Walls below a soffit grow from the floor's boundary, as below any detail.
   double& slice = slice_height_[region];
   if (found > 0 && !(slice < lowest))
-    slice = lowest - grid.size();
+    slice = lowest - plane_detection.getGridSize();
   return found;
-}
-
-std::vector<const Level*>
-StructureChain::floorsOfPoints() const
-{
-  std::vector<const Level*> floors(cloud->size(), nullptr);
-  for (const Level& level : levels_)
-    if (level.kind == LevelKind::Floor)
-      for (const int i : level.inliers)
-        floors[static_cast<std::size_t>(i)] = &level;
-  return floors;
-}
-
-pcl::IndicesPtr
-StructureChain::floorPoints(std::size_t region,
-                            const std::vector<const Level*>& floor_of) const
-{
-  const double lowest = levels_[regions_[region].floor_level].height - 1;
-  const double highest = levels_[regions_[region].ceiling_level].height -
-                         plane_detection.getMinimumRoomHeight();
-  pcl::IndicesPtr seen(new pcl::Indices);
-  std::copy_if(territory_[region]->begin(), territory_[region]->end(),
-               std::back_inserter(*seen), [&](int i) {
-                 const Level* floor = floor_of[static_cast<std::size_t>(i)];
-                 return floor && floor->height > lowest && floor->height < highest;
-               });
-  return seen;
 }
 
 bool
 StructureChain::recoverFloors(StageReport& report)
 {
   shareOut();
-  const std::vector<const Level*> floor_of = floorsOfPoints();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    const Level& floor = levels_[regions_[r].floor_level];
-    const pcl::IndicesPtr seen = floorPoints(r, floor_of);
+    const pcl::IndicesPtr seen(new pcl::Indices(regions_[r].floor));
     pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
     for (int k = 0; k < 4; ++k)
-      plane->values.push_back(static_cast<float>(floor.slab.plane[k]));
+      plane->values.push_back(static_cast<float>(regions_[r].floor_slab.plane[k]));
     floor_recovery.setInputCloud(cloud);
     floor_recovery.setIndices(seen);
     floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
@@ -252,9 +209,29 @@ StructureChain::fitPlan(StageReport& report)
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
+  tellBuilding();
   giveUpRoomsWithoutPlan();
   labelNiches();
   return true;
+}
+
+void
+StructureChain::tellBuilding()
+{
+  const Building& building = getBuilding();
+  const auto isInPlan = [&](std::uint32_t id) {
+    return std::any_of(plan->rooms.begin(), plan->rooms.end(),
+                       [&](const PlanRoom& room) { return room.id == id; });
+  };
+  const auto isKept = [&](const auto& link) {
+    return isInPlan(link.rooms[0]) && isInPlan(link.rooms[1]);
+  };
+  plan->storeys = building.storeys;
+  plan->storeys = storeysOf(*plan);
+  std::copy_if(building.doorways.begin(), building.doorways.end(),
+               std::back_inserter(plan->doorways), isKept);
+  std::copy_if(building.stairs.begin(), building.stairs.end(),
+               std::back_inserter(plan->stairs), isKept);
 }
 
 void
@@ -282,12 +259,11 @@ StructureChain::labelNiches()
   if (std::count(recessed.begin(), recessed.end(), nullptr) ==
       static_cast<std::ptrdiff_t>(recessed.size()))
     return;
-  const RoomTerritory territory(CellGrid(outlier_removal.getGridSize()), scopes(),
-                                nicheReach());
+  const RoomTerritory niches = territory(nicheReach());
   const double reach = refinement.getMaximumDistance();
   for (std::size_t at = 0; at < cloud->size(); ++at) {
     const Eigen::Vector3f place = (*cloud)[at].getVector3fMap();
-    const std::int32_t region = territory.roomAt(place);
+    const std::int32_t region = niches.roomAt(place);
     if (region < 0 || !recessed[static_cast<std::size_t>(region)])
       continue;
     const PlanRoom& room = *recessed[static_cast<std::size_t>(region)];

@@ -3,21 +3,16 @@
 
 #include "picture.h"
 
-#include <pcl/sedr_segmentation/room_segmentation.h>
-
-#include <vector>
+#include <pcl/sedr_segmentation/building.h>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How the ceilings were parted into rooms: each with its number, and what
- * belongs to none.
- * @param ceilings cells of all ceilings that outlier removal has kept
- * @param cell_size metres */
-Picture drawRooms(const std::vector<RoomRegion>& rooms,
-                  const CellSet& ceilings,
-                  double cell_size);
+/** @brief How the air of a building was parted into rooms: for each storey its rooms,
+ * each with its number and area, what something hid of them darker, doorways, and the
+ * heights of their ceilings beside. */
+Picture drawRooms(const Building& building);
 
 } // namespace tools
 } // namespace sedr

@@ -4,7 +4,6 @@
 #include "mesh_picture.h"
 #include "plan_picture.h"
 #include "plane_picture.h"
-#include "region_picture.h"
 #include "room_picture.h"
 #include "thinning_picture.h"
 
@@ -26,16 +25,6 @@ thinnedPoints(const ChainPictures::Chain& chain)
           chain.getChain().scannedPoints()};
 }
 
-/** @brief The cells of the ceilings that are kept. */
-CellSet
-keptCeilings(const std::vector<RegionMap>& maps)
-{
-  CellSet kept;
-  for (const auto& map : maps)
-    kept = unite(kept, map.keptCells());
-  return kept;
-}
-
 } // namespace
 
 ChainPictures::ChainPictures(Chain& chain)
@@ -55,9 +44,7 @@ void
 ChainPictures::note(const std::string& stage, std::uint32_t room)
 {
   const StructureChain& chain = chain_.getChain();
-  if (stage == "GridRegionOutlierRemoval")
-    regions_.push_back(chain.outlier_removal.getRegionMap());
-  else if (stage == "GridSliceDetail")
+  if (stage == "GridSliceDetail")
     slices_.push_back({room, chain.slice_detail.getAnalysis(),
                        *chain_.getChain().slice_detail.getIndices(),
                        *chain.slice_detail.getCeilingIndices()});
@@ -76,16 +63,15 @@ std::vector<std::string>
 ChainPictures::names()
 {
   return {"01_parallel_voxel_grid.png",
-          "02_horizontal_plane_detection.png",
-          "03_grid_region_outlier_removal.png",
-          "04_room_segmentation.png",
-          "05_grid_slice_detail.png",
-          "06_floor_projection_recovery.png",
-          "07_ceiling_boundary_wall_growing.png",
-          "08_floorplan_fitting.png",
-          "09_structure_refinement.png",
-          "10_vertical_hole_repair.png",
-          "11_structural_poisson.png"};
+          "02_room_segmentation.png",
+          "03_horizontal_plane_detection.png",
+          "04_grid_slice_detail.png",
+          "05_floor_projection_recovery.png",
+          "06_ceiling_boundary_wall_growing.png",
+          "07_floorplan_fitting.png",
+          "08_structure_refinement.png",
+          "09_vertical_hole_repair.png",
+          "10_structural_poisson.png"};
 }
 
 std::vector<PictureFile>
@@ -96,11 +82,9 @@ ChainPictures::draw() const
   const std::vector<Picture> pictures{
       drawThinning(*chain_.getInputSource(), thinnedPoints(chain_),
                    chain_.getVoxelSize()),
+      drawRooms(chain.getBuilding()),
       drawPlanes(chain.planes, chain.plane_detection.getHeightHistogram(), points,
                  chain_.getGridSize()),
-      drawRegions(regions_),
-      drawRooms(chain.getRoomRegions(), keptCeilings(regions_),
-                chain.room_segmentation.cell_size),
       drawSlices(slices_, points, chain_.getGridSize()),
       drawFloor(floors_),
       drawWalls(walls_, points),

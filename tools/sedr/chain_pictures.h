@@ -46,7 +46,6 @@ private:
   void note(const std::string& stage, std::uint32_t room);
 
   Chain& chain_;
-  std::vector<RegionMap> regions_;
   std::vector<RoomSlices> slices_;
   std::vector<FloorCells> floors_;
   std::vector<RoomWalls> walls_;

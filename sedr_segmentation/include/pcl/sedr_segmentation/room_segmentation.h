@@ -1,59 +1,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_segmentation/building.h>
 
-#include <cstddef>
-#include <string>
+#include <pcl/PointIndices.h>
+#include <pcl/pcl_base.h>
+
 #include <vector>
 
 namespace pcl {
-namespace sedr {
 
-/** @brief How ceilings are parted into rooms; lengths in metres. */
-struct RoomParameters {
-  double cell_size = 0.05;
-  double minimum_area = 1.0;        ///< of a room, square metres
-  double minimum_height = 1.5;      ///< of a room, from floor to ceiling
-  double minimum_floor_share = 0.1; ///< of a room's cells that have its floor below
-  double minimum_enclosure = 0.4;   ///< of its outline walled less that left open
-  double minimum_apart_enclosure =
-      0.7; ///< the same of one whose ceiling is more than a wall away from all others
-  double minimum_open_share =
-      0.15; ///< of the outline of a piece that is open to what it belongs to
-  double widest_door = 1.6; ///< a wider opening joins two rooms if most of what is
-                            ///< between them is open
-  unsigned threads = 0;     ///< 0: as many as there are processors
+/** @brief Parts a thinned scan into rooms and storeys by its air (paper, section 2.3.1:
+ * rooms are the connected regions of the ceiling; here of the envelope, whatever the
+ * shape of the ceiling).
+ *
+ * Frame: z up, metres. Non-finite points are of no room. Needs no scanner positions and
+ * no normals. O(n) for n points. See doc/room_segmentation.md.
+ * @code
+ * pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
+ * segmentation.setInputCloud(thinned);
+ * std::vector<pcl::PointIndices> rooms;      // points of ceilings and floors, by room
+ * segmentation.segment(rooms);
+ * for (const auto& room : segmentation.getBuilding().rooms)
+ *   std::cout << room.id << ": storey " << room.storey << ", " << room.area << '\n';
+ * @endcode */
+template <typename PointT>
+class RoomSegmentation : public PCLBase<PointT>, public sedr::StageError {
+public:
+  using Ptr = shared_ptr<RoomSegmentation<PointT>>;
+  using ConstPtr = shared_ptr<const RoomSegmentation<PointT>>;
+
+  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. Air is looked for in columns
+   * of twice that, or larger ones where the scan is too sparse to fill them. */
+  void setGridSize(double size) { parameters_.cell_size = size; }
+  double getGridSize() const { return parameters_.cell_size; }
+
+  /** @brief Smallest room, square metres with headroom, > 0. Default 1. */
+  void setMinimumArea(double area) { parameters_.minimum_area = area; }
+  double getMinimumArea() const { return parameters_.minimum_area; }
+
+  /** @brief Least height of a room, metres, > 0. Default 1.8. */
+  void setHeadroom(double height) { parameters_.headroom = height; }
+  double getHeadroom() const { return parameters_.headroom; }
+
+  /** @brief Share of a room's outline at which walls stand, 0 to 1. Default 0.4. */
+  void setMinimumEnclosure(double share) { parameters_.minimum_enclosure = share; }
+  double getMinimumEnclosure() const { return parameters_.minimum_enclosure; }
+
+  /** @brief Widest opening between two rooms that a small lintel or jambs make a door,
+   * metres. Default 1.6. */
+  void setWidestDoor(double width) { parameters_.widest_door = width; }
+  double getWidestDoor() const { return parameters_.widest_door; }
+
+  /** @brief Widest opening between two rooms below a lintel, metres, not less than the
+   * widest door. Default 4. */
+  void setWidestPassage(double width) { parameters_.widest_passage = width; }
+  double getWidestPassage() const { return parameters_.widest_passage; }
+
+  /** @brief Floors that differ by less are of one storey, metres, > 0. Default 1.6. */
+  void setStoreyStep(double step) { parameters_.storey_step = step; }
+  double getStoreyStep() const { return parameters_.storey_step; }
+
+  /** @brief Number of threads; 0 (default): all processors. */
+  void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
+  unsigned getNumberOfThreads() const { return parameters_.threads; }
+
+  /** @brief Finds the rooms.
+   * @param[out] rooms the points of ceiling and floor of each, increasing; empty where
+   * there is none
+   * @return false, with a reason in getErrorMessage(), for bad input or parameters or
+   * where there is no room */
+  bool segment(std::vector<PointIndices>& rooms);
+
+  /** @brief What the last run found: rooms, storeys, doorways, stairs, what was left
+   * out, and the room of every point. */
+  const sedr::Building& getBuilding() const { return building_; }
+
+private:
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::indices_;
+
+  bool validate();
+
+  bool run();
+
+  sedr::BuildingParameters parameters_;
+  sedr::Building building_;
 };
 
-/** @brief A room as the ceilings show it. */
-struct RoomRegion {
-  std::size_t ceiling_level = 0; ///< of the main, largest ceiling
-  std::size_t floor_level = 0;
-  CellSet
-      ceiling; ///< cells of the main ceiling on both sides of beams, small gaps closed
-  CellSet scope;        ///< cells of all its ceilings
-  CellSet hidden;       ///< those of them along walls that something below hides
-  double enclosure = 0; ///< share of its outline that is walled less that left open
-};
-
-/** @brief Parts the ceilings of a storey into rooms, largest first.
- *
- * Within a level, rooms are the connected regions of ceiling without wall columns,
- * necks of the width of scan noise cut. Regions that face each other, of one level or
- * two, are one room where no wall stands between them: a step, a beam or a soffit is
- * open below, a doorway has a lintel or, where it is as high as the rooms, jambs on
- * both sides. Regions without floor below are not rooms, nor are those without walls
- * around, but for those that lintels frame, nor is what was seen of one through a door.
- *
- * @param levels classified, with inliers
- * @param[out] problem why nothing could be done, a sentence; empty otherwise
- * O(n log n) plus the cells of the bounding box. */
-std::vector<RoomRegion> segmentRooms(const PointView& points,
-                                     const std::vector<int>& indices,
-                                     const std::vector<Level>& levels,
-                                     const RoomParameters& parameters,
-                                     std::string& problem);
-
-} // namespace sedr
 } // namespace pcl

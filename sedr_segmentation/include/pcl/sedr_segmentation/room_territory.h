@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <cstdint>
 #include <string>
@@ -12,16 +13,21 @@ namespace sedr {
 
 /** @brief Which room a place belongs to: rooms grow from the cells of their ceilings
  * outwards until they meet or have gone as far as walls can be. So each face of a thin
- * partition lies in its own room. O(cells of the box around all rooms). */
+ * partition lies in its own room. Rooms that lie above each other grow each in a layer
+ * of its own, and a place is told by its height, too. O(cells of the box around all
+ * rooms). */
 class RoomTerritory {
 public:
   /** @brief How far from a room's ceiling its walls may be, metres. */
   static constexpr double farthest_wall = 0.7;
 
   /** @param scopes the cells of each room
+   * @param heights of each room's lowest floor and highest ceiling; empty: no room lies
+   * above another
    * @param reach how far rooms grow, metres */
   RoomTerritory(const CellGrid& grid,
                 const std::vector<CellSet>& scopes,
+                const std::vector<HeightRange>& heights = {},
                 double reach = farthest_wall);
 
   /** @brief What is wrong, a sentence; empty if nothing is. */
@@ -47,8 +53,19 @@ private:
     std::vector<std::int32_t> room; ///< of each cell of the frame
   };
 
+  /** @brief Rooms of which none lies above another. */
+  using Layer = std::vector<Quarter>;
+
+  bool addLayer(const std::vector<CellSet>& scopes,
+                const std::vector<std::size_t>& rooms,
+                int steps);
+
+  std::int32_t roomIn(const Layer& layer, Cell cell) const;
+
   CellGrid grid_;
-  std::vector<Quarter> quarters_;
+  std::vector<Layer> layers_;
+  std::vector<CellSet> scopes_;       ///< kept where there are several layers
+  std::vector<HeightRange> heights_;  ///< likewise
   std::string problem_;
 };
 

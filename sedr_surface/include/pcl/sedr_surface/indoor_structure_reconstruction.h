@@ -90,7 +90,7 @@ public:
   /** @brief Grid size of all stages, metres. Default 0.05. After a run with an adaptive
    * grid, the size it took. */
   void setGridSize(double size);
-  double getGridSize() const { return chain_.outlier_removal.getGridSize(); }
+  double getGridSize() const { return chain_.plane_detection.getGridSize(); }
 
   /** @brief Whether a scan too sparse to fill the cells of its ceilings gets larger
    * ones, of at most 2.5 times the grid size; a warning tells. Default true. */

@@ -3,7 +3,6 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/grid_region_outlier_removal.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -11,6 +10,7 @@
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
+#include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/structural_poisson.h>
@@ -45,10 +45,8 @@ public:
 
   StructureChain();
 
+  pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
-  pcl::GridRegionOutlierRemoval<pcl::PointXYZ> outlier_removal;
-  RoomParameters
-      room_segmentation; ///< of segmentRooms(), which has no class of its own
   pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
   pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery{
       true}; ///< tells what it removes
@@ -63,9 +61,8 @@ public:
   std::function<void(const std::string&)> on_stage;
 
   /** @brief Called with a stage's name and a room after every run of that stage's
-   * object, while its getters still tell what that run decided. Outlier removal runs
-   * once a ceiling plane; details, floors, walls, refinement and repair run once a
-   * room; room 0 stands for all. */
+   * object, while its getters still tell what that run decided. Planes, details, floors,
+   * walls, refinement and repair run once a room; room 0 stands for all. */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
   /** @brief Who finds walls, refines, repairs and meshes the rooms, in this process or
@@ -118,9 +115,8 @@ public:
   std::string failed_stage;
   std::string problem;
 
-  /** @brief The rooms as segmentRooms() parted them, on cells of its size: room r + 1
-   * is the r-th. */
-  const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
+  /** @brief The building as room segmentation found it: room r + 1 is the r-th. */
+  const Building& getBuilding() const { return room_segmentation.getBuilding(); }
 
   /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
    * points less reflections. What was recovered comes after them. */
@@ -142,42 +138,18 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
-  bool detectPlanes();
-
-  /** @brief Takes points, increasing, out of the cloud before any has a label. */
-  void removePoints(const pcl::Indices& indices);
-
-  /** @brief The planes as levels, with cells of that size. */
-  std::vector<Level> levelsOfPlanes(double cell_size) const;
-
-  /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
-   * puts points on the walls that they hide, before any has a label.
-   * @return whether there were any: the planes must be found again */
-  bool leaveOutHangingFurniture(const std::vector<Level>& levels);
-
-  double cellSizeThatFills(const std::vector<Level>& levels) const;
+  bool partRooms(StageReport& report);
+  bool findPlanes(StageReport& report);
+  double cellSizeThatFills() const;
   void enlargeCells(double size);
 
-  /** @brief Gives outlier removal its minimum back, unless another was set since. */
-  void restoreSupportedCells();
-  bool findPlanes(StageReport& report);
+  /** @brief Keeps the planes of all rooms as `planes`, for those who look at them. */
+  void listPlanes();
 
-  /** @brief Keeps the regions of a ceiling that floors or walls around support. */
-  bool keepRegions(std::size_t ceiling,
-                   const pcl::IndicesConstPtr& floors,
-                   const pcl::Indices& all);
+  /** @brief Puts points where the ceiling of a room was hidden, by the air below it.
+   * @return how many */
+  std::size_t addHiddenCeiling(std::size_t room);
 
-  /** @brief Keeps strips of a ceiling, of the points `seen`, beside what is kept of it.
-   */
-  void keepStrips(std::size_t ceiling,
-                  const std::vector<int>& seen,
-                  const pcl::Indices& floors);
-
-  /** @brief Puts points where a sweep left gaps between its lines on a ceiling.
-   * @param all indices of the cloud */
-  void fillSweepGaps(const pcl::Indices& all);
-  bool removeOutliers(StageReport& report);
-  bool partRooms(StageReport& report);
   bool findDetails(StageReport& report);
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
@@ -205,7 +177,10 @@ private:
   /** @brief Takes the labels from all points of a room. */
   void giveUp(std::uint32_t room);
 
-  /** @brief The same of every room that the plan does not have. */
+  /** @brief Gives the plan its storeys, doorways and stairs, of rooms that it has. */
+  void tellBuilding();
+
+  /** @brief Takes the labels of every room that the plan does not have. */
   void giveUpRoomsWithoutPlan();
 
   void addStructure(std::uint32_t room, const RepairedRoom& repaired);
@@ -223,47 +198,35 @@ private:
   /** @brief Notes the points of every room. */
   void shareOut();
 
-  /** @brief Labels the points of a level that are of rooms' ceilings.
-   * @return how many */
-  std::size_t labelCeilings(std::size_t level);
-
-  /** @brief Puts points where something hides a room's ceiling from all stations.
-   * @return how many */
-  std::size_t addHiddenCeiling(std::size_t region);
-
   /** @brief The cells of each room. */
   std::vector<CellSet> scopes() const;
+
+  /** @brief The territory of each room, as far as `reach` metres from its ceiling. */
+  RoomTerritory territory(double reach = RoomTerritory::farthest_wall) const;
 
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
-  /** @brief Points of ceilings that have no label. */
-  pcl::Indices unlabelledCeilings() const;
-
-  /** @brief Labels what is not yet labelled of the ceilings that room segmentation
-   * joined to a room: soffits that the slices did not tell from the head of a window.
-   * @param unlabelled points of ceilings without a label, some of which may have got
-   * one since
+  /** @brief Labels what is not yet labelled of a room's ceiling: soffits that the
+   * slices did not tell from the head of a window, and what no slab is.
    * @return how many points */
-  std::size_t labelLowerCeilings(std::size_t region, const pcl::Indices& unlabelled);
+  std::size_t labelLowerCeilings(std::size_t room);
 
   /** @brief Labels the points in the niches of rooms, which no earlier stage looks at.
    */
   void labelNiches();
 
-  /** @brief The floor that each point belongs to; null for the others. */
-  std::vector<const Level*> floorsOfPoints() const;
-
-  /** @brief The points of a room's floor and of its platforms, increasing.
-   * @param floor_of floorsOfPoints() */
-  pcl::IndicesPtr floorPoints(std::size_t region,
-                              const std::vector<const Level*>& floor_of) const;
-
   double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
-  std::size_t supported_cells_ = 0; ///< minimum of outlier removal at that size
-  std::size_t scaled_cells_ = 0;    ///< the same at the size that is used
-  std::vector<Level> levels_;
-  std::vector<RoomRegion> regions_;
+  /** @brief What is known of a room before its plan is fitted. */
+  struct ChainRoom {
+    pcl::Indices ceiling;       ///< points of its ceiling, whatever its shape
+    pcl::Indices floor;         ///< points of its floor and its platforms
+    PlanSlab ceiling_slab;      ///< the largest of its ceiling
+    PlanSlab floor_slab;        ///< the largest of its floor
+    CellSet scope;              ///< cells of its ceiling
+  };
+
+  std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
   std::vector<pcl::Indices> shares_;       ///< points of each room, from room 0 on
   std::vector<double> slice_height_;       ///< of each room, NaN without details

@@ -63,7 +63,7 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   threads_ = threads;
   voxel_grid_.setNumberOfThreads(threads);
   chain_.plane_detection.setNumberOfThreads(threads);
-  chain_.room_segmentation.threads = threads;
+  chain_.room_segmentation.setNumberOfThreads(threads);
   chain_.slice_detail.setNumberOfThreads(threads);
   chain_.wall_growing.setNumberOfThreads(threads);
   chain_.floorplan_fitting.setNumberOfThreads(threads);

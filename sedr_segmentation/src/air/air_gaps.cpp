@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "air_gaps.h"
+
+#include "air_holes.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::size_t gaps_a_block = 16384;
+
+/** @brief Voxels that two gaps have in common. */
+std::int32_t
+overlapOf(const AirGap& a, const AirGap& b)
+{
+  return std::min(a.high, b.high) - std::max(a.low, b.low);
+}
+
+} // namespace
+
+AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
+    : columns_(columns)
+    , parameters_(parameters)
+{
+  findGaps();
+  sortGaps(pocketsOf(*this));
+  sortGaps(enclosedHolesOf(*this));
+  sortGaps(pocketsOf(*this));
+  linkGaps();
+  keepAir();
+}
+
+void
+AirGaps::findGaps()
+{
+  const std::size_t tiles = columns_.tiles();
+  std::vector<std::vector<AirGap>> found(tiles);
+  const int thinnest = voxels(parameters_.thinnest);
+  parallelBlocks(tiles, 1, parameters_.threads, [&](std::size_t t, std::size_t) {
+    const auto begin = static_cast<std::uint32_t>(t * VoxelColumns::tile_columns);
+    for (std::uint32_t c = begin; c < begin + VoxelColumns::tile_columns; ++c) {
+      bool has_floor = false;
+      std::int32_t low = 0;
+      columns_.forEachRun(c, [&](std::int32_t from, std::int32_t to) {
+        if (has_floor && from - low >= thinnest)
+          found[t].push_back({c, low, from, true, true});
+        has_floor = true;
+        low = to;
+      });
+    }
+  });
+  for (auto& of_tile : found)
+    gaps_.insert(gaps_.end(), of_tile.begin(), of_tile.end());
+  sortGaps({});
+}
+
+void
+AirGaps::sortGaps(std::vector<AirGap>&& added)
+{
+  const auto isBefore = [](const AirGap& a, const AirGap& b) {
+    return std::pair(a.column, a.low) < std::pair(b.column, b.low);
+  };
+  std::sort(added.begin(), added.end(), isBefore);
+  const auto middle = static_cast<std::ptrdiff_t>(gaps_.size());
+  gaps_.insert(gaps_.end(), added.begin(), added.end());
+  std::inplace_merge(gaps_.begin(), gaps_.begin() + middle, gaps_.end(), isBefore);
+  first_.assign(columns_.size() + 1, 0);
+  for (const AirGap& gap : gaps_)
+    ++first_[gap.column + 1];
+  for (std::size_t c = 1; c < first_.size(); ++c)
+    first_[c] += first_[c - 1];
+}
+
+std::uint32_t
+AirGaps::overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) const
+{
+  if (column == VoxelColumns::none)
+    return none;
+  std::uint32_t best = none;
+  std::int32_t most = 0;
+  for (std::uint32_t g = first_[column]; g < first_[column + 1]; ++g) {
+    const std::int32_t common = overlapOf(gaps_[g], {column, low, high});
+    const std::int32_t lower = std::min(gaps_[g].high - gaps_[g].low, high - low);
+    if (common > most && 2 * common >= lower) {
+      most = common;
+      best = g;
+    }
+  }
+  return best;
+}
+
+void
+AirGaps::linkGaps()
+{
+  links_.assign(gaps_.size(), {none, none, none, none});
+  const auto forAll = [&](const auto& visit) {
+    parallelBlocks(gaps_.size(), gaps_a_block, parameters_.threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t g = begin; g < end; ++g)
+                       visit(g);
+                   });
+  };
+  forAll([&](std::size_t g) {
+    for (int d = 0; d < 4; ++d)
+      links_[g][static_cast<std::size_t>(d)] = overlapping(
+          columns_.neighbour(gaps_[g].column, d), gaps_[g].low, gaps_[g].high);
+  });
+  const std::vector<Links> wanted = links_;
+  forAll([&](std::size_t g) {
+    for (std::size_t d = 0; d < 4; ++d)
+      if (wanted[g][d] != none && wanted[wanted[g][d]][(d + 2) % 4] != g)
+        links_[g][d] = none;
+  });
+}
+
+std::uint32_t
+AirGaps::diagonal(std::size_t g, int d) const
+{
+  const int e = (d + 1) % 4;
+  const std::uint32_t a = link(g, d);
+  const std::uint32_t b = link(g, e);
+  if (a == none || b == none)
+    return none;
+  const std::uint32_t corner = link(a, e);
+  return corner == link(b, d) ? corner : none;
+}
+
+void
+AirGaps::keepAir()
+{
+  const int tall = voxels(parameters_.headroom);
+  const int step = voxels(parameters_.same_ceiling);
+  std::vector<std::uint8_t> is_air(gaps_.size(), 0);
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t g = 0; g < gaps_.size(); ++g)
+    if (gaps_[g].high - gaps_[g].low >= tall) {
+      is_air[g] = 1;
+      front.push_back(g);
+    }
+  while (!front.empty()) {
+    const std::uint32_t g = front.back();
+    front.pop_back();
+    for (const std::uint32_t o : links_[g])
+      if (o != none && !is_air[o] && std::abs(gaps_[o].high - gaps_[g].high) <= step) {
+        is_air[o] = 1;
+        front.push_back(o);
+      }
+  }
+  std::vector<AirGap> kept;
+  for (std::size_t g = 0; g < gaps_.size(); ++g)
+    if (is_air[g])
+      kept.push_back(gaps_[g]);
+  void_area_ = static_cast<double>(gaps_.size() - kept.size()) * parameters_.cell *
+               parameters_.cell;
+  gaps_.clear();
+  sortGaps(std::move(kept));
+  linkGaps();
+}
+
+} // namespace sedr
+} // namespace pcl

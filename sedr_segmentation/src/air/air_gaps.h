@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "voxel_columns.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A free stretch of a column of the plan, between two surfaces. */
+struct AirGap {
+  std::uint32_t column = 0;
+  std::int32_t low = 0;     ///< its lowest free voxel: the floor is below
+  std::int32_t high = 0;    ///< one above its highest: where the ceiling begins
+  bool floor_seen = true;   ///< else its low end was taken from neighbours
+  bool ceiling_seen = true; ///< likewise its high end
+};
+
+/** @brief What is believed of air in buildings; lengths in metres. */
+struct AirParameters {
+  double cell = 0.1; ///< edge of a column of the plan
+  double voxel_height = 0.05;
+  double thinnest = 0.15;     ///< lower gaps are noise between two surfaces
+  double headroom = 1.8;      ///< gaps as high as this are air
+  double same_ceiling = 0.15; ///< a ceiling goes on where it rises by less a cell
+  double same_surface = 0.2;  ///< a surface goes on where it is no farther off
+  double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
+  double least_known = 0.25;  ///< of the rim of a hole that is filled: known air
+  double most_open = 0.2;     ///< of its rim: neither air nor wall
+  unsigned threads = 0;
+};
+
+/** @brief The air of a scan: its gaps, linked across the plan (a height field of
+ * several layers). Gaps are sorted by column, in it from below. */
+class AirGaps {
+public:
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  using Links = std::array<std::uint32_t, 4>;
+
+  /** @brief Finds the gaps of all columns, fills holes, links, and keeps what is air.
+   * O(columns + gaps). The same for any number of threads. */
+  AirGaps(const VoxelColumns& columns, const AirParameters& parameters);
+
+  const VoxelColumns& columns() const { return columns_; }
+  const AirParameters& parameters() const { return parameters_; }
+
+  std::size_t size() const { return gaps_.size(); }
+  const AirGap& operator[](std::size_t g) const { return gaps_[g]; }
+
+  /** @brief The gap that goes on in plan_directions[d], or `none`. */
+  std::uint32_t link(std::size_t g, int d) const
+  {
+    return links_[g][static_cast<std::size_t>(d)];
+  }
+
+  /** @brief The gap that goes on at the corner between directions d and d + 1: reached
+   * both ways round, or `none`. */
+  std::uint32_t diagonal(std::size_t g, int d) const;
+
+  /** @brief The gaps of a column are those from first(column) to first(column + 1). */
+  std::size_t first(std::uint32_t column) const { return first_[column]; }
+
+  /** @brief Height of a gap, metres. */
+  double height(std::size_t g) const
+  {
+    return (gaps_[g].high - gaps_[g].low) * columns_.voxelHeight();
+  }
+
+  /** @brief The gap of a column that overlaps [low, high) most, by half of the lower
+   * of both at least; `none` where there is none. */
+  std::uint32_t
+  overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) const;
+
+  /** @brief Floor area of gaps that are no air: within slabs, above suspended
+   * ceilings; square metres. */
+  double voidArea() const { return void_area_; }
+
+  int voxels(double metres) const
+  {
+    return static_cast<int>(std::lround(metres / columns_.voxelHeight()));
+  }
+
+private:
+  void findGaps();
+  void sortGaps(std::vector<AirGap>&& added);
+  void linkGaps();
+  void keepAir();
+
+  const VoxelColumns& columns_;
+  AirParameters parameters_;
+  std::vector<AirGap> gaps_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Links> links_;
+  double void_area_ = 0;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_columns.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::int32_t edge = VoxelColumns::tile_edge;
+
+std::int32_t
+tileOf(std::int32_t cell)
+{
+  return cell >= 0 ? cell / edge : -((-cell + edge - 1) / edge);
+}
+
+std::uint32_t
+withinTile(Cell cell)
+{
+  return static_cast<std::uint32_t>(cell.y & (edge - 1)) * edge +
+         static_cast<std::uint32_t>(cell.x & (edge - 1));
+}
+
+/** @brief A point as the voxel that holds it; `is_valid` false for what has none. */
+struct PlacedPoint {
+  Cell cell;
+  std::int32_t voxel = 0;
+  bool is_valid = false;
+};
+
+PlacedPoint
+placeOf(const Eigen::Vector3f& p, const CellGrid& grid, double voxel_height)
+{
+  constexpr double most = 1e9; // voxels from z = 0
+  const double height = p.z() / voxel_height;
+  if (!(std::abs(height) < most) || !std::isfinite(p.x()) || !std::isfinite(p.y()) ||
+      !grid.holds(p.x(), p.y()))
+    return {};
+  return {grid.at(p.x(), p.y()), static_cast<std::int32_t>(std::floor(height)), true};
+}
+
+constexpr std::size_t points_a_block = std::size_t{1} << 16;
+
+} // namespace
+
+VoxelColumns::VoxelColumns(const PointView& points,
+                           const std::vector<int>& indices,
+                           double cell,
+                           double voxel_height,
+                           unsigned threads)
+    : grid_(cell)
+    , voxel_height_(voxel_height)
+{
+  const std::size_t n = indices.empty() ? points.size() : indices.size();
+  const auto pointAt = [&](std::size_t k) {
+    return placeOf(points[indices.empty() ? k : static_cast<std::size_t>(indices[k])],
+                   grid_, voxel_height_);
+  };
+  using Heights = std::unordered_map<CellKey, TileHeights>;
+  std::vector<Heights> met((n + points_a_block - 1) / points_a_block);
+  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+    Heights& own = met[begin / points_a_block];
+    CellKey last = 0;
+    TileHeights* range = nullptr;
+    for (std::size_t k = begin; k < end; ++k) {
+      const PlacedPoint p = pointAt(k);
+      if (!p.is_valid)
+        continue;
+      const CellKey key = keyOf({tileOf(p.cell.x), tileOf(p.cell.y)});
+      if (!range || key != last)
+        range = &own[last = key];
+      range->add({p.voxel, p.voxel});
+    }
+  });
+  std::map<CellKey, TileHeights> all;
+  for (const Heights& block : met)
+    for (const auto& [key, range] : block)
+      all[key].add(range);
+  makeTiles({all.begin(), all.end()});
+
+  // The points of each tile, so that each is filled by one thread.
+  std::vector<std::size_t> counts(met.size() * tiles_.size() + 1, 0);
+  const auto forEachPlaced = [&](std::size_t begin, std::size_t end, auto visit) {
+    CellKey last = 0;
+    std::uint32_t tile = none;
+    for (std::size_t k = begin; k < end; ++k) {
+      const PlacedPoint p = pointAt(k);
+      if (!p.is_valid)
+        continue;
+      const CellKey key = keyOf({tileOf(p.cell.x), tileOf(p.cell.y)});
+      if (tile == none || key != last)
+        tile = tile_at_.at(last = key);
+      visit(tile, p);
+    }
+  };
+  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+    const std::size_t block = begin / points_a_block;
+    forEachPlaced(begin, end, [&](std::uint32_t tile, const PlacedPoint&) {
+      ++counts[tile * met.size() + block + 1];
+    });
+  });
+  for (std::size_t k = 1; k < counts.size(); ++k)
+    counts[k] += counts[k - 1];
+  std::vector<std::size_t> first(tiles_.size() + 1, counts.back());
+  for (std::size_t t = 0; t < tiles_.size(); ++t)
+    first[t] = counts[t * met.size()];
+  struct Voxel {
+    std::uint32_t column;
+    std::int32_t voxel;
+  };
+  std::vector<Voxel> sorted(counts.back());
+  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+    const std::size_t block = begin / points_a_block;
+    forEachPlaced(begin, end, [&](std::uint32_t tile, const PlacedPoint& p) {
+      sorted[counts[tile * met.size() + block]++] = {withinTile(p.cell), p.voxel};
+    });
+  });
+  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    const Tile& tile = tiles_[t];
+    for (std::size_t k = first[t]; k < first[t + 1]; ++k) {
+      const auto at = static_cast<std::uint32_t>(sorted[k].voxel - tile.low);
+      bits_[tile.first + sorted[k].column * static_cast<std::size_t>(tile.words) +
+            at / 64] |= std::uint64_t{1} << (at % 64);
+    }
+  });
+}
+
+void
+VoxelColumns::makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights)
+{
+  std::size_t words = 0;
+  for (const auto& [key, range] : heights) {
+    Tile tile;
+    tile.corner = pcl::sedr::cellOf(key);
+    tile.low = tileOf(range.low) * edge;
+    tile.words = tileOf(range.high) - tileOf(range.low) + 1;
+    tile.first = words;
+    words += tile_columns * static_cast<std::size_t>(tile.words);
+    tile_at_[key] = static_cast<std::uint32_t>(tiles_.size());
+    tiles_.push_back(tile);
+  }
+  bits_.assign(words, 0);
+  connectTiles();
+}
+
+VoxelColumns
+VoxelColumns::halved(unsigned threads) const
+{
+  VoxelColumns half(2 * cellSize(), voxel_height_);
+  std::map<CellKey, TileHeights> heights;
+  const auto halfOf = [](std::int32_t v) { return v >= 0 ? v / 2 : -((1 - v) / 2); };
+  for (const Tile& tile : tiles_)
+    heights[keyOf({halfOf(tile.corner.x), halfOf(tile.corner.y)})].add(
+        {tile.low, tile.low + 64 * tile.words - 1});
+  half.makeTiles({heights.begin(), heights.end()});
+  parallelBlocks(half.tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    const Tile& tile = half.tiles_[t];
+    for (std::int32_t part = 0; part < 4; ++part) {
+      const Cell quarter{2 * tile.corner.x + part % 2, 2 * tile.corner.y + part / 2};
+      const auto found = tile_at_.find(keyOf(quarter));
+      if (found == tile_at_.end())
+        continue;
+      const Tile& fine = tiles_[found->second];
+      const auto shift = static_cast<std::size_t>((fine.low - tile.low) / 64);
+      for (std::size_t at = 0; at < tile_columns; ++at) {
+        const std::size_t x =
+            (at % edge) / 2 + static_cast<std::size_t>(part % 2) * edge / 2;
+        const std::size_t y =
+            (at / edge) / 2 + static_cast<std::size_t>(part / 2) * edge / 2;
+        for (std::size_t w = 0; w < static_cast<std::size_t>(fine.words); ++w)
+          half.bits_[tile.first +
+                     (y * edge + x) * static_cast<std::size_t>(tile.words) + shift +
+                     w] |=
+              bits_[fine.first + at * static_cast<std::size_t>(fine.words) + w];
+      }
+    }
+  });
+  return half;
+}
+
+void
+VoxelColumns::connectTiles()
+{
+  for (Tile& tile : tiles_)
+    for (std::size_t d = 0; d < 4; ++d) {
+      const auto found = tile_at_.find(keyOf({tile.corner.x + plan_directions[d].x,
+                                              tile.corner.y + plan_directions[d].y}));
+      if (found != tile_at_.end())
+        tile.neighbours[d] = found->second;
+    }
+}
+
+std::uint32_t
+VoxelColumns::columnAt(Cell cell) const
+{
+  const auto found = tile_at_.find(keyOf({tileOf(cell.x), tileOf(cell.y)}));
+  return found == tile_at_.end()
+             ? none
+             : static_cast<std::uint32_t>(found->second * tile_columns) +
+                   withinTile(cell);
+}
+
+std::uint32_t
+VoxelColumns::neighbour(std::uint32_t column, int d) const
+{
+  const auto tile = static_cast<std::uint32_t>(column / tile_columns);
+  const auto at = static_cast<std::int32_t>(column % tile_columns);
+  const Cell step = plan_directions[static_cast<std::size_t>(d)];
+  const std::int32_t x = at % edge + step.x;
+  const std::int32_t y = at / edge + step.y;
+  if (x >= 0 && x < edge && y >= 0 && y < edge)
+    return static_cast<std::uint32_t>(tile * tile_columns) +
+           static_cast<std::uint32_t>(y * edge + x);
+  const std::uint32_t other = tiles_[tile].neighbours[static_cast<std::size_t>(d)];
+  return other == none ? none
+                       : static_cast<std::uint32_t>(other * tile_columns) +
+                             withinTile({x + edge, y + edge});
+}
+
+Cell
+VoxelColumns::cellOf(std::uint32_t column) const
+{
+  const Tile& tile = tiles_[column / tile_columns];
+  const auto at = static_cast<std::int32_t>(column % tile_columns);
+  return {tile.corner.x * edge + at % edge, tile.corner.y * edge + at / edge};
+}
+
+bool
+VoxelColumns::isOccupied(std::uint32_t column, std::int32_t voxel) const
+{
+  return countBetween(column, voxel, voxel + 1) > 0;
+}
+
+int
+VoxelColumns::countBetween(std::uint32_t column,
+                           std::int32_t begin,
+                           std::int32_t end) const
+{
+  const Tile& tile = tiles_[column / tile_columns];
+  const std::int32_t from = std::max(begin - tile.low, 0);
+  const std::int32_t to = std::min(end - tile.low, 64 * tile.words);
+  if (from >= to)
+    return 0;
+  const std::uint64_t* const words = wordsOf(column);
+  int count = 0;
+  for (std::int32_t w = from / 64; w <= (to - 1) / 64; ++w) {
+    std::uint64_t word = words[w];
+    if (w == from / 64)
+      word &= ~std::uint64_t{0} << (from % 64);
+    if (w == (to - 1) / 64)
+      word &= ~std::uint64_t{0} >> (63 - (to - 1) % 64);
+    count += __builtin_popcountll(word);
+  }
+  return count;
+}
+
+template <typename Visitor>
+void
+VoxelColumns::forEachCompany(std::size_t t, Visitor visit) const
+{
+  const Tile& tile = tiles_[t];
+  for (std::uint32_t at = 0; at < tile_columns; ++at) {
+    const auto column = static_cast<std::uint32_t>(t * tile_columns) + at;
+    std::array<std::uint32_t, 9> around{};
+    std::size_t n = 0;
+    for (std::int32_t w = 0; w < tile.words; ++w) {
+      const std::int32_t begin = tile.low + 64 * w;
+      const std::uint64_t own = wordFrom(column, begin);
+      if (own == 0)
+        continue;
+      if (n == 0)
+        n = columnsAround(column, around);
+      std::array<std::uint64_t, 4> digits{};
+      const auto count = [&](std::uint64_t word) {
+        word &= ~(digits[0] & digits[1] & digits[2] & digits[3]);
+        for (std::uint64_t& digit : digits) {
+          const std::uint64_t carry = digit & word;
+          digit ^= word;
+          word = carry;
+        }
+      };
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::uint64_t middle = wordFrom(around[k], begin);
+        count(middle << 1 | wordFrom(around[k], begin - 64) >> 63);
+        count(middle >> 1 | wordFrom(around[k], begin + 64) << 63);
+        if (k > 0)
+          count(middle);
+      }
+      visit(tile.first + at * static_cast<std::size_t>(tile.words) +
+                static_cast<std::size_t>(w),
+            own, digits);
+    }
+  }
+}
+
+std::size_t
+VoxelColumns::columnsAround(std::uint32_t column,
+                            std::array<std::uint32_t, 9>& around) const
+{
+  std::size_t n = 0;
+  around[n++] = column;
+  for (int d = 0; d < 4; ++d) {
+    const std::uint32_t side = neighbour(column, d);
+    const std::uint32_t corner = side == none ? none : neighbour(side, (d + 1) % 4);
+    for (const std::uint32_t other : {side, corner})
+      if (other != none)
+        around[n++] = other;
+  }
+  return n;
+}
+
+namespace {
+
+/** @brief The voxels whose number, as four words of binary digits, is at least n. */
+std::uint64_t
+atLeast(const std::array<std::uint64_t, 4>& digits, unsigned n)
+{
+  std::uint64_t more = 0;
+  std::uint64_t equal = ~std::uint64_t{0};
+  for (unsigned k = 4; k-- > 0;)
+    if ((n >> k & 1) != 0)
+      equal &= digits[k];
+    else {
+      more |= equal & digits[k];
+      equal &= ~digits[k];
+    }
+  return more | equal;
+}
+
+} // namespace
+
+int
+VoxelColumns::usualCompany(unsigned threads) const
+{
+  // How many voxels have at least so many neighbours.
+  std::vector<std::array<std::size_t, 16>> of_tile(tiles_.size());
+  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    of_tile[t].fill(0);
+    forEachCompany(t, [&](std::size_t, std::uint64_t own, const auto& digits) {
+      for (unsigned n = 0; n < 16; ++n)
+        of_tile[t][n] +=
+            static_cast<std::size_t>(__builtin_popcountll(own & atLeast(digits, n)));
+    });
+  });
+  std::array<std::size_t, 16> all{};
+  for (const auto& counts : of_tile)
+    for (std::size_t n = 0; n < 16; ++n)
+      all[n] += counts[n];
+  unsigned median = 0;
+  while (median < 15 && 2 * all[median + 1] >= all[0] && all[0] > 0)
+    ++median;
+  return static_cast<int>(median);
+}
+
+void
+VoxelColumns::dropStrays(int company, unsigned threads)
+{
+  std::vector<std::uint64_t> kept(bits_.size(), 0);
+  const auto least = static_cast<unsigned>(std::clamp(company, 0, 15));
+  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    forEachCompany(t, [&](std::size_t at, std::uint64_t own, const auto& digits) {
+      kept[at] = own & atLeast(digits, least);
+    });
+  });
+  bits_ = std::move(kept);
+}
+
+} // namespace sedr
+} // namespace pcl

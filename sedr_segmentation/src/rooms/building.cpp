@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_description.h"
+#include "room_points.h"
+#include "storey_levels.h"
+
+#include <pcl/sedr_segmentation/building.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double voxel_height = 0.05; // metres
+
+/** @brief Columns of twice the size, or of more where the scan is too sparse to fill
+ * them, without what floats in the air. */
+VoxelColumns
+columnsThatFill(const VoxelColumns& fine, unsigned threads)
+{
+  constexpr int filled = 6;           // neighbours of a voxel, of 8 on a plane
+  constexpr double largest = 0.4;     // metres
+  constexpr double least_share = 0.5; // of the usual neighbours, for what is no stray
+  constexpr int most = 4;             // neighbours: a surface's edge has five
+  VoxelColumns columns = fine.halved(threads);
+  int usual = columns.usualCompany(threads);
+  while (usual < filled && 2 * columns.cellSize() <= largest) {
+    columns = columns.halved(threads);
+    usual = columns.usualCompany(threads);
+  }
+  columns.dropStrays(
+      std::clamp(static_cast<int>(std::lround(least_share * usual)), 1, most), threads);
+  return columns;
+}
+
+AirParameters
+airParameters(const BuildingParameters& parameters, double cell)
+{
+  AirParameters air;
+  air.cell = cell;
+  air.voxel_height = voxel_height;
+  air.headroom = parameters.headroom;
+  air.threads = parameters.threads;
+  return air;
+}
+
+/** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
+ * @return number of each part of the air among the rooms, 0 for those left out */
+std::vector<std::uint32_t>
+keepRooms(std::vector<BuildingRoom> parts,
+          const BuildingParameters& parameters,
+          Building& building)
+{
+  constexpr double worth_telling = 0.25; // square metres
+  std::vector<std::uint32_t> number(parts.size(), 0);
+  for (BuildingRoom& part : parts) {
+    building.seen_area += part.area;
+    const std::string reason = noRoomBecause(part, building.cell_size, parameters);
+    const std::size_t p = part.id - 1;
+    if (reason.empty()) {
+      part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
+      building.rooms.push_back(std::move(part));
+    }
+    else if (part.area >= worth_telling)
+      building.left_out.push_back(
+          {reason, part.area, part.floor, part.ceiling,
+           CellGrid(building.cell_size)
+               .centre(part.columns[part.columns.size() / 2].cell)});
+  }
+  return number;
+}
+
+/** @brief The openings between rooms: doorways, and where one climbs, stairs. */
+void
+tellOpenings(const std::vector<RoomOpening>& openings,
+             const std::vector<std::uint32_t>& number,
+             Building& building)
+{
+  constexpr double least_width = 0.5; // metres: one walks through
+  constexpr double least_height = 1.5;
+  for (const RoomOpening& opening : openings) {
+    const std::uint32_t a = number[opening.a];
+    const std::uint32_t b = number[opening.b];
+    if (a == 0 || b == 0 || opening.width < least_width ||
+        opening.top - opening.bottom < least_height)
+      continue;
+    const BuildingRoom& first = building.rooms[a - 1];
+    const BuildingRoom& second = building.rooms[b - 1];
+    if (first.storey != second.storey) {
+      const bool is_up = first.storey < second.storey;
+      building.stairs.push_back({{is_up ? a : b, is_up ? b : a},
+                                 opening.middle,
+                                 std::min(first.floor, second.floor),
+                                 std::max(first.floor, second.floor)});
+      continue;
+    }
+    const Eigen::Vector2d half = opening.direction * (opening.width / 2);
+    building.doorways.push_back({{std::min(a, b), std::max(a, b)},
+                                 opening.middle - half,
+                                 opening.middle + half,
+                                 opening.bottom,
+                                 opening.top});
+  }
+}
+
+} // namespace
+
+Building
+findBuilding(const PointView& points,
+             const std::vector<int>& indices,
+             const BuildingParameters& parameters,
+             std::string& problem)
+{
+  problem.clear();
+  Building building;
+  const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
+                          parameters.threads);
+  const VoxelColumns columns = columnsThatFill(fine, parameters.threads);
+  building.cell_size = columns.cellSize();
+  const AirGaps air(columns, airParameters(parameters, columns.cellSize()));
+  PartingParameters of_parting;
+  of_parting.widest_door = parameters.widest_door;
+  of_parting.widest_passage = parameters.widest_passage;
+  of_parting.smallest_room = parameters.minimum_area;
+  const PartedAir parted = partRooms(air, of_parting);
+  const std::vector<std::uint32_t> number =
+      keepRooms(describeRooms(air, parted), parameters, building);
+  building.storeys = findStoreys(building.rooms, parameters.storey_step);
+  tellOpenings(parted.openings, number, building);
+  std::stable_sort(building.left_out.begin(), building.left_out.end(),
+                   [](const LeftOut& a, const LeftOut& b) { return a.area > b.area; });
+  if (air.voidArea() > 0)
+    building.left_out.push_back({"voids lower than a room: within slabs, below "
+                                 "furniture",
+                                 air.voidArea(), 0, 0, Eigen::Vector2d::Zero()});
+  if (building.rooms.empty()) {
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "no air of at least %.1f square metres with a headroom of %.1f m between "
+        "a floor and a ceiling, and walls along %.0f %% of its outline, in %zu "
+        "points",
+        parameters.minimum_area, parameters.headroom,
+        100 * parameters.minimum_enclosure,
+        indices.empty() ? points.size() : indices.size());
+    problem = text;
+    return building;
+  }
+  labelSheets(points, indices, fine, columns, parameters.threads, building);
+  return building;
+}
+
+} // namespace sedr
+} // namespace pcl

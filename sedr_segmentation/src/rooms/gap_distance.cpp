@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gap_distance.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::size_t gaps_a_block = 16384;
+
+/** @brief The extreme of each gap's value and its four neighbours', `reach` times. */
+template <typename Better>
+std::vector<float>
+spread(const AirGaps& air, std::vector<float> values, int reach, Better better)
+{
+  std::vector<float> next(values.size());
+  for (int round = 0; round < reach; ++round) {
+    parallelBlocks(values.size(), gaps_a_block, air.parameters().threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t g = begin; g < end; ++g) {
+                       float best = values[g];
+                       for (int d = 0; d < 4; ++d) {
+                         const std::uint32_t o = air.link(g, d);
+                         if (o != AirGaps::none && better(values[o], best))
+                           best = values[o];
+                       }
+                       next[g] = best;
+                     }
+                   });
+    values.swap(next);
+  }
+  return values;
+}
+
+} // namespace
+
+std::vector<float>
+distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
+{
+  // In fifths of a cell: 5 to a side, 7 to a corner; a rim is half a cell away.
+  constexpr int to_side = 5;
+  constexpr int to_corner = 7;
+  constexpr int to_rim = 3;
+  constexpr std::uint32_t unreached = static_cast<std::uint32_t>(-1);
+  const auto isInside = [&](std::uint32_t g) {
+    return g != AirGaps::none && inside[g] != 0;
+  };
+  std::vector<std::uint32_t> steps(air.size(), unreached);
+  std::vector<std::vector<std::uint32_t>> bucket(8);
+  const auto reach = [&](std::uint32_t g, std::uint32_t at) {
+    if (at < steps[g]) {
+      steps[g] = at;
+      bucket[at % 8].push_back(g);
+    }
+  };
+  for (std::uint32_t g = 0; g < air.size(); ++g) {
+    if (!inside[g])
+      continue;
+    for (int d = 0; d < 4; ++d)
+      if (!isInside(air.link(g, d))) {
+        reach(g, to_rim);
+        break;
+      }
+  }
+  std::vector<std::uint32_t> now;
+  for (std::uint32_t at = to_rim, idle = 0; idle < 8; ++at) {
+    now.clear();
+    now.swap(bucket[at % 8]);
+    idle = now.empty() ? idle + 1 : 0;
+    for (const std::uint32_t g : now) {
+      if (steps[g] != at)
+        continue;
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t side = air.link(g, d);
+        if (isInside(side))
+          reach(side, at + to_side);
+        const std::uint32_t corner = air.diagonal(g, d);
+        if (isInside(corner))
+          reach(corner, at + to_corner);
+      }
+    }
+  }
+  std::vector<float> distance(air.size(), 0);
+  for (std::size_t g = 0; g < air.size(); ++g)
+    if (steps[g] != unreached)
+      distance[g] = static_cast<float>(steps[g]) / to_side;
+  return distance;
+}
+
+std::vector<float>
+dipOfCeiling(const AirGaps& air, int reach)
+{
+  std::vector<float> high(air.size());
+  for (std::size_t g = 0; g < air.size(); ++g)
+    high[g] = static_cast<float>(air.columns().heightOf(air[g].high));
+  const auto higher = [](float a, float b) { return a > b; };
+  const auto lower = [](float a, float b) { return a < b; };
+  std::vector<float> dip = spread(air, spread(air, high, reach, higher), reach, lower);
+  for (std::size_t g = 0; g < dip.size(); ++g)
+    dip[g] -= high[g];
+  return dip;
+}
+
+} // namespace sedr
+} // namespace pcl

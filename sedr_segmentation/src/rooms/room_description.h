@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "room_parting.h"
+
+#include <pcl/sedr_segmentation/building.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Each part of the air as a room, with its columns, heights, area and
+ * enclosure, whether it is one or not; in their order, ids from 1. O(gaps). */
+std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& parted);
+
+/** @brief Why a part of the air is no room, for people; empty if it is one. */
+std::string noRoomBecause(const BuildingRoom& room,
+                          double cell_size,
+                          const BuildingParameters& parameters);
+
+} // namespace sedr
+} // namespace pcl

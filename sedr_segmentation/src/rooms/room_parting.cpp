@@ -1,0 +1,554 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_parting.h"
+
+#include "gap_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::uint32_t none = AirGaps::none;
+constexpr std::int32_t no_room = PartedAir::no_room;
+
+/** @brief Sets that are joined. */
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t n)
+      : parent_(n)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t find(std::uint32_t i)
+  {
+    while (parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void join(std::uint32_t into, std::uint32_t other) { parent_[other] = into; }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/** @brief Basins of the distance from the rim: from their middles outwards; where two
+ * meet in a neck that is about as wide as the narrower of them they are one. */
+std::vector<std::int32_t>
+basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_basin)
+{
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (distance[g] > 0)
+      order.push_back(g);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return distance[a] > distance[b];
+  });
+  std::vector<std::int32_t> basin(air.size(), no_room);
+  std::vector<float> peak;
+  DisjointSets sets(order.size());
+  for (const std::uint32_t g : order) {
+    std::vector<std::uint32_t> met;
+    for (int d = 0; d < 4; ++d)
+      for (const std::uint32_t o : {air.link(g, d), air.diagonal(g, d)})
+        if (o != none && basin[o] != no_room)
+          met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
+    if (met.empty()) {
+      basin[g] = static_cast<std::int32_t>(peak.size());
+      peak.push_back(distance[g]);
+      continue;
+    }
+    const auto highest = *std::max_element(
+        met.begin(), met.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return std::pair(peak[a], b) < std::pair(peak[b], a);
+        });
+    basin[g] = static_cast<std::int32_t>(highest);
+    for (const std::uint32_t other : met)
+      if (sets.find(other) != sets.find(highest) &&
+          distance[g] >= same_basin * std::min(peak[other], peak[highest]))
+        sets.join(highest, sets.find(other));
+  }
+  for (std::int32_t& b : basin)
+    if (b != no_room)
+      b = static_cast<std::int32_t>(sets.find(static_cast<std::uint32_t>(b)));
+  return basin;
+}
+
+/** @brief Takes labels outwards, step by step, to gaps that have none. */
+void
+growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
+{
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (label[g] != no_room)
+      front.push_back(g);
+  while (!front.empty()) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t g : front)
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air.link(g, d);
+        if (o != none && label[o] == no_room) {
+          label[o] = label[g];
+          next.push_back(o);
+        }
+      }
+    front = std::move(next);
+  }
+}
+
+/** @brief A link from the air of one room to that of another. */
+struct Crossing {
+  std::uint32_t from = 0; ///< gap of the room with the lower number
+  std::uint32_t to = 0;
+};
+
+/** @brief What is between two rooms. */
+struct Border {
+  std::vector<Crossing> crossings;
+  std::size_t walls = 0;   ///< ends of air that face the other room's across a wall
+  std::size_t stacked = 0; ///< columns in which one lies above the other
+};
+
+/** @brief Two rooms, the lower number first. */
+using RoomPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/** @brief An opening with what is needed to judge it. */
+struct Measured {
+  RoomOpening opening;
+  double jamb_a = 0; ///< how much wider than the opening the air is beside it
+  double jamb_b = 0;
+  double open_height = 0; ///< of the opening over that of the air beside it
+  double floor_step = 0;  ///< between the floors beside it, metres
+  bool has_ends = false;  ///< whether walls stand at both of its ends
+};
+
+/** @brief The air of one room near an opening. */
+struct Beside {
+  double width = 0; ///< metres
+  double floor = 0; ///< z
+};
+
+class Parting {
+public:
+  Parting(const AirGaps& air, const PartingParameters& parameters)
+      : air_(air)
+      , parameters_(parameters)
+      , cell_(air.columns().cellSize())
+      , dip_(dipOfCeiling(
+            air,
+            static_cast<int>(std::lround(parameters.lintel_reach / cell_))))
+      , free_(distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1)))
+  {}
+
+  PartedAir run()
+  {
+    visited_.assign(air_.size(), 0);
+    std::vector<std::uint8_t> is_level(air_.size());
+    for (std::size_t g = 0; g < air_.size(); ++g)
+      is_level[g] = dip_[g] < parameters_.lintel ? 1 : 0;
+    label_ = basinsOf(air_, distanceToRim(air_, is_level), parameters_.same_basin);
+    growLabels(air_, label_);
+    number();
+    measureBorders();
+    joinAll();
+    number();
+    return result();
+  }
+
+private:
+  /** @brief Numbers the labels anew by size, largest first. */
+  void number()
+  {
+    std::map<std::int32_t, std::size_t> size;
+    for (const std::int32_t l : label_)
+      if (l != no_room)
+        ++size[l];
+    std::vector<std::pair<std::size_t, std::int32_t>> order;
+    for (const auto& [l, n] : size)
+      order.emplace_back(n, l);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::map<std::int32_t, std::int32_t> number;
+    for (std::size_t k = 0; k < order.size(); ++k)
+      number[order[k].second] = static_cast<std::int32_t>(k);
+    for (std::int32_t& l : label_)
+      if (l != no_room)
+        l = number[l];
+    area_.assign(order.size(), 0);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      area_[k] = static_cast<double>(order[k].first) * cell_ * cell_;
+  }
+
+  Border& borderOf(std::uint32_t a, std::uint32_t b)
+  {
+    return borders_[{std::min(a, b), std::max(a, b)}];
+  }
+
+  void measureBorders()
+  {
+    const int reach = static_cast<int>(std::lround(parameters_.thickest_wall / cell_));
+    for (std::uint32_t g = 0; g < air_.size(); ++g) {
+      const std::int32_t own = label_[g];
+      if (own == no_room)
+        continue;
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air_.link(g, d);
+        if (o != none) {
+          if (own < label_[o])
+            borderOf(static_cast<std::uint32_t>(own),
+                     static_cast<std::uint32_t>(label_[o]))
+                .crossings.push_back({g, o});
+          continue;
+        }
+        const std::int32_t facing = facedFrom(g, d, reach);
+        if (facing != no_room && facing != own)
+          ++borderOf(static_cast<std::uint32_t>(own),
+                     static_cast<std::uint32_t>(facing))
+                .walls;
+      }
+    }
+    countStacked();
+    sets_ = DisjointSets(area_.size());
+    beside_.assign(area_.size(), {});
+    for (auto& [pair, border] : borders_) {
+      border.walls = (border.walls + 1) / 2; // each is met from both sides
+      beside_[pair.first].insert(pair.second);
+      beside_[pair.second].insert(pair.first);
+    }
+  }
+
+  void countStacked()
+  {
+    for (std::uint32_t g = 0; g + 1 < air_.size(); ++g)
+      for (std::uint32_t o = g + 1; o < air_.size() && air_[o].column == air_[g].column;
+           ++o)
+        if (label_[g] != no_room && label_[o] != no_room && label_[g] != label_[o])
+          ++borderOf(static_cast<std::uint32_t>(label_[g]),
+                     static_cast<std::uint32_t>(label_[o]))
+                .stacked;
+  }
+
+  /** @brief The room whose air is first met behind what ends a gap's. */
+  std::int32_t facedFrom(std::uint32_t g, int d, int reach) const
+  {
+    std::uint32_t column = air_[g].column;
+    for (int step = 0; step <= reach; ++step) {
+      column = air_.columns().neighbour(column, d);
+      if (column == VoxelColumns::none)
+        return no_room;
+      const std::uint32_t o = air_.overlapping(column, air_[g].low, air_[g].high);
+      if (o != none && (step > 0 || label_[o] != label_[g]))
+        return label_[o];
+    }
+    return no_room;
+  }
+
+  /** @brief The openings of a border: its crossings, those near each other together.
+   */
+  std::vector<std::vector<Crossing>> openingsOf(const Border& border) const
+  {
+    std::unordered_map<CellKey, std::vector<std::uint32_t>> at;
+    for (std::uint32_t k = 0; k < border.crossings.size(); ++k)
+      at[keyOf(cellOfGap(border.crossings[k].from))].push_back(k);
+    DisjointSets sets(border.crossings.size());
+    constexpr int near = 2; // cells
+    for (std::uint32_t k = 0; k < border.crossings.size(); ++k) {
+      const Cell c = cellOfGap(border.crossings[k].from);
+      for (int dx = -near; dx <= near; ++dx)
+        for (int dy = -near; dy <= near; ++dy) {
+          const auto found = at.find(keyOf({c.x + dx, c.y + dy}));
+          if (found == at.end())
+            continue;
+          for (const std::uint32_t o : found->second) {
+            const std::uint32_t p = sets.find(k);
+            const std::uint32_t q = sets.find(o);
+            if (p != q)
+              sets.join(std::min(p, q), std::max(p, q));
+          }
+        }
+    }
+    std::map<std::uint32_t, std::vector<Crossing>> parts;
+    for (std::uint32_t k = 0; k < border.crossings.size(); ++k)
+      parts[sets.find(k)].push_back(border.crossings[k]);
+    std::vector<std::vector<Crossing>> openings;
+    for (auto& entry : parts)
+      openings.push_back(std::move(entry.second));
+    return openings;
+  }
+
+  /** @brief The room of a gap that has one, joined ones as one. */
+  std::uint32_t roomOf(std::uint32_t g)
+  {
+    return sets_.find(static_cast<std::uint32_t>(label_[g]));
+  }
+
+  Cell cellOfGap(std::uint32_t g) const
+  {
+    return air_.columns().cellOf(air_[g].column);
+  }
+
+  /** @brief The air of one room as it is a step away from an opening. */
+  Beside beside(const std::vector<Crossing>& crossings, bool of_first, double width)
+  {
+    constexpr double beyond = 0.6;    // metres farther than half of the opening
+    constexpr double low_share = 0.2; // of the gaps: the others are above furniture
+    const int reach = static_cast<int>(std::lround(
+        (std::min(width, parameters_.widest_passage) / 2 + beyond) / cell_));
+    ++round_;
+    const auto isNew = [&](std::uint32_t g) {
+      return std::exchange(visited_[g], round_) != round_;
+    };
+    std::vector<std::uint32_t> front;
+    for (const Crossing& c : crossings)
+      if (isNew(of_first ? c.from : c.to))
+        front.push_back(of_first ? c.from : c.to);
+    float widest = 0;
+    std::vector<std::int32_t> lows;
+    for (int step = 0; step <= reach && !front.empty(); ++step) {
+      std::vector<std::uint32_t> next;
+      for (const std::uint32_t g : front) {
+        widest = std::max(widest, free_[g]);
+        lows.push_back(air_[g].low);
+        for (int d = 0; d < 4; ++d) {
+          const std::uint32_t o = air_.link(g, d);
+          if (o != none && roomOf(o) == roomOf(g) && isNew(o))
+            next.push_back(o);
+        }
+      }
+      front = std::move(next);
+    }
+    const auto low = lows.begin() + static_cast<std::ptrdiff_t>(
+                                        low_share * static_cast<double>(lows.size()));
+    std::nth_element(lows.begin(), low, lows.end());
+    return {2 * widest * cell_, air_.columns().heightOf(*low)};
+  }
+
+  /** @brief Whether the air ends at both ends of an opening: at walls. */
+  bool endsAtWalls(const std::vector<Crossing>& crossings,
+                   const Eigen::Vector2d& direction) const
+  {
+    std::array<double, 2> farthest{std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity()};
+    std::array<std::uint32_t, 2> end{};
+    for (const Crossing& c : crossings) {
+      const double along =
+          direction.dot(air_.columns().grid().centre(cellOfGap(c.from)));
+      if (along < farthest[0]) {
+        farthest[0] = along;
+        end[0] = c.from;
+      }
+      if (along > farthest[1]) {
+        farthest[1] = along;
+        end[1] = c.from;
+      }
+    }
+    return std::max(free_[end[0]], free_[end[1]]) * cell_ <= parameters_.end_reach;
+  }
+
+  Measured measure(const std::vector<Crossing>& crossings)
+  {
+    Measured m;
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+    double dip = 0;
+    double floor = 0;
+    double top = 0;
+    double beside_top = 0;
+    for (const Crossing& c : crossings) {
+      const Cell from = cellOfGap(c.from);
+      const Cell to = cellOfGap(c.to);
+      normal += Eigen::Vector2d(to.x - from.x, to.y - from.y);
+      m.opening.middle +=
+          (air_.columns().grid().centre(from) + air_.columns().grid().centre(to)) / 2;
+      const float of_crossing = std::max(dip_[c.from], dip_[c.to]);
+      const double high =
+          air_.columns().heightOf(std::min(air_[c.from].high, air_[c.to].high));
+      dip += of_crossing;
+      floor += air_.columns().heightOf(std::max(air_[c.from].low, air_[c.to].low));
+      top += high;
+      beside_top += high + of_crossing;
+    }
+    const auto n = static_cast<double>(crossings.size());
+    m.opening.middle /= n;
+    m.opening.width = std::max({normal.norm(), n / std::sqrt(2.0), 1.0}) * cell_;
+    if (normal.norm() > 0)
+      m.opening.direction = Eigen::Vector2d(-normal.y(), normal.x()).normalized();
+    m.opening.dip = dip / n;
+    m.opening.bottom = floor / n;
+    m.opening.top = top / n;
+    const Beside a = beside(crossings, true, m.opening.width);
+    const Beside b = beside(crossings, false, m.opening.width);
+    m.jamb_a = a.width / m.opening.width;
+    m.jamb_b = b.width / m.opening.width;
+    m.floor_step = std::abs(a.floor - b.floor);
+    m.open_height = std::clamp((m.opening.top - std::max(a.floor, b.floor)) /
+                                   std::max(beside_top / n - std::min(a.floor, b.floor),
+                                            air_.columns().voxelHeight()),
+                               0.0, 1.0);
+    m.has_ends = endsAtWalls(crossings, m.opening.direction);
+    return m;
+  }
+
+  bool isDoor(const Measured& m) const
+  {
+    if (!m.has_ends)
+      return false;
+    const bool is_deep = m.opening.dip >= parameters_.deep_lintel;
+    if (m.opening.width >
+        (is_deep ? parameters_.widest_passage : parameters_.widest_door))
+      return false;
+    const double wider = std::max(m.jamb_a, m.jamb_b);
+    const double narrower = std::min(m.jamb_a, m.jamb_b);
+    return narrower >= parameters_.jamb ||
+           (wider >= parameters_.jamb && m.opening.dip >= parameters_.least_lintel);
+  }
+
+  /** @brief How open the border of two rooms is: the share of it that joins them; 0
+   * where they are parted by doors alone. */
+  double opennessOf(const RoomPair& pair, const Border& border)
+  {
+    constexpr double cells_a_length = 1.2; // of a slanting line, in the mean
+    double open = 0;
+    double length = static_cast<double>(border.walls) * cell_ / cells_a_length;
+    bool is_door = true;
+    for (const auto& crossings : openingsOf(border)) {
+      const Measured m = measure(crossings);
+      length += m.opening.width;
+      open += m.opening.width * m.open_height;
+      is_door = is_door && isDoor(m);
+      if (m.floor_step > parameters_.same_floor)
+        return 0;
+    }
+    const double smaller = std::min(area_[pair.first], area_[pair.second]);
+    if (open <= 0 || static_cast<double>(border.stacked) * cell_ * cell_ >
+                         parameters_.most_stacked * smaller)
+      return 0;
+    const double share = open / length;
+    return is_door && smaller >= parameters_.smallest_room ? 0 : share;
+  }
+
+  bool joins(const RoomPair& pair, double share) const
+  {
+    const bool is_small =
+        std::min(area_[pair.first], area_[pair.second]) < parameters_.smallest_room;
+    return share > (is_small ? 0.3 : parameters_.least_open);
+  }
+
+  void joinAll()
+  {
+    std::map<RoomPair, double> openness;
+    for (const auto& [pair, border] : borders_)
+      openness[pair] = opennessOf(pair, border);
+    while (true) {
+      auto best = openness.end();
+      for (auto it = openness.begin(); it != openness.end(); ++it)
+        if (joins(it->first, it->second) &&
+            (best == openness.end() || it->second > best->second))
+          best = it;
+      if (best == openness.end())
+        break;
+      join(best->first, openness);
+    }
+    for (std::int32_t& l : label_)
+      if (l != no_room)
+        l = static_cast<std::int32_t>(sets_.find(static_cast<std::uint32_t>(l)));
+  }
+
+  /** @brief Joins the second of two rooms to the first, and its borders. */
+  void join(RoomPair joined, std::map<RoomPair, double>& openness)
+  {
+    const auto [a, b] = joined;
+    sets_.join(a, b);
+    area_[a] += area_[b];
+    borders_.erase(joined);
+    openness.erase(joined);
+    std::vector<RoomPair> of_b;
+    for (const std::uint32_t other : beside_[b])
+      if (other != a)
+        of_b.push_back({std::min(b, other), std::max(b, other)});
+    beside_[a].erase(b);
+    for (const RoomPair& pair : of_b) {
+      const std::uint32_t other = pair.first == b ? pair.second : pair.first;
+      const auto from = borders_.find(pair);
+      Border moved = std::move(from->second);
+      borders_.erase(from);
+      openness.erase(pair);
+      beside_[other].erase(b);
+      beside_[other].insert(a);
+      beside_[a].insert(other);
+      Border& into = borderOf(a, other);
+      for (Crossing c : moved.crossings) {
+        if (roomOf(c.from) > roomOf(c.to))
+          std::swap(c.from, c.to);
+        into.crossings.push_back(c);
+      }
+      into.walls += moved.walls;
+      into.stacked += moved.stacked;
+      const RoomPair with_a{std::min(a, other), std::max(a, other)};
+      openness[with_a] = opennessOf(with_a, into);
+    }
+    beside_[b].clear();
+  }
+
+  PartedAir result()
+  {
+    PartedAir parted;
+    parted.rooms = area_.size();
+    parted.room = std::move(label_);
+    std::map<RoomPair, Border> borders;
+    for (std::uint32_t g = 0; g < air_.size(); ++g)
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air_.link(g, d);
+        if (o == none || parted.room[g] == no_room)
+          continue;
+        const auto own = static_cast<std::uint32_t>(parted.room[g]);
+        const auto other = static_cast<std::uint32_t>(parted.room[o]);
+        if (own < other)
+          borders[{own, other}].crossings.push_back({g, o});
+      }
+    label_ = parted.room;
+    sets_ = DisjointSets(area_.size());
+    for (const auto& [pair, border] : borders)
+      for (const auto& crossings : openingsOf(border)) {
+        RoomOpening opening = measure(crossings).opening;
+        opening.a = pair.first;
+        opening.b = pair.second;
+        parted.openings.push_back(opening);
+      }
+    return parted;
+  }
+
+  const AirGaps& air_;
+  const PartingParameters& parameters_;
+  double cell_;
+  std::vector<float> dip_;
+  std::vector<float> free_; ///< distance from what ends the air, cells
+  std::vector<std::int32_t> label_;
+  std::vector<double> area_; ///< of each label, square metres
+  std::map<RoomPair, Border> borders_;
+  std::vector<std::set<std::uint32_t>> beside_; ///< rooms with a border, of each
+  DisjointSets sets_{0};                        ///< of labels that were joined
+  std::vector<std::uint32_t> visited_;
+  std::uint32_t round_ = 0;
+};
+
+} // namespace
+
+PartedAir
+partRooms(const AirGaps& air, const PartingParameters& parameters)
+{
+  return Parting(air, parameters).run();
+}
+
+} // namespace sedr
+} // namespace pcl

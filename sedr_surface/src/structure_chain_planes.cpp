@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "all_indices.h"
+#include "label_values.h"
+
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/cell_fill.h>
+#include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_segmentation/scan_lean.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+bool
+StructureChain::checkScan()
+{
+  failed_stage = "input";
+  if (trust_up)
+    return true;
+  const PointView points(*cloud);
+  const pcl::IndicesPtr all = allIndices(cloud->size());
+  const unsigned threads = room_segmentation.getNumberOfThreads();
+  std::string reason = upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads);
+  if (reason.empty())
+    reason = leanProblem(points, *all, threads);
+  return reason.empty() || fail(reason);
+}
+
+bool
+StructureChain::partRooms(StageReport& report)
+{
+  room_segmentation.setInputCloud(cloud);
+  std::vector<pcl::PointIndices> unused;
+  if (!room_segmentation.segment(unused))
+    return fail(room_segmentation.getErrorMessage());
+  const Building& building = getBuilding();
+  regions_.assign(building.rooms.size(), {});
+  for (std::size_t i = 0; i < building.room_of.size(); ++i)
+    if (building.room_of[i] != 0) {
+      ChainRoom& room = regions_[building.room_of[i] - 1];
+      const bool is_ceiling =
+          building.label_of[i] == valueOf(StructureLabel::Ceiling);
+      (is_ceiling ? room.ceiling : room.floor).push_back(static_cast<int>(i));
+      ++report.points_out;
+    }
+  tellResult("RoomSegmentation");
+  return true;
+}
+
+double
+StructureChain::cellSizeThatFills() const
+{
+  const double size = plane_detection.getGridSize();
+  const CellGrid grid(size);
+  std::vector<CellSet> ceilings;
+  for (const ChainRoom& room : regions_)
+    ceilings.emplace_back(grid, PointView(*cloud), room.ceiling);
+  return cellSizeFor(ceilings, size);
+}
+
+namespace {
+
+/** @brief The points within `band` metres of a height. */
+pcl::Indices
+pointsNear(const PointView& points, const pcl::Indices& indices, double z, double band)
+{
+  pcl::Indices near;
+  std::copy_if(indices.begin(), indices.end(), std::back_inserter(near), [&](int i) {
+    return std::abs(points[static_cast<std::size_t>(i)].z() - z) <= band;
+  });
+  return near;
+}
+
+} // namespace
+
+bool
+StructureChain::findPlanes(StageReport& report)
+{
+  const double size = plane_detection.getGridSize();
+  const double wanted = adapts_grid ? cellSizeThatFills() : size;
+  if (wanted > size) {
+    enlargeCells(wanted);
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the scan is too sparse for cells of %.2f m, its ceilings leave some "
+                  "empty: cells of %.2f m are used",
+                  size, wanted);
+    warnings.push_back(text);
+  }
+  const PointView points(*cloud);
+  const double tolerance = plane_detection.getDistanceThreshold();
+  const unsigned threads = room_segmentation.getNumberOfThreads();
+  parallelBlocks(regions_.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    ChainRoom& room = regions_[r];
+    const BuildingRoom& found = getBuilding().rooms[r];
+    const auto slabOf = [&](const pcl::Indices& sheet, double height) {
+      // The level that most of it has, and what leans away from it.
+      constexpr double near = 2; // tolerances
+      pcl::Indices level = pointsNear(points, sheet, height, near * tolerance);
+      if (level.size() < 3)
+        level = sheet;
+      return findLargerSlab(points, level, tolerance, plane_detection.getMaximumTilt(),
+                            plane_detection.getSeed(), threads);
+    };
+    room.ceiling_slab = slabOf(room.ceiling, found.ceiling);
+    room.floor_slab = slabOf(room.floor, found.floor);
+  });
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    ChainRoom& room = regions_[r];
+    for (const int i : room.ceiling) {
+      const auto at = static_cast<std::size_t>(i);
+      if (std::abs(distanceAbove(room.ceiling_slab, points[at])) > tolerance)
+        continue;
+      labels[at] = valueOf(StructureLabel::Ceiling);
+      rooms[at] = static_cast<std::uint32_t>(r + 1);
+      ++report.points_out;
+    }
+    room.floor.erase(
+        std::remove_if(room.floor.begin(), room.floor.end(),
+                       [&](int i) {
+                         return std::abs(distanceAbove(
+                                    room.floor_slab,
+                                    points[static_cast<std::size_t>(i)])) > tolerance;
+                       }),
+        room.floor.end());
+    report.points_out += room.floor.size();
+  }
+  const CellGrid grid(plane_detection.getGridSize());
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    ChainRoom& room = regions_[r];
+    report.points_out += addHiddenCeiling(r);
+    room.scope = CellSet(grid, PointView(*cloud), room.ceiling);
+  }
+  territory_ = territories();
+  listPlanes();
+  tellResult("HorizontalPlaneDetection");
+  return true;
+}
+
+void
+StructureChain::listPlanes()
+{
+  const CellGrid grid(plane_detection.getGridSize());
+  const PointView points(*cloud);
+  const auto add = [&](const PlanSlab& slab, LevelKind kind, pcl::Indices inliers) {
+    pcl::HorizontalPlane plane;
+    const CellSet cells(grid, points, inliers);
+    if (cells.empty())
+      return;
+    plane.kind = kind;
+    plane.slab = slab;
+    plane.height = slab.heightAt(grid.centre(cells[cells.size() / 2]));
+    plane.cells = cells.size();
+    plane.area = static_cast<double>(cells.size()) * grid.size() * grid.size();
+    plane.residual = slab.residual;
+    for (int k = 0; k < 4; ++k)
+      plane.coefficients.values.push_back(static_cast<float>(slab.plane[k]));
+    plane.inliers.indices = std::move(inliers);
+    planes.push_back(std::move(plane));
+  };
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    pcl::Indices of_slab;
+    for (const int i : regions_[r].ceiling)
+      if (labels[static_cast<std::size_t>(i)] == valueOf(StructureLabel::Ceiling))
+        of_slab.push_back(i);
+    add(regions_[r].ceiling_slab, LevelKind::Ceiling, std::move(of_slab));
+    add(regions_[r].floor_slab, LevelKind::Floor, regions_[r].floor);
+  }
+}
+
+std::size_t
+StructureChain::addHiddenCeiling(std::size_t r)
+{
+  const Building& building = getBuilding();
+  const CellGrid grid(plane_detection.getGridSize());
+  const CellGrid columns(building.cell_size);
+  ChainRoom& room = regions_[r];
+  const CellSet seen(grid, PointView(*cloud), room.ceiling);
+  const int parts =
+      std::max(1, static_cast<int>(std::lround(building.cell_size / grid.size())));
+  std::size_t added = 0;
+  for (const RoomColumn& column : building.rooms[r].columns) {
+    if (column.ceiling_seen)
+      continue;
+    for (int part = 0; part < parts * parts; ++part) {
+      const Eigen::Vector2d place =
+          columns.centre(column.cell) +
+          grid.size() * Eigen::Vector2d(part % parts - (parts - 1) / 2.0,
+                                        part / parts - (parts - 1) / 2.0);
+      if (seen.contains(grid.at(place.x(), place.y())))
+        continue;
+      const double of_slab = room.ceiling_slab.heightAt(place);
+      constexpr double same = 0.2; // metres
+      const bool is_main = std::abs(of_slab - column.ceiling) < same;
+      room.ceiling.push_back(static_cast<int>(cloud->size()));
+      cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
+                        is_main ? static_cast<float>(of_slab) : column.ceiling});
+      labels.push_back(is_main ? valueOf(StructureLabel::Ceiling) : 0);
+      rooms.push_back(is_main ? static_cast<std::uint32_t>(r + 1) : 0);
+      ++added;
+    }
+  }
+  return added;
+}
+
+std::vector<CellSet>
+StructureChain::scopes() const
+{
+  std::vector<CellSet> scopes;
+  for (const ChainRoom& room : regions_)
+    scopes.push_back(room.scope);
+  return scopes;
+}
+
+RoomTerritory
+StructureChain::territory(double reach) const
+{
+  std::vector<HeightRange> heights;
+  for (const BuildingRoom& room : getBuilding().rooms) {
+    double highest = room.ceiling;
+    for (const RoomColumn& column : room.columns)
+      highest = std::max<double>(highest, column.ceiling);
+    heights.push_back({room.floor, highest});
+  }
+  return RoomTerritory(CellGrid(plane_detection.getGridSize()), scopes(), heights,
+                       reach);
+}
+
+std::vector<pcl::IndicesPtr>
+StructureChain::territories() const
+{
+  std::vector<pcl::IndicesPtr> result;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    result.emplace_back(new pcl::Indices);
+  const PointView points(*cloud);
+  const std::vector<std::int32_t> room =
+      territory().roomsAt(points, room_segmentation.getNumberOfThreads());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (room[i] >= 0)
+      result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));
+  return result;
+}
+
+} // namespace sedr
+} // namespace pcl
