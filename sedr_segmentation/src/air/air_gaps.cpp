@@ -119,6 +119,16 @@ AirGaps::linkGaps()
   });
 }
 
+bool
+AirGaps::isDrop(std::size_t g, int d) const
+{
+  const std::uint32_t o = link(g, d);
+  const int tall = voxels(parameters_.headroom);
+  return o != none && gaps_[g].high - gaps_[g].low >= tall &&
+         gaps_[o].high - gaps_[o].low >= tall &&
+         std::abs(gaps_[g].low - gaps_[o].low) > voxels(parameters_.highest_step);
+}
+
 std::uint32_t
 AirGaps::diagonal(std::size_t g, int d) const
 {

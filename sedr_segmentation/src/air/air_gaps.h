@@ -27,6 +27,7 @@ struct AirParameters {
   double thinnest = 0.15;     ///< lower gaps are noise between two surfaces
   double headroom = 1.8;      ///< gaps as high as this are air
   double same_ceiling = 0.15; ///< a ceiling goes on where it rises by less a cell
+  double highest_step = 1.2;  ///< floors farther apart are those of different levels
   double same_surface = 0.2;  ///< a surface goes on where it is no farther off
   double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
   double least_known = 0.25;  ///< of the rim of a hole that is filled: known air
@@ -56,6 +57,11 @@ public:
   {
     return links_[g][static_cast<std::size_t>(d)];
   }
+
+  /** @brief Whether there is a drop between a gap and its link in direction d: on both
+   * sides one can stand, but the floors are farther apart than steps, as at the edge of
+   * a gallery. */
+  bool isDrop(std::size_t g, int d) const;
 
   /** @brief The gap that goes on at the corner between directions d and d + 1: reached
    * both ways round, or `none`. */

@@ -61,7 +61,7 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
     if (!inside[g])
       continue;
     for (int d = 0; d < 4; ++d)
-      if (!isInside(air.link(g, d))) {
+      if (!isInside(air.link(g, d)) || air.isDrop(g, d)) {
         reach(g, to_rim);
         break;
       }
@@ -76,7 +76,7 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
         continue;
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t side = air.link(g, d);
-        if (isInside(side))
+        if (isInside(side) && !air.isDrop(g, d))
           reach(side, at + to_side);
         const std::uint32_t corner = air.diagonal(g, d);
         if (isInside(corner))

@@ -43,6 +43,17 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
+/** @brief Whether the floors below two gaps in which one can stand are those of
+ * different levels. */
+bool
+isLevelApart(const AirGaps& air, std::uint32_t g, std::uint32_t o)
+{
+  const double headroom = air.parameters().headroom;
+  return air.height(g) >= headroom && air.height(o) >= headroom &&
+         std::abs(air[g].low - air[o].low) * air.columns().voxelHeight() >
+             air.parameters().highest_step;
+}
+
 /** @brief Basins of the distance from the rim: from their middles outwards; where two
  * meet in a neck that is about as wide as the narrower of them they are one. */
 std::vector<std::int32_t>
@@ -61,8 +72,9 @@ basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_bas
   for (const std::uint32_t g : order) {
     std::vector<std::uint32_t> met;
     for (int d = 0; d < 4; ++d)
-      for (const std::uint32_t o : {air.link(g, d), air.diagonal(g, d)})
-        if (o != none && basin[o] != no_room)
+      for (const std::uint32_t o :
+           {air.isDrop(g, d) ? none : air.link(g, d), air.diagonal(g, d)})
+        if (o != none && basin[o] != no_room && !isLevelApart(air, g, o))
           met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
     if (met.empty()) {
       basin[g] = static_cast<std::int32_t>(peak.size());
@@ -98,7 +110,7 @@ growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
     for (const std::uint32_t g : front)
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air.link(g, d);
-        if (o != none && label[o] == no_room) {
+        if (o != none && label[o] == no_room && !air.isDrop(g, d)) {
           label[o] = label[g];
           next.push_back(o);
         }
@@ -126,17 +138,11 @@ using RoomPair = std::pair<std::uint32_t, std::uint32_t>;
 /** @brief An opening with what is needed to judge it. */
 struct Measured {
   RoomOpening opening;
-  double jamb_a = 0; ///< how much wider than the opening the air is beside it
-  double jamb_b = 0;
+  double jamb_a = 0; ///< how far the first room goes on beside one of its ends, metres
+  double jamb_b = 0; ///< the same of the second
   double open_height = 0; ///< of the opening over that of the air beside it
   double floor_step = 0;  ///< between the floors beside it, metres
   bool has_ends = false;  ///< whether walls stand at both of its ends
-};
-
-/** @brief The air of one room near an opening. */
-struct Beside {
-  double width = 0; ///< metres
-  double floor = 0; ///< z
 };
 
 class Parting {
@@ -154,6 +160,7 @@ public:
   PartedAir run()
   {
     visited_.assign(air_.size(), 0);
+    dropSpecks();
     std::vector<std::uint8_t> is_level(air_.size());
     for (std::size_t g = 0; g < air_.size(); ++g)
       is_level[g] = dip_[g] < parameters_.lintel ? 1 : 0;
@@ -167,6 +174,29 @@ public:
   }
 
 private:
+  /** @brief Takes dips of too few columns for a lintel for points in the air. */
+  void dropSpecks()
+  {
+    for (std::uint32_t start = 0; start < air_.size(); ++start) {
+      if (dip_[start] < parameters_.lintel || visited_[start] != 0)
+        continue;
+      std::vector<std::uint32_t> speck{start};
+      visited_[start] = 1;
+      for (std::size_t k = 0; k < speck.size(); ++k)
+        for (int d = 0; d < 4; ++d)
+          for (const std::uint32_t o :
+               {air_.link(speck[k], d), air_.diagonal(speck[k], d)})
+            if (o != none && dip_[o] >= parameters_.lintel && visited_[o] == 0) {
+              visited_[o] = 1;
+              speck.push_back(o);
+            }
+      if (speck.size() < static_cast<std::size_t>(parameters_.smallest_lintel))
+        for (const std::uint32_t g : speck)
+          dip_[g] = 0;
+    }
+    round_ = 1;
+  }
+
   /** @brief Numbers the labels anew by size, largest first. */
   void number()
   {
@@ -219,6 +249,12 @@ private:
       }
     }
     countStacked();
+    depth_.assign(area_.size(), 0);
+    for (std::uint32_t g = 0; g < air_.size(); ++g)
+      if (label_[g] != no_room) {
+        double& depth = depth_[static_cast<std::size_t>(label_[g])];
+        depth = std::max(depth, free_[g] * cell_);
+      }
     sets_ = DisjointSets(area_.size());
     beside_.assign(area_.size(), {});
     for (auto& [pair, border] : borders_) {
@@ -298,13 +334,12 @@ private:
     return air_.columns().cellOf(air_[g].column);
   }
 
-  /** @brief The air of one room as it is a step away from an opening. */
-  Beside beside(const std::vector<Crossing>& crossings, bool of_first, double width)
+  /** @brief The height of a room's floor near an opening: the lowest level that is
+   * not furniture's. */
+  double floorBeside(const std::vector<Crossing>& crossings, bool of_first)
   {
-    constexpr double beyond = 0.6;    // metres farther than half of the opening
+    constexpr double reach = 1;       // metres
     constexpr double low_share = 0.2; // of the gaps: the others are above furniture
-    const int reach = static_cast<int>(std::lround(
-        (std::min(width, parameters_.widest_passage) / 2 + beyond) / cell_));
     ++round_;
     const auto isNew = [&](std::uint32_t g) {
       return std::exchange(visited_[g], round_) != round_;
@@ -313,16 +348,14 @@ private:
     for (const Crossing& c : crossings)
       if (isNew(of_first ? c.from : c.to))
         front.push_back(of_first ? c.from : c.to);
-    float widest = 0;
     std::vector<std::int32_t> lows;
-    for (int step = 0; step <= reach && !front.empty(); ++step) {
+    for (int step = 0; step <= reach / cell_ && !front.empty(); ++step) {
       std::vector<std::uint32_t> next;
       for (const std::uint32_t g : front) {
-        widest = std::max(widest, free_[g]);
         lows.push_back(air_[g].low);
         for (int d = 0; d < 4; ++d) {
           const std::uint32_t o = air_.link(g, d);
-          if (o != none && roomOf(o) == roomOf(g) && isNew(o))
+          if (o != none && label_[o] != no_room && roomOf(o) == roomOf(g) && isNew(o))
             next.push_back(o);
         }
       }
@@ -331,12 +364,46 @@ private:
     const auto low = lows.begin() + static_cast<std::ptrdiff_t>(
                                         low_share * static_cast<double>(lows.size()));
     std::nth_element(lows.begin(), low, lows.end());
-    return {2 * widest * cell_, air_.columns().heightOf(*low)};
+    return air_.columns().heightOf(*low);
   }
 
-  /** @brief Whether the air ends at both ends of an opening: at walls. */
-  bool endsAtWalls(const std::vector<Crossing>& crossings,
-                   const Eigen::Vector2d& direction) const
+  /** @brief Whether a place in plan is in the air of a room at the heights of a gap. */
+  bool isInRoom(const Eigen::Vector2d& place, std::uint32_t like, std::uint32_t room)
+  {
+    const std::uint32_t column =
+        air_.columns().columnAt(air_.columns().grid().at(place.x(), place.y()));
+    const std::uint32_t g = air_.overlapping(column, air_[like].low, air_[like].high);
+    return g != none && label_[g] != no_room && roomOf(g) == room;
+  }
+
+  /** @brief How far a room goes on beside the ends of an opening, metres: behind the
+   * wall in which it is; the farther of both ends. */
+  double jambOf(const std::array<std::uint32_t, 2>& ends,
+                const Eigen::Vector2d& direction,
+                const Eigen::Vector2d& into,
+                std::uint32_t room)
+  {
+    double farthest = 0;
+    for (int end = 0; end < 2; ++end)
+      for (int away = 1; away <= 5; ++away) { // columns from the middle of the wall
+        const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
+        Eigen::Vector2d place = air_.columns().grid().centre(
+                                    cellOfGap(ends[static_cast<std::size_t>(end)])) +
+                                away * cell_ * into;
+        double length = -cell_; // the first step is the end itself
+        while (length < 2 * parameters_.jamb &&
+               isInRoom(place, ends[static_cast<std::size_t>(end)], room)) {
+          length += cell_;
+          place += outwards;
+        }
+        farthest = std::max(farthest, length);
+      }
+    return farthest;
+  }
+
+  /** @brief The gaps at the two ends of an opening along its direction. */
+  std::array<std::uint32_t, 2> endsOf(const std::vector<Crossing>& crossings,
+                                      const Eigen::Vector2d& direction) const
   {
     std::array<double, 2> farthest{std::numeric_limits<double>::infinity(),
                                    -std::numeric_limits<double>::infinity()};
@@ -353,7 +420,7 @@ private:
         end[1] = c.from;
       }
     }
-    return std::max(free_[end[0]], free_[end[1]]) * cell_ <= parameters_.end_reach;
+    return end;
   }
 
   Measured measure(const std::vector<Crossing>& crossings)
@@ -386,16 +453,22 @@ private:
     m.opening.dip = dip / n;
     m.opening.bottom = floor / n;
     m.opening.top = top / n;
-    const Beside a = beside(crossings, true, m.opening.width);
-    const Beside b = beside(crossings, false, m.opening.width);
-    m.jamb_a = a.width / m.opening.width;
-    m.jamb_b = b.width / m.opening.width;
-    m.floor_step = std::abs(a.floor - b.floor);
-    m.open_height = std::clamp((m.opening.top - std::max(a.floor, b.floor)) /
-                                   std::max(beside_top / n - std::min(a.floor, b.floor),
+    const double floor_a = floorBeside(crossings, true);
+    const double floor_b = floorBeside(crossings, false);
+    m.floor_step = std::abs(floor_a - floor_b);
+    m.open_height = std::clamp((m.opening.top - std::max(floor_a, floor_b)) /
+                                   std::max(beside_top / n - std::min(floor_a, floor_b),
                                             air_.columns().voxelHeight()),
                                0.0, 1.0);
-    m.has_ends = endsAtWalls(crossings, m.opening.direction);
+    const std::array<std::uint32_t, 2> ends = endsOf(crossings, m.opening.direction);
+    m.has_ends =
+        std::max(free_[ends[0]], free_[ends[1]]) * cell_ <= parameters_.end_reach;
+    if (m.has_ends && m.opening.width <= parameters_.widest_passage) {
+      const Eigen::Vector2d into =
+          normal.norm() > 0 ? normal.normalized() : Eigen::Vector2d::Zero();
+      m.jamb_a = jambOf(ends, m.opening.direction, -into, roomOf(crossings[0].from));
+      m.jamb_b = jambOf(ends, m.opening.direction, into, roomOf(crossings[0].to));
+    }
     return m;
   }
 
@@ -403,14 +476,14 @@ private:
   {
     if (!m.has_ends)
       return false;
+    const bool has_lintel = m.opening.dip >= parameters_.least_lintel;
     const bool is_deep = m.opening.dip >= parameters_.deep_lintel;
-    if (m.opening.width >
-        (is_deep ? parameters_.widest_passage : parameters_.widest_door))
-      return false;
-    const double wider = std::max(m.jamb_a, m.jamb_b);
-    const double narrower = std::min(m.jamb_a, m.jamb_b);
-    return narrower >= parameters_.jamb ||
-           (wider >= parameters_.jamb && m.opening.dip >= parameters_.least_lintel);
+    const bool on_one = std::max(m.jamb_a, m.jamb_b) >= parameters_.jamb;
+    const bool on_both = std::min(m.jamb_a, m.jamb_b) >= parameters_.jamb;
+    if (m.opening.width <= parameters_.widest_door)
+      return on_both || (on_one && has_lintel);
+    return m.opening.width <= parameters_.widest_passage &&
+           ((on_both && has_lintel) || (on_one && is_deep));
   }
 
   /** @brief How open the border of two rooms is: the share of it that joins them; 0
@@ -426,7 +499,7 @@ private:
       length += m.opening.width;
       open += m.opening.width * m.open_height;
       is_door = is_door && isDoor(m);
-      if (m.floor_step > parameters_.same_floor)
+      if (m.floor_step > parameters_.same_floor && !isOnFurniture(pair))
         return 0;
     }
     const double smaller = std::min(area_[pair.first], area_[pair.second]);
@@ -435,6 +508,14 @@ private:
       return 0;
     const double share = open / length;
     return is_door && smaller >= parameters_.smallest_room ? 0 : share;
+  }
+
+  /** @brief Whether the air of the smaller of two rooms is too narrow to stand in:
+   * above shelves as high as a floor. */
+  bool isOnFurniture(const RoomPair& pair) const
+  {
+    return std::min(depth_[pair.first], depth_[pair.second]) <=
+           parameters_.deepest_shelf / 2;
   }
 
   bool joins(const RoomPair& pair, double share) const
@@ -470,6 +551,7 @@ private:
     const auto [a, b] = joined;
     sets_.join(a, b);
     area_[a] += area_[b];
+    depth_[a] = std::max(depth_[a], depth_[b]);
     borders_.erase(joined);
     openness.erase(joined);
     std::vector<RoomPair> of_b;
@@ -509,7 +591,7 @@ private:
     for (std::uint32_t g = 0; g < air_.size(); ++g)
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air_.link(g, d);
-        if (o == none || parted.room[g] == no_room)
+        if (o == none || parted.room[g] == no_room || parted.room[o] == no_room)
           continue;
         const auto own = static_cast<std::uint32_t>(parted.room[g]);
         const auto other = static_cast<std::uint32_t>(parted.room[o]);
@@ -534,7 +616,8 @@ private:
   std::vector<float> dip_;
   std::vector<float> free_; ///< distance from what ends the air, cells
   std::vector<std::int32_t> label_;
-  std::vector<double> area_; ///< of each label, square metres
+  std::vector<double> area_;  ///< of each label, square metres
+  std::vector<double> depth_; ///< of each label: farthest from its rim, metres
   std::map<RoomPair, Border> borders_;
   std::vector<std::set<std::uint32_t>> beside_; ///< rooms with a border, of each
   DisjointSets sets_{0};                        ///< of labels that were joined

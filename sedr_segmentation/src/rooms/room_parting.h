@@ -16,15 +16,17 @@ namespace sedr {
 struct PartingParameters {
   double lintel = 0.12;       ///< a ceiling that dips by more may part what is beside
   double lintel_reach = 0.45; ///< half of the longest way below a lintel
+  int smallest_lintel = 5;    ///< columns; fewer are points in the air below a ceiling
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
   double thickest_wall = 0.6; ///< between two rooms
   double widest_door = 1.6;
   double least_lintel = 0.15; ///< mean dip of what is a door's
   double widest_passage = 4;  ///< of one below a deep lintel
   double deep_lintel = 0.2;
-  double jamb = 1.25;         ///< a room is so much wider than a door of its
+  double jamb = 0.25;         ///< a room goes on beside a door by so much
   double end_reach = 0.25;    ///< from the end of an opening to the wall there
   double same_floor = 1.0;    ///< floors of one room differ by less at an opening
+  double deepest_shelf = 1.2; ///< what is higher and as deep is no floor
   double most_stacked = 0.1;  ///< share of the smaller of two rooms that may lie above
                               ///< the other if they are one
   double least_open = 0.5;    ///< share of the wall between that joins two rooms
