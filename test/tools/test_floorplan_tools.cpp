@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
 #include "sedr/drawing_files.h"
 #include "tool_error.h"
 #include "tools/option_help.h"
@@ -245,6 +246,16 @@ TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)
   }),
                pcl::sedr::tools::ToolError);
   EXPECT_FALSE(has("new"));
+}
+
+TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
+{
+  const std::vector<std::vector<float>> points{
+      {1, 1, 0}, {1, 1, 2.5F}, {1, 1, 2.8F}, {1, 1, 5.2F}, {4.1F, 1, 1}, {4.1F, 1, 4}};
+  writeFile(in("points.pcd"), pcdBytes(points, std::vector<std::uint32_t>(6, 3)));
+  pcl::sedr::tools::ToolCloud cloud = pcl::sedr::tools::loadCloud(in("points.pcd"));
+  pcl::sedr::tools::giveRooms(twoStoreys(), cloud);
+  EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{1, 1, 3, 3, 2, 4}));
 }
 
 } // namespace

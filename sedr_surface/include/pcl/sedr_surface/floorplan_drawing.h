@@ -14,8 +14,8 @@ namespace sedr {
  * dashed, steps of the floor and niches thin. Rooms have their number, area and height,
  * walls their length and arcs their radius where there is space, details their height
  * over the floor, steps theirs with a sign; about all are the overall size and a scale
- * bar. Doorways are gaps in the walls, in a group of the class `doorways`. A group a room, with the
- * id room_1.
+ * bar. Doorways are gaps in the walls, in a group of the class `doorways`. A group a
+ * room, with the id room_1.
  *
  * @param plan as fitted; without rooms the page is empty
  * @param scale metres in the world for one of paper: 50 for 1:50. 0: the largest usual
