@@ -16,7 +16,8 @@ main(int argc, char** argv)
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
-      "floorplan.svg, floorplan.dxf and report.json.");
+      "floorplan.svg, floorplan.dxf and report.json; of several storeys one drawing "
+      "each, floorplan_1.svg, ...");
   options.file("INPUT", settings.input, "PCD or PLY file, z up");
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");

@@ -26,6 +26,7 @@ struct Settings {
   bool no_legend = false;
   double clip = 0; ///< metres
   bool has_clip = false;
+  std::size_t storey = 0;
   double range = 0.05; ///< metres
   ReadSettings reading;
   ViewState state;
@@ -45,6 +46,8 @@ addOptions(Options& options, Settings& s)
   options.flag("no-ceiling", s.no_ceiling, "look inside: leave the ceilings out");
   options.optionalNumber("clip", s.clip, s.has_clip, "m",
                          "height above which nothing is shown", "none");
+  options.number("storey", s.storey, "", "number of the only storey shown; 0: all",
+                 Range::between(0, 1e6));
   options.flag("two-views", s.state.two_views, "scan at the left, model at the right");
   options.flag("no-edges", s.no_edges, "no edges on the solid");
   options.flag("no-legend", s.no_legend, "no legend");
@@ -91,7 +94,17 @@ stateOf(const Settings& settings)
   state.legend = !settings.no_legend;
   if (settings.has_clip)
     state.clip_height = settings.clip;
+  state.storey = static_cast<std::uint32_t>(settings.storey);
   return state;
+}
+
+/** @brief Throws a ToolError where a storey that was asked for is not there. */
+void
+checkStorey(const Painter& painter, std::uint32_t storey)
+{
+  if (storey != 0 && !painter.storeys().find(storey))
+    throw ToolError("there is no storey " + std::to_string(storey) + ": the plan has " +
+                    std::to_string(painter.storeys().storeys().size()));
 }
 
 int
@@ -108,6 +121,7 @@ run(const Settings& settings)
   if (state.layers.empty())
     state.layers = result.firstLayers();
   const Painter painter(result, settings.range);
+  checkStorey(painter, state.storey);
   Window window(result, painter, state, window_settings);
   if (settings.screenshot.empty()) {
     say(keyHelp());

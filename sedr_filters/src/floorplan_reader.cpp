@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
+#include "storey_json.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/number_text.h>
@@ -18,28 +19,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** @brief Limits of what is read: beyond them no room was ever scanned, and double
- * precision, grids and files of single precision lose the millimetres. Metres. */
-constexpr double most_coordinate = 1e6;
+/** @brief Limits of what is read, metres. */
 constexpr double most_radius = 1e5;
 constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
 constexpr double least_upward =
     0.7; ///< c of a floor or ceiling: at most 45 degrees of slope
-
-Eigen::Vector2d
-pointFrom(const Json& json)
-{
-  if (json.size() != 2)
-    throw std::invalid_argument("a point has 2 coordinates, not " +
-                                std::to_string(json.size()));
-  const Eigen::Vector2d p(json.at(0).get<double>(), json.at(1).get<double>());
-  for (const double coordinate : p)
-    if (!(std::abs(coordinate) <= most_coordinate))
-      throw std::invalid_argument("a coordinate must lie within " +
-                                  numberText(most_coordinate) + " m, it is " +
-                                  numberText(coordinate));
-  return p;
-}
 
 /** @brief A share as it was written, if it was. */
 ElementEvidence
@@ -78,13 +62,13 @@ PlanElement
 elementFrom(const Json& json)
 {
   PlanElement e;
-  e.start = pointFrom(json.at("start"));
-  e.end = pointFrom(json.at("end"));
+  e.start = pointFromJson(json.at("start"));
+  e.end = pointFromJson(json.at("end"));
   const auto type = json.at("type").get<std::string>();
   if (type != "segment" && type != "arc")
     throw std::invalid_argument("an element is a segment or an arc, not a " + type);
   if (type == "arc") {
-    e.centre = pointFrom(json.at("centre"));
+    e.centre = pointFromJson(json.at("centre"));
     e.radius = json.at("radius").get<double>();
     e.counter_clockwise = json.at("counter_clockwise").get<bool>();
     checkArc(e);
@@ -231,6 +215,21 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
 
 } // namespace
 
+Eigen::Vector2d
+pointFromJson(const nlohmann::ordered_json& json)
+{
+  if (json.size() != 2)
+    throw std::invalid_argument("a point has 2 coordinates, not " +
+                                std::to_string(json.size()));
+  const Eigen::Vector2d p(json.at(0).get<double>(), json.at(1).get<double>());
+  for (const double coordinate : p)
+    if (!(std::abs(coordinate) <= most_coordinate))
+      throw std::invalid_argument("a coordinate must lie within " +
+                                  numberText(most_coordinate) + " m, it is " +
+                                  numberText(coordinate));
+  return p;
+}
+
 Floorplan
 floorplanFromJson(const std::string& text, std::string& problem)
 {
@@ -246,10 +245,11 @@ floorplanFromJson(const std::string& text, std::string& problem)
           std::to_string(floorplan_format_version) + " can be read");
     for (const auto& room : json.at("rooms"))
       plan.rooms.push_back(roomFrom(room, plan.rooms));
+    readStoreys(json, plan);
   }
   catch (const std::exception& error) {
     problem = std::string("the floor plan cannot be read: ") + error.what();
-    plan.rooms.clear();
+    plan = {};
   }
   return plan;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
+#include "storey_json.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/room_measures.h>
-#include <pcl/sedr_filters/storeys.h>
 
 #include <nlohmann/json.hpp>
 
@@ -15,19 +15,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json
-toJson(const Eigen::Vector2d& p)
-{
-  return Json::array({p.x(), p.y()});
-}
-
-Json
 toJson(const PlanElement& e)
 {
   Json json{{"type", e.isArc() ? "arc" : "segment"},
-            {"start", toJson(e.start)},
-            {"end", toJson(e.end)}};
+            {"start", pointToJson(e.start)},
+            {"end", pointToJson(e.end)}};
   if (e.isArc()) {
-    json["centre"] = toJson(e.centre);
+    json["centre"] = pointToJson(e.centre);
     json["radius"] = e.radius;
     json["counter_clockwise"] = e.counter_clockwise;
   }
@@ -91,12 +85,6 @@ wallsToJson(const Floorplan& plan, std::size_t room)
 }
 
 Json
-toJson(const PlanStorey& storey)
-{
-  return {{"floor", storey.floor}, {"rooms", storey.rooms}};
-}
-
-Json
 toJson(const Floorplan& plan, std::size_t number)
 {
   const PlanRoom& room = plan.rooms[number];
@@ -122,20 +110,25 @@ toJson(const Floorplan& plan, std::size_t number)
 
 } // namespace
 
+nlohmann::ordered_json
+pointToJson(const Eigen::Vector2d& p)
+{
+  return Json::array({p.x(), p.y()});
+}
+
 std::string
 floorplanToJson(const Floorplan& plan)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
-  Json storeys = Json::array();
-  for (const auto& storey : storeysOf(plan))
-    storeys.push_back(toJson(storey));
   const Json json{{"format", floorplan_format_name},
                   {"version", floorplan_format_version},
                   {"unit", "m"},
                   {"rooms", rooms},
-                  {"storeys", storeys}};
+                  {"storeys", storeysToJson(plan)},
+                  {"doorways", doorwaysToJson(plan)},
+                  {"stairs", stairsToJson(plan)}};
   return json.dump(1) + "\n";
 }
 

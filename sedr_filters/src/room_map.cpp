@@ -3,6 +3,7 @@
 #include <pcl/sedr_filters/room_map.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace pcl {
@@ -63,6 +64,27 @@ RoomMap::RoomMap(const CellGrid& grid,
   growLabels(cells_, label);
   for (const std::size_t l : label)
     room_of_cell_.push_back(l == CellSet::npos ? 0 : static_cast<std::uint32_t>(l));
+  noteCeilings(room, ceiling);
+}
+
+void
+RoomMap::noteCeilings(const std::vector<std::uint32_t>& room,
+                      const pcl::Indices& ceiling)
+{
+  above_.resize(cells_.size());
+  for (const auto index : ceiling) {
+    const auto i = static_cast<std::size_t>(index);
+    const Eigen::Vector3f p = points_[i];
+    if (room[i] == 0 || !points_.isFinite(i) || !grid_.holds(p.x(), p.y()))
+      continue;
+    auto& here = above_[cells_.find(grid_.at(p.x(), p.y()))];
+    auto own = std::find_if(here.begin(), here.end(),
+                            [&](const Above& a) { return a.room == room[i]; });
+    if (own == here.end())
+      own = here.insert(own, {room[i], 0, 0});
+    own->points += 1;
+    own->height += (p.z() - own->height) / static_cast<double>(own->points);
+  }
 }
 
 std::uint32_t
@@ -73,7 +95,22 @@ RoomMap::roomOver(pcl::index_t index) const
   if (!points_.isFinite(i) || !grid_.holds(p.x(), p.y()))
     return 0;
   const std::size_t cell = cells_.find(grid_.at(p.x(), p.y()));
-  return cell == CellSet::npos ? 0 : room_of_cell_[cell];
+  if (cell == CellSet::npos)
+    return 0;
+  // Rooms that lie beside each other have ceilings less than a storey apart.
+  constexpr double noise = 0.15;       // metres
+  constexpr double least_storey = 1.5; // metres
+  const std::vector<Above>& here = above_[cell];
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Above& a : here)
+    if (a.height >= p.z() - noise)
+      lowest = std::min(lowest, a.height);
+  const Above* most = nullptr;
+  for (const Above& a : here)
+    if (a.height >= lowest && a.height < lowest + least_storey &&
+        (!most || a.points > most->points))
+      most = &a;
+  return most ? most->room : room_of_cell_[cell];
 }
 
 } // namespace sedr

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -52,7 +54,10 @@ distanceAlong(const Ray& ray, const PlanElement& e, double least)
 /** @brief The distance from a place of a boundary through its wall to a parallel face;
  * infinite where the first thing behind it is none. */
 double
-thicknessAt(const Floorplan& plan, const PlanElement& element, double s, double most)
+thicknessAt(const std::vector<const PlanRoom*>& rooms,
+            const PlanElement& element,
+            double s,
+            double most)
 {
   constexpr double parallel = 0.996; // cosine of 5 degrees
   constexpr double least = 0.005;    // thinner than any wall: the wall itself
@@ -60,8 +65,8 @@ thicknessAt(const Floorplan& plan, const PlanElement& element, double s, double 
   const Ray ray{element.pointAt(s), -inward};
   double nearest = most;
   double thickness = infinity;
-  for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& face : room.boundary.elements) {
+  for (const PlanRoom* room : rooms)
+    for (const PlanElement& face : room->boundary.elements) {
       const double t = distanceAlong(ray, face, least);
       if (t > nearest)
         continue;
@@ -71,6 +76,17 @@ thicknessAt(const Floorplan& plan, const PlanElement& element, double s, double 
       thickness = facing > parallel ? t : infinity;
     }
   return thickness;
+}
+
+/** @brief A room and those at its heights. */
+std::vector<const PlanRoom*>
+roomsBeside(const Floorplan& plan, std::size_t room)
+{
+  std::vector<const PlanRoom*> rooms;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    if (r == room || shareHeights(plan.rooms[r], plan.rooms[room]))
+      rooms.push_back(&plan.rooms[r]);
+  return rooms;
 }
 
 } // namespace
@@ -118,11 +134,12 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
   constexpr double least_share = 0.2;
   const PlanElement& wall = plan.rooms[room].boundary.elements[element];
   const double length = wall.length();
+  const std::vector<const PlanRoom*> rooms = roomsBeside(plan, room);
   const auto samples = static_cast<std::size_t>(std::clamp(length / step, 3.0, 1000.0));
   std::vector<double> found;
   for (std::size_t i = 0; i < samples; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
-    const double thickness = thicknessAt(plan, wall, share * length, most);
+    const double thickness = thicknessAt(rooms, wall, share * length, most);
     if (thickness < infinity)
       found.push_back(thickness);
   }

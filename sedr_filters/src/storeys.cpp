@@ -15,7 +15,7 @@ namespace {
 /** @brief The share of the lower range that two have in common; 0 where they have
  * none. */
 double
-commonShare(const HeightRange& a, const HeightRange& b)
+commonShare(const RoomHeights& a, const RoomHeights& b)
 {
   const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
   const double lower = std::min(a.high - a.low, b.high - b.low);
@@ -32,7 +32,7 @@ isListed(const std::vector<std::uint32_t>& ids, std::uint32_t id)
 void
 complete(PlanStorey& storey,
          const Floorplan& plan,
-         const std::vector<HeightRange>& heights)
+         const std::vector<RoomHeights>& heights)
 {
   storey.floor = std::numeric_limits<double>::infinity();
   storey.ceiling = -storey.floor;
@@ -49,7 +49,7 @@ complete(PlanStorey& storey,
 PlanStorey
 storeyAround(std::size_t first,
              const Floorplan& plan,
-             const std::vector<HeightRange>& heights,
+             const std::vector<RoomHeights>& heights,
              std::vector<bool>& is_placed)
 {
   constexpr double beside = 0.5;
@@ -69,7 +69,7 @@ storeyAround(std::size_t first,
 }
 
 std::vector<PlanStorey>
-storeysByHeight(const Floorplan& plan, const std::vector<HeightRange>& heights)
+storeysByHeight(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 {
   std::vector<PlanStorey> storeys;
   std::vector<bool> is_placed(heights.size(), false);
@@ -98,7 +98,7 @@ nearestOf(std::vector<PlanStorey>& storeys, double floor)
 
 /** @brief The storeys that a plan names, with just the rooms that it has. */
 std::vector<PlanStorey>
-namedStoreys(const Floorplan& plan, const std::vector<HeightRange>& heights)
+namedStoreys(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 {
   std::vector<PlanStorey> storeys = plan.storeys;
   for (PlanStorey& storey : storeys)
@@ -124,39 +124,68 @@ namedStoreys(const Floorplan& plan, const std::vector<HeightRange>& heights)
 
 } // namespace
 
-HeightRange
+RoomHeights
 heightsOf(const PlanRoom& room)
 {
   Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
+  for (const PlanElement& e : room.boundary.elements) {
+    box.extend(e.start);
+    if (e.isArc())
+      box.extend(e.pointAt(e.length() / 2));
+  }
   const Eigen::Vector2d middle =
       box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center());
   return {room.floor.heightAt(middle), room.ceiling.heightAt(middle)};
 }
 
-std::vector<HeightRange>
+std::vector<RoomHeights>
 heightsOf(const Floorplan& plan)
 {
-  std::vector<HeightRange> heights;
+  std::vector<RoomHeights> heights;
   for (const PlanRoom& room : plan.rooms)
     heights.push_back(heightsOf(room));
   return heights;
 }
 
 bool
-shareHeights(const HeightRange& a, const HeightRange& b)
+shareHeights(const RoomHeights& a, const RoomHeights& b)
 {
   constexpr double forgiven = 0.25;
   return commonShare(a, b) > forgiven;
 }
 
+bool
+shareHeights(const PlanRoom& a, const PlanRoom& b)
+{
+  return shareHeights(heightsOf(a), heightsOf(b));
+}
+
+std::vector<const PlanRoom*>
+roomsAt(const Floorplan& plan, const RoomHeights& heights)
+{
+  std::vector<const PlanRoom*> rooms;
+  for (const PlanRoom& room : plan.rooms)
+    if (shareHeights(heightsOf(room), heights))
+      rooms.push_back(&room);
+  return rooms;
+}
+
 std::vector<PlanStorey>
 storeysOf(const Floorplan& plan)
 {
-  const std::vector<HeightRange> heights = heightsOf(plan);
+  const std::vector<RoomHeights> heights = heightsOf(plan);
   return plan.storeys.empty() ? storeysByHeight(plan, heights)
                               : namedStoreys(plan, heights);
+}
+
+std::map<std::uint32_t, std::uint32_t>
+storeyOfRooms(const Floorplan& plan)
+{
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (const PlanStorey& storey : storeysOf(plan))
+    for (const std::uint32_t room : storey.rooms)
+      numbers[room] = storey.number;
+  return numbers;
 }
 
 Floorplan

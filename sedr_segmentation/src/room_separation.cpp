@@ -4,6 +4,7 @@
 #include <pcl/sedr_segmentation/room_separation.h>
 
 #include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_segmentation/contour.h>
 #include <pcl/sedr_segmentation/loop_difference.h>
 #include <pcl/sedr_segmentation/loop_lobes.h>
@@ -60,15 +61,6 @@ overlap(const PlanLoop& a, const PlanLoop& b)
     return false;
   const auto [of_a, of_b] = partsInside(a, b);
   return !of_a.empty() || !of_b.empty();
-}
-
-/** @brief Whether two rooms are on one storey at some place: one is not above the other
- * there. */
-bool
-areSideBySide(const PlanRoom& a, const PlanRoom& b, const Eigen::Vector2d& place)
-{
-  return a.floor.heightAt(place) < b.ceiling.heightAt(place) &&
-         b.floor.heightAt(place) < a.ceiling.heightAt(place);
 }
 
 /** @brief Whether a room lies within a column of another one: it was cut out of it. */
@@ -184,10 +176,9 @@ dropNiches(Floorplan& plan)
     const auto isInOther = [&](const PlanNiche& niche) {
       const Bounds own(niche.boundary);
       for (std::size_t o = 0; o < plan.rooms.size(); ++o)
-        if (const PlanRoom& other = plan.rooms[o];
-            o != r && own.meets(bounds[o]) &&
-            areSideBySide(room, other, niche.boundary.elements[0].start) &&
-            reachesInto(niche, other))
+        if (const PlanRoom& other = plan.rooms[o]; o != r && own.meets(bounds[o]) &&
+                                                   shareHeights(room, other) &&
+                                                   reachesInto(niche, other))
           return true;
       return false;
     };
@@ -255,9 +246,8 @@ separateOnce(Floorplan& plan,
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
       if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
-          !areSideBySide(first, second, first.boundary.elements[0].start) ||
-          standsFreeIn(first, second) || standsFreeIn(second, first) ||
-          !overlap(first.boundary, second.boundary))
+          !shareHeights(first, second) || standsFreeIn(first, second) ||
+          standsFreeIn(second, first) || !overlap(first.boundary, second.boundary))
         continue;
       has_changed = true;
       const double seen_first = seenInside(first, second.boundary, points, indices);

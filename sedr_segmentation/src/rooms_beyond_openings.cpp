@@ -2,6 +2,7 @@
 #include <pcl/sedr_segmentation/rooms_beyond_openings.h>
 
 #include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -61,12 +62,12 @@ unseenWalls(const PlanRoom& room,
 bool
 isBehind(const PlanRoom& other, const PlanRoom& room, const PlanElement& wall)
 {
+  if (!shareHeights(other, room))
+    return false;
   for (double s = step / 2; s < wall.length(); s += step)
     for (double d = step / 2; d < reach_behind; d += step) {
       const Eigen::Vector2d place = wall.pointAt(s) - d * wall.normalAt(s);
-      if (other.boundary.contains(place) &&
-          other.floor.heightAt(place) < room.ceiling.heightAt(place) &&
-          room.floor.heightAt(place) < other.ceiling.heightAt(place))
+      if (other.boundary.contains(place))
         return true;
     }
   return false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared_faces.h"
 
+#include <pcl/sedr_filters/storeys.h>
+
 #include <cstddef>
 
 namespace pcl {
@@ -31,15 +33,18 @@ isOtherSideOf(const PlanElement& e, double s, const PlanElement& other)
          e.normalAt(s).dot(other.normalAt(other.project(p))) <= -least_cosine;
 }
 
-/** @brief The walls of other rooms that a wall comes so near to in any place. */
+/** @brief The walls of other rooms, at the heights of a room, that a wall comes so near
+ * to in any place. */
 std::vector<PlanElement>
 facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
 {
   constexpr int samples = 9;
   std::vector<PlanElement> faces;
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    if (r == room || !shareHeights(plan.rooms[r], plan.rooms[room]))
+      continue;
     for (const auto& other : plan.rooms[r].boundary.elements) {
-      if (r == room || areApart(e, other))
+      if (areApart(e, other))
         continue;
       bool meets = false;
       for (int k = 0; k < samples && !meets; ++k)
@@ -47,6 +52,7 @@ facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
       if (meets)
         faces.push_back(other);
     }
+  }
   return faces;
 }
 

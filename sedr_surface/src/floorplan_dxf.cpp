@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
+#include "doorway_drawing.h"
 #include "plan_drawing.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <pcl/sedr_filters/storeys.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +24,13 @@ struct Layer {
 
 constexpr const char* text_layer = "TEXT";
 constexpr const char* size_layer = "DIMENSION";
+constexpr const char* doorway_layer = "DOORWAY";
 
 constexpr Layer layers[] = {
-    {"WALL", 7, "CONTINUOUS"},    {"COLUMN", 1, "CONTINUOUS"},
-    {"DETAIL", 5, "DASHED"},      {"FLOOR_DETAIL", 3, "CONTINUOUS"},
-    {"NICHE", 6, "CONTINUOUS"},   {text_layer, 7, "CONTINUOUS"},
-    {size_layer, 8, "CONTINUOUS"}};
+    {"WALL", 7, "CONTINUOUS"},     {"COLUMN", 1, "CONTINUOUS"},
+    {"DETAIL", 5, "DASHED"},       {"FLOOR_DETAIL", 3, "CONTINUOUS"},
+    {"NICHE", 6, "CONTINUOUS"},    {text_layer, 7, "CONTINUOUS"},
+    {size_layer, 8, "CONTINUOUS"}, {doorway_layer, 4, "CONTINUOUS"}};
 
 const char*
 nameOf(DrawnLayer layer)
@@ -165,11 +169,48 @@ writeRoomTexts(DxfText& dxf, const PlanRoom& room)
 
 } // namespace
 
-std::string
-floorplanToDxf(const Floorplan& plan)
+namespace {
+
+void
+writeLine(DxfText& dxf,
+          const char* layer,
+          const Eigen::Vector2d& from,
+          const Eigen::Vector2d& to)
 {
+  dxf.group(0, "LINE").group(8, layer).place(from).place(to, 11);
+}
+
+/** @brief The outline of each doorway within its wall, and words at stairs. */
+void
+writeWays(DxfText& dxf, const Floorplan& plan)
+{
+  constexpr double height = 0.12;
+  for (const DrawnDoorway& doorway : drawnDoorways(plan))
+    for (std::size_t k = 0; k < 4; ++k)
+      writeLine(dxf, doorway_layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
+  for (const StairNote& note : stairNotes(plan))
+    writeText(dxf, text_layer, note.place, height, note.text);
+}
+
+/** @brief The name of a storey below the plan. Not ASCII: "?". */
+void
+writeName(DxfText& dxf, const Eigen::AlignedBox2d& bounds, std::string name)
+{
+  constexpr double height = 0.25;
+  for (char& c : name)
+    c = c >= ' ' && c <= '~' ? c : '?';
+  writeText(dxf, text_layer, {bounds.center().x(), bounds.min().y() - 2 * height},
+            height, name);
+}
+
+} // namespace
+
+std::string
+floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
+{
+  const Floorplan plan = storey ? partOf(whole, *storey) : whole;
   DxfText dxf;
-  Eigen::AlignedBox2d bounds = boundsOf(plan);
+  Eigen::AlignedBox2d bounds = boundsOf(whole);
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
   writeHeader(dxf, bounds);
@@ -182,6 +223,9 @@ floorplanToDxf(const Floorplan& plan)
       writeSize(dxf, e);
     writeRoomTexts(dxf, room);
   }
+  writeWays(dxf, plan);
+  if (storey)
+    writeName(dxf, bounds, storey->name);
   dxf.group(0, "ENDSEC").group(0, "EOF");
   return dxf.text();
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
+#include "doorway_drawing.h"
 #include "plan_drawing.h"
+#include "svg_text.h"
 #include "text_places.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <pcl/sedr_filters/storeys.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,35 +31,19 @@ constexpr double least_width = 110;  // of the page: scale bar and title
 constexpr double room_font = 3.2;
 constexpr double size_font = 2.0;
 
-constexpr const char* style = R"(
-  text { font-family: Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif; }
-  .room { fill: #f6f3ec; fill-rule: evenodd; stroke: none; }
-  .wall { fill: none; stroke: #111; stroke-width: 0.5; stroke-linejoin: miter; }
-  .column { fill: #7d7d7d; stroke: #111; stroke-width: 0.35; }
-  .detail { fill: none; stroke: #2b62a8; stroke-width: 0.2; stroke-dasharray: 1.8 0.9; }
-  .floor_detail { fill: none; stroke: #333; stroke-width: 0.2; }
-  .niche { fill: #f6f3ec; stroke: #333; stroke-width: 0.3; }
-  .line { fill: none; stroke: #555; stroke-width: 0.15; }
-  .size { fill: #555; text-anchor: middle; }
-  .level { fill: #2b62a8; text-anchor: middle; }
-  .name { fill: #111; text-anchor: middle; }
-  .halo { paint-order: stroke; stroke: #f6f3ec; stroke-width: 0.8;
-    stroke-linejoin: round; }
-)";
-
-std::string
-mm(double value)
-{
-  return shortDecimalText(value, 4);
-}
-
 /** @brief Writes a plan on a page. */
 class SvgPage {
 public:
-  SvgPage(const Floorplan& plan, double scale)
+  /** @param bounds of what the page has room for
+   * @param name of what is drawn, empty for all there is */
+  SvgPage(const Floorplan& plan,
+          double scale,
+          const Eigen::AlignedBox2d& bounds,
+          const std::string& name)
       : plan_(plan)
       , scale_(scale)
-      , bounds_(boundsOf(plan))
+      , bounds_(bounds)
+      , name_(svgText(name))
   {
     if (bounds_.isEmpty())
       bounds_.extend(Eigen::Vector2d(0, 0));
@@ -70,11 +58,13 @@ public:
          << "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\""
          << mm(size_.x()) << "mm\" height=\"" << mm(size_.y()) << "mm\" viewBox=\"0 0 "
          << mm(size_.x()) << ' ' << mm(size_.y())
-         << "\">\n<title>Floor plan 1:" << mm(scale_) << "</title>\n<style>" << style
-         << "</style>\n"
+         << "\">\n<title>Floor plan 1:" << mm(scale_) << (name_.empty() ? "" : ", ")
+         << name_ << "</title>\n<style>" << svg_style << "</style>\n"
          << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (const PlanRoom& room : plan_.rooms)
       writeRoom(room);
+    writeDoorways();
+    writeStairs();
     if (!plan_.rooms.empty()) {
       writeOverallSize();
       writeScaleBar();
@@ -170,6 +160,32 @@ private:
     for (const PlanElement& e : room.boundary.elements)
       writeSize(e, room);
     out_ << "</g>\n";
+  }
+
+  /** @brief Gaps in the walls, over both faces. */
+  void writeDoorways()
+  {
+    const auto doorways = drawnDoorways(plan_);
+    if (doorways.empty())
+      return;
+    out_ << "<g class=\"doorways\">\n";
+    for (const DrawnDoorway& doorway : doorways) {
+      const auto& c = doorway.corners;
+      writePath("doorway", "M " + at(c[0]) + " L " + at(c[1]) + " L " + at(c[2]) +
+                               " L " + at(c[3]) + " Z");
+      writePath("gap", "M " + at(c[0]) + " L " + at(c[1]) + " M " + at(c[2]) + " L " +
+                           at(c[3]));
+      for (const auto& [from, to] : doorway.jambs())
+        writePath("jamb", "M " + at(from) + " L " + at(to));
+    }
+    out_ << "</g>\n";
+  }
+
+  void writeStairs()
+  {
+    for (const StairNote& note : stairNotes(plan_))
+      if (texts_.take(onPage(note.place), size_font * halfSizeOf({note.text})))
+        writeText("level halo", onPage(note.place), size_font, note.text);
   }
 
   /** @brief The font with which lines fit the radius of a spot, at most `font`; 0 where
@@ -282,11 +298,14 @@ private:
                 shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : ""));
     writeText("name", {margin_left + 4 * part + 20, y + 0.6}, room_font,
               "1:" + shortDecimalText(scale_, 2));
+    if (!name_.empty())
+      writeText("name start", {margin_left, size_.y() - 4.5}, room_font, name_);
   }
 
-  const Floorplan& plan_;
+  Floorplan plan_;
   double scale_;
   Eigen::AlignedBox2d bounds_;
+  std::string name_;
   Eigen::Vector2d drawn_; ///< size of the plan on paper
   Eigen::Vector2d size_;  ///< of the page
   TextPlaces texts_;
@@ -315,9 +334,12 @@ drawingScale(const Floorplan& plan)
 }
 
 std::string
-floorplanToSvg(const Floorplan& plan, double scale)
+floorplanToSvg(const Floorplan& plan, double scale, const PlanStorey* storey)
 {
-  return SvgPage(plan, scale > 0 ? scale : drawingScale(plan)).write();
+  return SvgPage(storey ? partOf(plan, *storey) : plan,
+                 scale > 0 ? scale : drawingScale(plan), boundsOf(plan),
+                 storey ? storey->name : "")
+      .write();
 }
 
 } // namespace sedr

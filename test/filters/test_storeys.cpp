@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
 #include "two_storeys.h"
 
+#include <pcl/sedr_filters/room_map.h>
 #include <pcl/sedr_filters/room_measures.h>
 #include <pcl/sedr_filters/storeys.h>
 
@@ -65,7 +67,7 @@ TEST(Storeys, RoomsThatAreGoneAreLeftOutAndNewOnesGoToTheNearest)
 
 TEST(Storeys, OnlyRoomsThatShareHeightsHaveToDoWithEachOther)
 {
-  const HeightRange lower{0, 2.5};
+  const RoomHeights lower{0, 2.5};
   EXPECT_FALSE(shareHeights(lower, {2.8, 5.3}));
   EXPECT_FALSE(shareHeights(lower, {2.5, 5}));
   EXPECT_FALSE(shareHeights({2.3, 5}, lower)); // a ceiling found too high
@@ -95,6 +97,41 @@ TEST(Storeys, APartHasTheRoomsDoorwaysAndStairsOfItsStorey)
   EXPECT_EQ(upper.storeys[0].name, "storey 2");
   EXPECT_EQ(upper.doorways.size(), 2u);
   EXPECT_EQ(upper.stairs.size(), 1u);
+}
+
+TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
+{
+  const Floorplan plan{{roomBetween(rectangle(0, 0, 4, 3), 0, 2.5, 1),
+                        roomBetween(rectangle(4.3, 0, 8, 3), 0, 2.5, 2),
+                        roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
+  EXPECT_NEAR(wallThickness(plan, 0, 1), 0.3, 1e-9);
+  EXPECT_EQ(wallThickness(plan, 2, 3), 0);
+}
+
+TEST(Storeys, ARoundRoomIsInTheMiddleOfItsCircle)
+{
+  PlanRoom room = roomOf(circle({2, 1}, 1), 2.5);
+  room.ceiling = slabAt(2.5, 0.1); // 2.7 m above the middle
+  EXPECT_NEAR(heightsOf(room).high, 2.7, 1e-9);
+}
+
+TEST(Storeys, ARoomOverAPointIsThatOfTheNextCeilingAboveIt)
+{
+  RoomPoints points(0.1);
+  const auto floor = points.slab(rectangle(0, 0, 2, 2), 0);
+  const auto ceiling = points.slab(rectangle(0, 0, 2, 2), 2.5);
+  const auto upper_floor = points.slab(rectangle(0, 0, 2, 2), 2.8);
+  const auto upper = points.slab(rectangle(0, 0, 2, 2), 5.2);
+  std::vector<std::uint32_t> rooms(points.size(), 0);
+  for (const int i : ceiling)
+    rooms[static_cast<std::size_t>(i)] = 1;
+  for (const int i : upper)
+    rooms[static_cast<std::size_t>(i)] = 2;
+  const RoomMap map(CellGrid(0.2), points.view(), rooms, joined(ceiling, upper), {});
+  for (const int i : joined(floor, ceiling))
+    ASSERT_EQ(map.roomOver(i), 1u) << points[i].z();
+  for (const int i : joined(upper_floor, upper))
+    ASSERT_EQ(map.roomOver(i), 2u) << points[i].z();
 }
 
 } // namespace

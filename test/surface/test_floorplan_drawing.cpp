@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "two_storeys.h"
 
+#include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
 #include <gtest/gtest.h>
@@ -132,6 +133,74 @@ TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
   const std::string room = floorplanToSvg(planOf(rectangle(0, 0, 6, 5)), 100);
   EXPECT_TRUE(holds(room, ">Room 1<"));
   EXPECT_TRUE(holds(room, ">30.00 m²<"));
+}
+
+/** The text from one word to the next one after it. */
+std::string
+between(const std::string& text, const std::string& from, const std::string& to)
+{
+  const std::size_t begin = text.find(from);
+  const std::size_t end = text.find(to, begin);
+  return begin == std::string::npos || end == std::string::npos
+             ? ""
+             : text.substr(begin, end - begin);
+}
+
+TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
+{
+  Floorplan plan = twoStoreys(-0.5);
+  plan.rooms[0].boundary = rectangle(-3, -1, 4, 3); // the lower storey is larger
+  plan.storeys = {{1, "ground & more", 0, 0, {1, 2}}, {2, "attic", 0, 0, {3, 4}}};
+  const auto storeys = storeysOf(plan);
+  const std::string lower = floorplanToSvg(plan, 0, &storeys[0]);
+  const std::string upper = floorplanToSvg(plan, 0, &storeys[1]);
+  EXPECT_EQ(between(lower, "width=", "<title>"), between(upper, "width=", "<title>"));
+  EXPECT_TRUE(holds(lower, "Floor plan 1:50, ground &amp; more</title>"));
+  EXPECT_TRUE(holds(upper, ">attic<"));
+  EXPECT_TRUE(holds(lower, "id=\"room_2\"") && !holds(lower, "id=\"room_3\""));
+  EXPECT_TRUE(holds(upper, "id=\"room_3\"") && !holds(upper, "id=\"room_2\""));
+  // The origin of the plan, 3 m to the right of the margin of 20 mm and as high as
+  // 3.5 m below the top of the highest room.
+  EXPECT_TRUE(holds(upper, "M 80 68 L")) << upper;
+  const std::string dxf = floorplanToDxf(plan, &storeys[1]);
+  EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.0000000\n20\n-1.0000000\n"));
+  EXPECT_TRUE(holds(dxf, "\nattic\n"));
+  EXPECT_FALSE(holds(dxf, "Room 1\n"));
+}
+
+TEST(FloorplanDrawing, ADoorwayIsAGapFromFaceToFace)
+{
+  Floorplan plan;
+  plan.rooms = storeyBetween(0, 2.5, 1);
+  plan.doorways = {{{1, 2}, {4.05, 1}, {4.05, 2}, 0, 2}};
+  const std::string dxf = floorplanToDxf(plan);
+  const std::string jamb = "LINE\n8\nDOORWAY\n10\n4.1000000\n20\n1.0000000\n30\n"
+                           "0.0000000\n11\n4.0000000\n21\n1.0000000\n";
+  const std::string other = "LINE\n8\nDOORWAY\n10\n4.0000000\n20\n1.0000000\n30\n"
+                            "0.0000000\n11\n4.1000000\n21\n1.0000000\n";
+  EXPECT_TRUE(holds(dxf, jamb) || holds(dxf, other)) << dxf;
+  const std::string svg = floorplanToSvg(plan, 100);
+  EXPECT_TRUE(holds(svg, "class=\"doorway\"") && holds(svg, "class=\"jamb\""));
+  EXPECT_FALSE(holds(floorplanToSvg({plan.rooms}, 100), "class=\"doorway\""));
+}
+
+TEST(FloorplanDrawing, ADoorwayToOutsideIsAsDeepThere)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 4, 3));
+  plan.doorways = {{{1, 0}, {1, -0.2}, {2, -0.2}, 0, 2}};
+  const std::string dxf = floorplanToDxf(plan);
+  EXPECT_TRUE(holds(dxf, "\n20\n-0.4000000\n"));
+  plan.doorways[0].end = plan.doorways[0].start; // of no width
+  EXPECT_FALSE(holds(floorplanToDxf(plan), "LINE\n8\nDOORWAY"));
+}
+
+TEST(FloorplanDrawing, StairsTellWhereTheyLead)
+{
+  Floorplan plan = twoStoreys();
+  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8}};
+  const auto storeys = storeysOf(plan);
+  EXPECT_TRUE(holds(floorplanToSvg(plan, 0, &storeys[0]), ">up to room 4<"));
+  EXPECT_TRUE(holds(floorplanToSvg(plan, 0, &storeys[1]), ">down to room 2<"));
 }
 
 } // namespace

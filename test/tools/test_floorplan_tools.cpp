@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "plan_file.h"
+#include "sedr/drawing_files.h"
+#include "tool_error.h"
 #include "tools/option_help.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
+#include "two_storeys.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 // What the tools write is read back by test_floorplan_outputs.py.
@@ -144,6 +148,114 @@ TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(result.failsInOneSentence()) << result.err;
   EXPECT_FALSE(std::filesystem::exists(solid));
+}
+
+/** pcl_floorplan_drawing with a plan of two storeys. */
+class StoreyDrawings : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  ProgramRun draw(const Strings& options) const
+  {
+    Strings arguments{in("plan.json"), in("out.svg")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(FLOORPLAN_DRAWING, arguments);
+  }
+
+  bool has(const std::string& name) const { return std::filesystem::exists(in(name)); }
+
+  void SetUp() override
+  {
+    writeFile(in("plan.json"), pcl::sedr::floorplanToJson(twoStoreys()));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StoreyDrawings, AreOneAStoreyWithItsNumber)
+{
+  const ProgramRun result = draw({});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has("out_1.svg") && has("out_2.svg"));
+  EXPECT_FALSE(has("out.svg"));
+  EXPECT_NE(bytesOf(in("out_2.svg")).find("Room 4"), std::string::npos);
+  EXPECT_EQ(bytesOf(in("out_2.svg")).find("Room 1"), std::string::npos);
+}
+
+TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
+{
+  const ProgramRun result = draw({"--storey", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has("out.svg"));
+  EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
+  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
+}
+
+TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
+{
+  const ProgramRun result = draw({"--storey", "3"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("there are: 1, 2"), std::string::npos) << result.err;
+  EXPECT_FALSE(has("out.svg"));
+}
+
+/** The names of the files of a folder, in their order. */
+Strings
+filesOf(const std::string& folder)
+{
+  Strings names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
+{
+  using pcl::sedr::tools::drawing_names;
+  using pcl::sedr::tools::OutputFolder;
+  const Strings of_two{"floorplan_1.dxf", "floorplan_1.svg", "floorplan_2.dxf",
+                       "floorplan_2.svg"};
+  pcl::sedr::Floorplan three = twoStoreys();
+  three.rooms.push_back(roomBetween(rectangle(0, 0, 4, 3), 6, 8.5, 5));
+  const pcl::sedr::Floorplan one{storeyBetween(0, 2.5, 1)};
+  OutputFolder folder(in("model"), drawing_names);
+  const auto write = [&](const pcl::sedr::Floorplan& plan) {
+    folder.fill(
+        [&] { pcl::sedr::tools::writeDrawings(folder, plan, in("plan.json")); });
+    return filesOf(in("model"));
+  };
+  EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
+  EXPECT_EQ(write(three).size(), 6u);
+  EXPECT_EQ(write(twoStoreys()), of_two);
+  EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
+  writeFile(in("model/floorplan_7.svg"), "a scan"); // whatever its name is
+  pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
+  EXPECT_EQ(filesOf(in("model")).size(), 3u) << "what was read stays";
+}
+
+TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)
+{
+  pcl::sedr::tools::OutputFolder folder(in("new"), pcl::sedr::tools::drawing_names);
+  EXPECT_THROW(folder.fill([&] {
+    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), in("plan.json"));
+    throw pcl::sedr::tools::ToolError("the disk is full");
+  }),
+               pcl::sedr::tools::ToolError);
+  EXPECT_FALSE(has("new"));
+}
+
+TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
+{
+  const std::vector<std::vector<float>> points{
+      {1, 1, 0}, {1, 1, 2.5F}, {1, 1, 2.8F}, {1, 1, 5.2F}, {4.1F, 1, 1}, {4.1F, 1, 4}};
+  writeFile(in("points.pcd"), pcdBytes(points, std::vector<std::uint32_t>(6, 3)));
+  pcl::sedr::tools::ToolCloud cloud = pcl::sedr::tools::loadCloud(in("points.pcd"));
+  pcl::sedr::tools::giveRooms(twoStoreys(), cloud);
+  EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{1, 1, 3, 3, 2, 4}));
 }
 
 } // namespace

@@ -281,4 +281,57 @@ TEST(ReducedMesh, KeepsPlanesEdgesAndLabels)
   EXPECT_EQ(reducedMesh(mesh, 1000000).triangles.size(), mesh.triangles.size());
 }
 
+/** The sample, and the same rooms again 2.8 m higher as rooms 3 and 4. */
+Floorplan
+twoStoreys()
+{
+  Floorplan plan = SampleResult().plan;
+  for (PlanRoom room : SampleResult().plan.rooms) {
+    room.id += 2;
+    room.floor.plane[3] -= 2.8;
+    room.ceiling.plane[3] -= 2.8;
+    plan.rooms.push_back(room);
+  }
+  plan.storeys = {{1, "ground floor", 0, 0, {1, 2}}, {2, "<attic>", 0, 0, {3, 4}}};
+  return plan;
+}
+
+std::size_t
+countOf(const std::string& part, const std::string& text)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos;
+       at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST_F(ReportFacts, OfStoreysAreToldAStoreyAtATime)
+{
+  writeFile((folder_.path() / "floorplan.json").string(),
+            pcl::sedr::floorplanToJson(twoStoreys()));
+  const ReportData data = read(R"({"format": "sedr-report"})");
+  ASSERT_EQ(data.storeys.size(), 2u);
+  const std::string storeys = storeysPart(data);
+  EXPECT_EQ(countOf("<tr>", storeys), 3u) << storeys;
+  EXPECT_NE(storeys.find("&lt;attic&gt;"), std::string::npos);
+  EXPECT_NE(storeys.find("22.50"), std::string::npos) << "the area of one";
+  EXPECT_EQ(countOf("<svg", planPart(data)), 2u);
+  const std::string rooms = roomsPart(data);
+  EXPECT_EQ(countOf("<table", rooms), 2u);
+  EXPECT_LT(rooms.find("ground floor"), rooms.find("&lt;attic&gt;"));
+  EXPECT_NE(figuresPart(data).find("storeys</dt><dd>2"), std::string::npos);
+}
+
+TEST_F(ReportFacts, OfOneStoreyAreToldAsEver)
+{
+  writeFile((folder_.path() / "floorplan.json").string(),
+            pcl::sedr::floorplanToJson(SampleResult().plan));
+  const ReportData data = read(R"({"format": "sedr-report"})");
+  EXPECT_EQ(storeysPart(data), "");
+  EXPECT_EQ(countOf("<svg", planPart(data)), 1u);
+  EXPECT_EQ(countOf("<table", roomsPart(data)), 1u);
+  EXPECT_EQ(countOf("<h3>", roomsPart(data) + planPart(data)), 0u);
+}
+
 } // namespace

@@ -143,7 +143,10 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
   const ProgramRun first =
       onFile(scan, {"--tree-depth", "6", "--pictures", "--report"});
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  writeFile(in("model/notes.txt"), "mine");
+  for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
+    writeFile(in(mine), "mine");
+  for (const char* drawing : {"model/floorplan_1.svg", "model/floorplan_12.dxf"})
+    writeFile(in(drawing), "of a storey that is no longer there");
   const Strings old{"model/mesh.ply", "model/report.html", "model/pictures"};
   const ProgramRun failed = run(SEDR, {in("nothing.pcd"), in("model"), "--no-mesh"});
   EXPECT_EQ(failed.exit_code, 1);
@@ -153,7 +156,10 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
   ASSERT_EQ(second.exit_code, 0) << second.err;
   for (const auto& name : old)
     EXPECT_FALSE(std::filesystem::exists(in(name))) << name << " is of another model";
-  EXPECT_TRUE(std::filesystem::exists(in("model/notes.txt")));
+  for (const char* drawing : {"model/floorplan_1.svg", "model/floorplan_12.dxf"})
+    EXPECT_FALSE(std::filesystem::exists(in(drawing))) << drawing;
+  for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
+    EXPECT_TRUE(std::filesystem::exists(in(mine))) << mine;
   writeFile(in("model/mesh.ply"), scan); // a scan's type is told by its content
   const ProgramRun third = run(SEDR, {in("model/mesh.ply"), in("model"), "--no-mesh"});
   ASSERT_EQ(third.exit_code, 0) << third.err;

@@ -360,4 +360,82 @@ TEST_F(CompareTool, NamesExactlyWhatChangedBetweenTwoScans)
   EXPECT_EQ(changes[2].at("change"), "vanished");
 }
 
+/** The two rooms, and two that lie above them, with ids from 3. */
+Floorplan
+twoStoreys(double lower_partition = 5, double upper_partition = 5, double up = 3)
+{
+  Floorplan plan = twoRooms(lower_partition);
+  for (PlanRoom& room : twoRooms(upper_partition).rooms) {
+    room.id += 2;
+    room.floor = slabAt(up);
+    room.ceiling = slabAt(up + 2.5);
+    plan.rooms.push_back(room);
+  }
+  return plan;
+}
+
+TEST(StoreysCompare, TheSameTwoStoreysHaveNoChanges)
+{
+  EXPECT_EQ(told(twoStoreys(), twoStoreys()), Lines{});
+  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(5, 4)), Lines{});
+}
+
+TEST(StoreysCompare, AWallOfTheOtherStoreyIsNoAnswer)
+{
+  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(4, 4)),
+            Lines{"moved partition by 1.00 m (x -1.00), 4.5 m: room_1_wall_2, "
+                  "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
+  const Floorplan one{{roomOf(1, 0, 0, 9, 4.5)}};
+  Floorplan before = twoStoreys(5, 4);
+  before.rooms.erase(before.rooms.begin(), before.rooms.begin() + 2);
+  before.rooms.push_back(one.rooms[0]); // no partition below the upper one
+  EXPECT_EQ(told(before, twoStoreys(4, 4)),
+            Lines{"appeared partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
+{
+  Floorplan upper = twoStoreys();
+  upper.rooms.erase(upper.rooms.begin());
+  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_1"});
+  upper = twoStoreys();
+  upper.rooms.erase(upper.rooms.begin() + 2);
+  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_3"});
+}
+
+TEST(StoreysCompare, ColumnsAndSlabsOfEachStorey)
+{
+  Floorplan before = twoStoreys();
+  before.rooms[1].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
+  Floorplan after = twoStoreys();
+  after.rooms[3].columns.push_back(rectangle(7, 2, 7.5, 2.4, true));
+  EXPECT_EQ(told(before, after), (Lines{"vanished column, 0.20 m2: room_2_column_1",
+                                        "appeared column, 0.20 m2: room_4_column_1"}));
+  after = twoStoreys();
+  after.rooms[2].ceiling = slabAt(5.4);
+  EXPECT_EQ(told(twoStoreys(), after),
+            Lines{"moved ceiling by 0.10 m (z -0.10), 22.50 m2: room_3_ceiling -> "
+                  "room_3_ceiling"});
+}
+
+TEST(StoreysCompare, AnAlignmentDoesNotMixThem)
+{
+  // The walls of the storeys are 0.4 m apart: those of the wrong one lie within reach.
+  const Floorplan plan = twoStoreys(5, 4.6);
+  PlanTransform away;
+  away.angle = 0.01;
+  away.shift = {0.2, -0.1, 0.3};
+  const auto found = alignPlans(transformed(plan, away), plan);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->angle, -0.01, 1e-3);
+  EXPECT_NEAR(found->shift.z(), -0.3, 1e-6);
+  EXPECT_EQ(told(plan, transformed(transformed(plan, away), *found)), Lines{});
+  // Of one storey alone, the floor says which it is.
+  Floorplan upper = plan;
+  upper.rooms.erase(upper.rooms.begin(), upper.rooms.begin() + 2);
+  const auto of_upper = alignPlans(transformed(upper, away), plan);
+  ASSERT_TRUE(of_upper.has_value());
+  EXPECT_NEAR(of_upper->shift.z(), -0.3, 1e-6);
+}
+
 } // namespace

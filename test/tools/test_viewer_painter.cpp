@@ -349,4 +349,101 @@ TEST(DistanceColour, RunsFromBlueToRedAndStaysThere)
   EXPECT_EQ(distanceText(0.0034), "0.3 cm");
 }
 
+/** The sample, and the same again above it: rooms 3 and 4 from 2.8 to 5.3 m. */
+ViewedResult
+twoStoreys(const ViewedResult& one)
+{
+  constexpr double up = 2.8;
+  ViewedResult both = one;
+  both.plan.storeys.clear(); // the rooms above are not in them
+  for (PlanRoom room : one.plan.rooms) {
+    room.id += 2;
+    room.floor.plane[3] -= up;
+    room.ceiling.plane[3] -= up;
+    both.plan.rooms.push_back(room);
+  }
+  for (DisplayCloud ViewedResult::*cloud :
+       {&ViewedResult::raw, &ViewedResult::structure})
+    for (std::size_t i = 0, n = (one.*cloud).size(); i < n; ++i) {
+      DisplayCloud& shown = both.*cloud;
+      shown.points.push_back((one.*cloud).points[i] + Eigen::Vector3f(0, 0, 2.8F));
+      if (!shown.labels.empty())
+        shown.labels.push_back((one.*cloud).labels[i]);
+      if (!shown.rooms.empty())
+        shown.rooms.push_back((one.*cloud).rooms[i] + 2);
+      if (!shown.normals.empty())
+        shown.normals.push_back((one.*cloud).normals[i]);
+    }
+  for (TriangleMesh ViewedResult::*mesh : {&ViewedResult::mesh, &ViewedResult::solid}) {
+    TriangleMesh upper = one.*mesh;
+    for (auto& vertex : upper.vertices)
+      vertex.z() += up;
+    for (auto& room : upper.rooms)
+      room += 2;
+    (both.*mesh).append(upper);
+  }
+  return both;
+}
+
+TEST_F(ViewedSample, OfOneStoreyShowsNothingOfTheOthers)
+{
+  const ViewedResult both = twoStoreys(result_);
+  const Painter painter(both);
+  ASSERT_EQ(painter.storeys().storeys().size(), 2u);
+  ViewState state;
+  for (const std::uint32_t storey : {1u, 2u}) {
+    state.storey = storey;
+    const float low = storey == 1 ? 0 : 2.8F;
+    const auto isWithin = [&](const ColouredPoints& shown) {
+      return !shown.points.empty() &&
+             std::all_of(shown.points.begin(), shown.points.end(),
+                         [&](const Eigen::Vector3f& p) {
+                           return p.z() > low - 0.16F && p.z() < low + 2.66F;
+                         });
+    };
+    EXPECT_TRUE(isWithin(painter.points(Layer::Raw, state)));
+    EXPECT_TRUE(isWithin(painter.points(Layer::Structure, state)));
+    EXPECT_EQ(painter.points(Layer::Structure, state).points.size(),
+              result_.structure.size());
+    for (const auto layer : {Layer::Mesh, Layer::Solid}) {
+      EXPECT_TRUE(isWithin(painter.triangles(layer, state)));
+      EXPECT_EQ(painter.triangles(layer, state).points.size(),
+                3 * result_.meshOf(layer)->triangles.size());
+    }
+    EXPECT_EQ(painter.planLines(state).points.size() / 2, 2u * 12);
+    EXPECT_EQ(painter.solidEdges(state).points.size() / 2, 2u * 12);
+    const auto lines = legendOf(both, painter, state);
+    const auto tells = [&](const std::string& text) {
+      return std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) {
+        return line.text.find(text) != std::string::npos;
+      });
+    };
+    EXPECT_TRUE(tells("storey " + std::to_string(storey)));
+    EXPECT_EQ(tells("room 1 "), storey == 1);
+    EXPECT_EQ(tells("room 3 "), storey == 2);
+    const double eyes = cameraPose(both, ViewPoint::Inside, 1.5, storey).position.z();
+    EXPECT_TRUE(eyes > low + 1 && eyes < low + 2) << eyes;
+  }
+  state.storey = 0;
+  EXPECT_EQ(painter.points(Layer::Structure, state).points.size(),
+            both.structure.size());
+}
+
+TEST_F(ViewedSample, WithoutCeilingsShowsTheFloorsOfAllStoreys)
+{
+  const ViewedResult both = twoStoreys(result_);
+  const Painter painter(both);
+  ViewState state;
+  state.ceiling = false;
+  const auto count = [&](float low, float high) {
+    const auto shown = painter.points(Layer::Raw, state).points;
+    return std::count_if(shown.begin(), shown.end(), [&](const Eigen::Vector3f& p) {
+      return p.z() > low && p.z() < high;
+    });
+  };
+  EXPECT_EQ(count(2.4F, 2.6F), 0) << "the ceilings of the lower one";
+  EXPECT_GT(count(2.7F, 2.9F), 1000) << "the floors of the upper one";
+  EXPECT_EQ(count(5.2F, 5.4F), 0);
+}
+
 } // namespace

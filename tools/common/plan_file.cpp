@@ -8,6 +8,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,14 +18,26 @@ namespace tools {
 
 namespace {
 
+/** @brief How far below the floor or above the ceiling of a room a point is; 0 between.
+ */
+double
+heightBeside(const PlanRoom& room, const Eigen::Vector3d& p)
+{
+  const Eigen::Vector2d place = p.head<2>();
+  return std::max({0.0, room.floorAt(place) - p.z(), p.z() - room.ceilingAt(place)});
+}
+
 /** @brief Number of the room that holds `p`, else of the nearest. */
 std::uint32_t
-roomAt(const Floorplan& plan, const Eigen::Vector2d& p)
+roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
 {
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& room : plan.rooms) {
-    const double distance = room.boundary.contains(p) ? 0 : room.boundary.distance(p);
+    const Eigen::Vector2d place = p.head<2>();
+    const double beside =
+        room.boundary.contains(place) ? 0 : room.boundary.distance(place);
+    const double distance = std::hypot(beside, heightBeside(room, p));
     if (distance >= least)
       continue;
     least = distance;
@@ -70,8 +83,7 @@ giveRooms(const Floorplan& plan, ToolCloud& cloud)
     if (cloud.label[i] != 0 && cloud.room[i] != 0)
       return;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector2d p =
-        (*cloud.points)[i].getVector3fMap().head<2>().cast<double>();
+    const Eigen::Vector3d p = (*cloud.points)[i].getVector3fMap().cast<double>();
     if (cloud.label[i] != 0 && p.allFinite())
       cloud.room[i] = roomAt(plan, p);
   }

@@ -23,7 +23,7 @@ std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
 void checkJsonOutput(const std::string& path);
 
 /** @brief Rooms of the points in a file that has none: that of the plan that holds the
- * point or is nearest to it in plan. Where any labelled point has a room, nothing is
+ * point or is nearest to it. Where any labelled point has a room, nothing is
  * changed. */
 void giveRooms(const Floorplan& plan, ToolCloud& cloud);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/column_changes.h"
 
+#include <pcl/sedr_filters/storeys.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +16,8 @@ namespace {
 struct Column {
   std::string name;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  double area = 0; ///< square metres
+  double area = 0;     ///< square metres
+  RoomHeights heights; ///< of its room
 };
 
 Column
@@ -43,10 +46,12 @@ columnsOf(const Floorplan& plan)
 {
   std::vector<Column> columns;
   for (const auto& room : plan.rooms)
-    for (std::size_t k = 0; k < room.columns.size(); ++k)
+    for (std::size_t k = 0; k < room.columns.size(); ++k) {
       columns.push_back(columnOf(room.columns[k], "room_" + std::to_string(room.id) +
                                                       "_column_" +
                                                       std::to_string(k + 1)));
+      columns.back().heights = heightsOf(room);
+    }
   return columns;
 }
 
@@ -55,16 +60,19 @@ double
 distanceOf(const Column& a, const Column& b)
 {
   constexpr double most_ratio = 2; // of areas: hidden sides are guesses
-  const bool is_alike = a.area < most_ratio * b.area && b.area < most_ratio * a.area;
+  const bool is_alike = a.area < most_ratio * b.area && b.area < most_ratio * a.area &&
+                        shareHeights(a.heights, b.heights);
   return is_alike ? (a.centre - b.centre).norm()
                   : std::numeric_limits<double>::infinity();
 }
 
 bool
-isInARoom(const Floorplan& plan, const Eigen::Vector2d& place)
+isInARoom(const Floorplan& plan, const Column& column)
 {
-  return std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                     [&](const PlanRoom& room) { return room.contains(place); });
+  const auto rooms = roomsAt(plan, column.heights);
+  return std::any_of(rooms.begin(), rooms.end(), [&](const PlanRoom* room) {
+    return room->contains(column.centre);
+  });
 }
 
 /** @brief The columns of a list that stand in the room of the other plan. */
@@ -75,7 +83,7 @@ addAll(const std::vector<Column>& columns,
        std::vector<Change>& changes)
 {
   for (const auto& column : columns) {
-    if (!isInARoom(other, column.centre))
+    if (!isInARoom(other, column))
       continue;
     Change change;
     change.kind = kind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/plan_alignment.h"
 
-#include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -27,6 +27,7 @@ struct Sample {
   double weight = 1;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+  RoomHeights heights; ///< of the room
 };
 
 /** @brief Whether another room lies behind a wall, up to the thickness of partitions.
@@ -36,7 +37,8 @@ isPartition(const Floorplan& plan, const Sample& sample)
 {
   for (const double depth : {0.15, 0.3, 0.6})
     for (const auto& room : plan.rooms)
-      if (room.contains(sample.place - depth * sample.normal))
+      if (room.contains(sample.place - depth * sample.normal) &&
+          shareHeights(heightsOf(room), sample.heights))
         return true;
   return false;
 }
@@ -48,37 +50,48 @@ samplesOf(const Floorplan& plan)
 {
   constexpr double of_partition = 0.25;
   std::vector<Sample> samples;
-  for (const auto& room : plan.rooms)
+  for (const auto& room : plan.rooms) {
+    const RoomHeights heights = heightsOf(room);
     for (const auto& wall : room.boundary.elements) {
       const auto count = static_cast<std::size_t>(wall.length() / step);
       for (std::size_t k = 0; k < count; ++k) {
         const double s =
             wall.length() * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-        Sample sample{1, wall.pointAt(s), wall.normalAt(s)};
+        Sample sample{1, wall.pointAt(s), wall.normalAt(s), heights};
         if (isPartition(plan, sample))
           sample.weight = of_partition;
         samples.push_back(sample);
       }
     }
+  }
   return samples;
 }
 
-/** @brief The nearest place of a plan's walls that faces the same way.
+/** @brief The nearest place of a plan's walls that faces the same way, of rooms at the
+ * heights of the sample's.
+ * @param heights of the rooms of the plan
  * @return false where there is none within `reach` */
 bool
-findPartner(const Floorplan& plan, const Sample& sample, double reach, Sample& partner)
+findPartner(const Floorplan& plan,
+            const std::vector<RoomHeights>& heights,
+            const Sample& sample,
+            double reach,
+            Sample& partner)
 {
   double least = reach;
-  for (const auto& room : plan.rooms)
-    for (const auto& wall : room.boundary.elements) {
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    if (!shareHeights(heights[r], sample.heights))
+      continue;
+    for (const auto& wall : plan.rooms[r].boundary.elements) {
       const double s = wall.project(sample.place);
-      const Sample candidate{1, wall.pointAt(s), wall.normalAt(s)};
+      const Sample candidate{1, wall.pointAt(s), wall.normalAt(s), heights[r]};
       const double distance = (candidate.place - sample.place).norm();
       if (distance < least && candidate.normal.dot(sample.normal) > alike) {
         least = distance;
         partner = candidate;
       }
     }
+  }
   return least < reach;
 }
 
@@ -114,20 +127,54 @@ fewestPartners(const Floorplan& fixed, std::size_t samples)
   return std::max(unknowns, std::min(samples, samplesOf(fixed).size()) / share);
 }
 
-/** @brief How much the floors of the rooms that lie over each other differ. */
+/** @brief The middle of those values that lie closest together: within half a metre,
+ * which storeys are farther apart; of several such ones of the smaller. 0 of none. */
+double
+commonValue(std::vector<double> values)
+{
+  constexpr double near = 0.5; // metres
+  std::sort(values.begin(), values.end());
+  double common = 0;
+  std::size_t most = 0;
+  std::size_t first = 0;
+  for (std::size_t end = 1; end <= values.size(); ++end) {
+    while (values[end - 1] - values[first] > near)
+      ++first;
+    const double middle = values[first + (end - first) / 2];
+    if (end - first < most ||
+        (end - first == most && std::abs(middle) >= std::abs(common)))
+      continue;
+    most = end - first;
+    common = middle;
+  }
+  return common;
+}
+
+/** @brief The rooms that hold a place, which lie above each other. */
+std::vector<const PlanRoom*>
+roomsOver(const Floorplan& plan, const Eigen::Vector2d& place)
+{
+  std::vector<const PlanRoom*> rooms;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.contains(place))
+      rooms.push_back(&room);
+  return rooms;
+}
+
+/** @brief How much higher the floors of a plan are than those of another one: the
+ * difference on which most places agree. Where rooms lie above each other, each floor
+ * of a place differs from each of the other plan. */
 double
 riseOf(const Floorplan& moving, const Floorplan& fixed)
 {
   std::vector<double> rises;
   for (const auto& sample : samplesOf(moving)) {
     const Eigen::Vector2d inside = sample.place + 0.3 * sample.normal;
-    const auto holds = [&](const PlanRoom& room) { return room.contains(inside); };
-    const auto a = std::find_if(moving.rooms.begin(), moving.rooms.end(), holds);
-    const auto b = std::find_if(fixed.rooms.begin(), fixed.rooms.end(), holds);
-    if (a != moving.rooms.end() && b != fixed.rooms.end())
-      rises.push_back(b->floorAt(inside) - a->floorAt(inside));
+    for (const PlanRoom* b : roomsOver(fixed, inside))
+      for (const PlanRoom* a : roomsOver(moving, inside))
+        rises.push_back(b->floorAt(inside) - a->floorAt(inside));
   }
-  return rises.empty() ? 0 : middleValue(rises);
+  return commonValue(rises);
 }
 
 /** @brief The plane of a slab that has been turned about the vertical and shifted. */
@@ -187,13 +234,34 @@ transformed(const Floorplan& plan, const PlanTransform& transform)
       moveSlab(niche.top);
     }
   }
+  for (auto& storey : moved.storeys) {
+    storey.floor += transform.shift.z();
+    storey.ceiling += transform.shift.z();
+  }
+  for (auto& doorway : moved.doorways) {
+    doorway.start = transform(doorway.start);
+    doorway.end = transform(doorway.end);
+    doorway.bottom += transform.shift.z();
+    doorway.top += transform.shift.z();
+  }
+  for (auto& stair : moved.stairs) {
+    stair.at = transform(stair.at);
+    stair.bottom += transform.shift.z();
+    stair.top += transform.shift.z();
+  }
   return moved;
 }
 
 std::optional<PlanTransform>
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
 {
-  const std::vector<Sample> samples = samplesOf(moving);
+  std::vector<Sample> samples = samplesOf(moving);
+  const double rise = riseOf(moving, fixed);
+  for (Sample& sample : samples) {
+    sample.heights.low += rise;
+    sample.heights.high += rise;
+  }
+  const std::vector<RoomHeights> heights = heightsOf(fixed);
   const Eigen::Vector2d middle = middleOf(samples);
   const std::size_t fewest = fewestPartners(fixed, samples.size());
   PlanTransform transform;
@@ -208,9 +276,10 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
     // Turning about the plan itself: about a far origin it would bend its own way.
     const Eigen::Vector2d pivot = transform(middle);
     for (const auto& sample : samples) {
-      const Sample now{sample.weight, transform(sample.place), turn * sample.normal};
+      const Sample now{sample.weight, transform(sample.place), turn * sample.normal,
+                       sample.heights};
       Sample partner;
-      if (!findPartner(fixed, now, reach, partner))
+      if (!findPartner(fixed, heights, now, reach, partner))
         continue;
       // Point to line: sliding along the wall costs nothing.
       const double residual = partner.normal.dot(partner.place - now.place);

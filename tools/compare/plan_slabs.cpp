@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace pcl {
 namespace sedr {
 namespace tools {
@@ -18,6 +20,7 @@ slabsOf(const Floorplan& plan, bool is_floor)
       box.extend(corner);
     if (box.isEmpty())
       continue;
+    const RoomHeights heights = heightsOf(room);
     const Cell low = grid.at(box.min().x(), box.min().y());
     const Cell high = grid.at(box.max().x(), box.max().y());
     for (std::int32_t y = low.y; y <= high.y; ++y)
@@ -27,10 +30,36 @@ slabsOf(const Floorplan& plan, bool is_floor)
           continue;
         const int detail = is_floor ? room.floorDetailAt(place) : room.detailAt(place);
         const double height = is_floor ? room.floorAt(place) : room.ceilingAt(place);
-        slabs[keyOf({x, y})] = {&room, detail, height};
+        auto& spots = slabs[keyOf({x, y})];
+        // Of rooms that overlap at their heights the last one is there.
+        spots.erase(std::remove_if(spots.begin(), spots.end(),
+                                   [&](const Spot& spot) {
+                                     return shareHeights(spot.heights, heights);
+                                   }),
+                    spots.end());
+        spots.push_back({&room, detail, height, heights});
       }
   }
   return slabs;
+}
+
+const Spot*
+spotBeside(const Slabs& slabs, CellKey cell, const Spot& spot)
+{
+  const auto found = slabs.find(cell);
+  if (found == slabs.end())
+    return nullptr;
+  const Spot* best = nullptr;
+  double most = 0;
+  for (const Spot& other : found->second) {
+    const double common = std::min(other.heights.high, spot.heights.high) -
+                          std::max(other.heights.low, spot.heights.low);
+    if (shareHeights(other.heights, spot.heights) && common > most) {
+      most = common;
+      best = &other;
+    }
+  }
+  return best;
 }
 
 } // namespace tools

@@ -20,11 +20,12 @@ lostRooms(const Floorplan& plan,
   const Slabs slabs = slabsOf(plan, true);
   const Slabs others = slabsOf(other, true);
   std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> cells; // all, in both
-  for (const auto& [key, spot] : slabs) {
-    auto& [all, shared] = cells[spot.room->id];
-    ++all;
-    shared += others.count(key);
-  }
+  for (const auto& [key, spots] : slabs)
+    for (const Spot& spot : spots) {
+      auto& [all, shared] = cells[spot.room->id];
+      ++all;
+      shared += spotBeside(others, key, spot) ? 1 : 0;
+    }
   for (const auto& room : plan.rooms) {
     const auto& [all, shared] = cells[room.id];
     if (all == 0 || static_cast<double>(shared) >= 0.5 * static_cast<double>(all))

@@ -40,22 +40,23 @@ overlapsOf(const Slabs& slabs, const Slabs& others, double tolerance)
 {
   const CellGrid grid(slab_cell);
   std::map<SlabId, Overlap> overlaps;
-  for (const auto& [key, spot] : slabs) {
-    Overlap& overlap = overlaps[{spot.room->id, spot.detail}];
-    overlap.room = spot.room;
-    ++overlap.cells;
-    const Eigen::Vector2d place = grid.centre(cellOf(key));
-    overlap.sum += Eigen::Vector3d(place.x(), place.y(), spot.height);
-    const auto other = others.find(key);
-    if (other == others.end())
-      continue;
-    ++overlap.known;
-    const double rise = other->second.height - spot.height;
-    overlap.same += std::abs(rise) <= tolerance ? 1 : 0;
-    const SlabId id{other->second.room->id, other->second.detail};
-    ++overlap.others[id];
-    overlap.rises[id].push_back(rise);
-  }
+  for (const auto& [key, spots] : slabs)
+    for (const Spot& spot : spots) {
+      Overlap& overlap = overlaps[{spot.room->id, spot.detail}];
+      overlap.room = spot.room;
+      ++overlap.cells;
+      const Eigen::Vector2d place = grid.centre(cellOf(key));
+      overlap.sum += Eigen::Vector3d(place.x(), place.y(), spot.height);
+      const Spot* other = spotBeside(others, key, spot);
+      if (!other)
+        continue;
+      ++overlap.known;
+      const double rise = other->height - spot.height;
+      overlap.same += std::abs(rise) <= tolerance ? 1 : 0;
+      const SlabId id{other->room->id, other->detail};
+      ++overlap.others[id];
+      overlap.rises[id].push_back(rise);
+    }
   return overlaps;
 }
 

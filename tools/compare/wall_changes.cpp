@@ -88,9 +88,10 @@ dropHidden(std::vector<Face>& faces, const Floorplan& other)
   constexpr double before = 0.1; // metres
   const auto is_hidden = [&](const Face& face) {
     const Eigen::Vector2d place = face.place() + before * face.normal();
+    const auto rooms = roomsAt(other, face.heights);
     return !face.isWhole() &&
-           std::none_of(other.rooms.begin(), other.rooms.end(),
-                        [&](const PlanRoom& room) { return room.contains(place); });
+           std::none_of(rooms.begin(), rooms.end(),
+                        [&](const PlanRoom* room) { return room->contains(place); });
   };
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_hidden), faces.end());
 }

@@ -22,15 +22,15 @@ isKept(std::uint32_t room, const std::vector<std::uint32_t>& ignored)
   return std::find(ignored.begin(), ignored.end(), room) == ignored.end();
 }
 
-/** @brief Whether a plan has a wall at a place that faces the same way. */
+/** @brief Whether any of some rooms has a wall at a place that faces the same way. */
 bool
-hasWallAt(const Floorplan& plan,
+hasWallAt(const std::vector<const PlanRoom*>& rooms,
           const Eigen::Vector2d& place,
           const Eigen::Vector2d& normal,
           double tolerance)
 {
-  for (const auto& room : plan.rooms)
-    for (const auto& wall : room.boundary.elements) {
+  for (const PlanRoom* room : rooms)
+    for (const auto& wall : room->boundary.elements) {
       const double s = wall.project(place);
       if ((wall.pointAt(s) - place).norm() <= tolerance &&
           wall.normalAt(s).dot(normal) > alike)
@@ -39,10 +39,12 @@ hasWallAt(const Floorplan& plan,
   return false;
 }
 
-/** @brief The longest piece of a wall that another plan does not have; of no length
- * where it has all. */
+/** @brief The longest piece of a wall that rooms of another plan do not have; of no
+ * length where they have all. */
 Face
-missingPiece(const PlanElement& wall, const Floorplan& other, double tolerance)
+missingPiece(const PlanElement& wall,
+             const std::vector<const PlanRoom*>& others,
+             double tolerance)
 {
   Face longest;
   longest.wall = &wall;
@@ -51,7 +53,7 @@ missingPiece(const PlanElement& wall, const Floorplan& other, double tolerance)
   std::size_t first = 0;
   for (std::size_t k = 0; k <= count; ++k) {
     const double s = (static_cast<double>(k) + 0.5) * width;
-    if (k < count && !hasWallAt(other, wall.pointAt(s), wall.normalAt(s), tolerance))
+    if (k < count && !hasWallAt(others, wall.pointAt(s), wall.normalAt(s), tolerance))
       continue;
     if (static_cast<double>(k - first) * width > longest.length()) {
       longest.from = static_cast<double>(first) * width;
@@ -89,14 +91,17 @@ missingFaces(const Floorplan& plan,
   for (const auto& room : plan.rooms) {
     if (!isKept(room.id, ignored))
       continue;
+    const RoomHeights heights = heightsOf(room);
+    const std::vector<const PlanRoom*> others = roomsAt(other, heights);
     const auto& walls = room.boundary.elements;
     for (std::size_t k = 0; k < walls.size(); ++k) {
-      Face face = missingPiece(walls[k], other, settings.tolerance);
+      Face face = missingPiece(walls[k], others, settings.tolerance);
       if (face.length() < settings.minimum_length)
         continue;
       face.room = room.id;
       face.number = k;
       face.walls = walls.size();
+      face.heights = heights;
       faces.push_back(face);
     }
   }
@@ -108,7 +113,8 @@ moveOf(const Face& a, const Face& b)
 {
   constexpr double no = std::numeric_limits<double>::infinity();
   if (!a.isWhole() || !b.isWhole() || a.wall->isArc() != b.wall->isArc() ||
-      a.normal().dot(b.normal()) < parallel || !overlap(a, b))
+      !shareHeights(a.heights, b.heights) || a.normal().dot(b.normal()) < parallel ||
+      !overlap(a, b))
     return no;
   return a.normal().dot(b.place() - a.place());
 }
@@ -116,7 +122,8 @@ moveOf(const Face& a, const Face& b)
 bool
 isPartition(const Face& a, const Face& b)
 {
-  if (a.room == b.room || a.normal().dot(b.normal()) > -parallel || !overlap(a, b))
+  if (a.room == b.room || !shareHeights(a.heights, b.heights) ||
+      a.normal().dot(b.normal()) > -parallel || !overlap(a, b))
     return false;
   const double thickness = -a.normal().dot(b.place() - a.place());
   return thickness > 0 && thickness < thickest;

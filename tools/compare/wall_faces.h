@@ -3,6 +3,8 @@
 
 #include "compare/change.h"
 
+#include <pcl/sedr_filters/storeys.h>
+
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct Face {
   std::size_t walls = 0;  ///< of that room
   double from = 0;        ///< along the wall, metres
   double to = 0;
+  RoomHeights heights; ///< of its room
 
   std::string name() const
   {
@@ -40,7 +43,8 @@ struct Face {
   }
 };
 
-/** @brief The longest missing piece of each wall, where it is long enough to count.
+/** @brief The longest missing piece of each wall, where it is long enough to count. Of
+ * the other plan the walls at the heights of its room are asked.
  * @param ignored rooms whose walls are not looked at */
 std::vector<Face> missingFaces(const Floorplan& plan,
                                const Floorplan& other,
@@ -48,11 +52,11 @@ std::vector<Face> missingFaces(const Floorplan& plan,
                                const std::vector<std::uint32_t>& ignored);
 
 /** @brief How far a face has moved along its normal if `b` is where it is now; infinite
- * if it cannot be. */
+ * if it cannot be, as on another storey. */
 double moveOf(const Face& a, const Face& b);
 
 /** @brief Both faces of one partition: opposite each other, closer than it can be
- * thick. */
+ * thick, at the same heights. */
 bool isPartition(const Face& a, const Face& b);
 
 /** @brief Whether the walls follow each other in the outline of one room. */

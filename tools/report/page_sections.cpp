@@ -6,8 +6,6 @@
 #include "report/html_text.h"
 #include "results/distance_colour.h"
 
-#include <pcl/sedr_surface/floorplan_drawing.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -18,18 +16,6 @@ namespace sedr {
 namespace tools {
 
 namespace {
-
-/** @brief A drawing as it stands in a page: without what makes a file of it. */
-std::string
-inlineSvg(std::string svg)
-{
-  svg.erase(0, svg.find("<svg"));
-  const std::string name_space = " xmlns=\"http://www.w3.org/2000/svg\"";
-  const std::size_t place = svg.find(name_space);
-  if (place != std::string::npos)
-    svg.erase(place, name_space.size());
-  return svg;
-}
 
 /** @brief Lengths near a centimetre: "0.34 cm". */
 std::string
@@ -42,13 +28,6 @@ std::string
 figure(const std::string& name, const std::string& value)
 {
   return "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>\n";
-}
-
-/** @brief "closed", "open" or a dash. */
-std::string
-closedText(const std::optional<bool>& closed)
-{
-  return !closed ? "–" : *closed ? "closed" : "<strong>open</strong>";
 }
 
 /** @brief What a stage decides with: the parameters that matter most, by their names in
@@ -126,6 +105,8 @@ figuresPart(const ReportData& data)
   if (!data.rooms.empty()) {
     html += figure(data.rooms.size() == 1 ? "room" : "rooms",
                    std::to_string(data.rooms.size()));
+    if (data.storeys.size() > 1)
+      html += figure("storeys", std::to_string(data.storeys.size()));
     html += figure("floor area", numberText(data.area(), 1) + "&nbsp;m²");
     html += figure("volume", numberText(data.volume(), 1) + "&nbsp;m³");
     const auto closed =
@@ -162,46 +143,6 @@ advicePart(const ReportData& data)
         "<li class=\"fine\">Nothing stands out: all rooms are closed, most of their "
         "surface was seen, and the points lie where the model is.</li>\n";
   return htmlSection("check", "Before you trust it", html + "</ul>\n");
-}
-
-std::string
-planPart(const ReportData& data)
-{
-  if (data.plan.rooms.empty())
-    return "";
-  return htmlSection(
-      "plan", "Plan",
-      "<div class=\"plan\">" + inlineSvg(floorplanToSvg(data.plan)) +
-          "</div>\n<p class=\"note\">Lengths in metres; h is the height of a room. "
-          "Thick: walls as its room sees them; dashed blue: edges of ceiling details, "
-          "with their height over the floor. Doors and windows are closed.</p>\n");
-}
-
-std::string
-roomsPart(const ReportData& data)
-{
-  if (data.rooms.empty())
-    return "";
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& room : data.rooms)
-    rows.push_back({std::to_string(room.id), numberText(room.area, 2),
-                    numberText(room.perimeter, 2), numberText(room.height, 2),
-                    numberText(room.volume, 2),
-                    room.wall_area ? numberText(*room.wall_area, 2) : "–",
-                    std::to_string(room.walls), std::to_string(room.columns),
-                    std::to_string(room.details),
-                    room.repaired_share ? percentText(*room.repaired_share) : "–",
-                    closedText(room.mesh_closed), closedText(room.solid_closed)});
-  return htmlSection(
-      "rooms", "Rooms",
-      htmlTable({"room", "area, m²", "perimeter, m", "height, m", "volume, m³",
-                 "wall surface, m²", "walls", "columns", "ceiling details", "filled in",
-                 "mesh", "solid"},
-                rows) +
-          "<p class=\"note\">Area: of the floor, without columns. Height: the mean. "
-          "Wall surface: of the solid, without the faces of columns, doors and windows "
-          "included. Filled in: share of the structure's points that no scan point "
-          "stands for.</p>\n");
 }
 
 std::string

@@ -18,9 +18,13 @@ std::string figuresPart(const ReportData& data);
 /** @brief What to know before the model is trusted. */
 std::string advicePart(const ReportData& data);
 
-/** @brief The plan as a drawing to scale. */
+/** @brief The storeys, where there are several. */
+std::string storeysPart(const ReportData& data);
+
+/** @brief The plan as a drawing to scale, one a storey. */
 std::string planPart(const ReportData& data);
 
+/** @brief The rooms, a table a storey. */
 std::string roomsPart(const ReportData& data);
 
 /** @brief Histogram and figures of the distances.

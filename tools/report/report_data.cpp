@@ -4,6 +4,7 @@
 #include "plan_file.h"
 
 #include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/storeys.h>
 
 namespace pcl {
 namespace sedr {
@@ -169,6 +170,7 @@ readReportData(const ResultFolder& folder)
   data.mesh_triangles = count(member(evaluation, "mesh"), "triangles");
   if (folder.has("floorplan.json"))
     data.plan = *loadFloorplan(folder.file("floorplan.json"));
+  data.storeys = storeysOf(data.plan);
   for (const auto& room : member(report, "rooms"))
     data.rooms.push_back(roomOf(room));
   if (data.rooms.empty())

@@ -53,6 +53,7 @@ struct ReportData {
   std::optional<DistanceStatistics> distances; ///< of the labelled scan from the mesh
   std::size_t mesh_triangles = 0;
   Floorplan plan;
+  std::vector<PlanStorey> storeys; ///< of the plan, from the lowest up
 
   double area() const;
   double volume() const;

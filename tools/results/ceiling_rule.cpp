@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ceiling_rule.h"
 
+#include <pcl/sedr_filters/storeys.h>
+
 #include <algorithm>
+#include <iterator>
 
 namespace pcl {
 namespace sedr {
@@ -29,38 +32,46 @@ middleOfHeights(std::size_t count, const Heights& height)
 
 CeilingRule::CeilingRule(const Floorplan& plan)
 {
-  if (!plan.rooms.empty())
-    highest_ = -std::numeric_limits<double>::infinity();
-  for (const auto& room : plan.rooms) {
-    const auto corners = room.boundary.polygon(0.01);
-    if (corners.empty())
-      continue;
-    Eigen::AlignedBox2d box;
-    for (const auto& corner : corners)
-      box.extend(corner);
-    const Eigen::Vector2d middle = box.center();
-    middle_of_room_[room.id] =
-        (room.floor.heightAt(middle) + room.ceiling.heightAt(middle)) / 2;
-    highest_ = std::max(highest_, room.ceiling.heightAt(middle));
-    const Cell low = grid_.at(box.min().x(), box.min().y());
-    const Cell high = grid_.at(box.max().x(), box.max().y());
-    for (std::int32_t y = low.y; y <= high.y; ++y)
-      for (std::int32_t x = low.x; x <= high.x; ++x) {
-        const Eigen::Vector2d place = grid_.centre({x, y});
-        if (room.contains(place))
-          addCeiling({x, y},
-                     std::min(room.ceilingAt(place), room.ceiling.heightAt(place)));
-      }
+  for (const PlanStorey& storey : storeysOf(plan)) {
+    storeys_.emplace_back();
+    storeys_.back().floor = storey.floor;
+    for (const PlanRoom& room : partOf(plan, storey).rooms)
+      addRoom(room, storeys_.back());
   }
+  std::stable_sort(storeys_.begin(), storeys_.end(),
+                   [](const Storey& a, const Storey& b) { return a.floor < b.floor; });
 }
 
 void
-CeilingRule::addCeiling(Cell cell, double height)
+CeilingRule::addRoom(const PlanRoom& room, Storey& storey)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : room.boundary.polygon(0.01))
+    box.extend(corner);
+  if (box.isEmpty())
+    return;
+  const Eigen::Vector2d middle = box.center();
+  middle_of_room_[room.id] =
+      (room.floor.heightAt(middle) + room.ceiling.heightAt(middle)) / 2;
+  storey.highest = std::max(storey.highest, room.ceiling.heightAt(middle));
+  const Cell low = grid_.at(box.min().x(), box.min().y());
+  const Cell high = grid_.at(box.max().x(), box.max().y());
+  for (std::int32_t y = low.y; y <= high.y; ++y)
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      const Eigen::Vector2d place = grid_.centre({x, y});
+      if (room.contains(place))
+        storey.addCeiling(
+            {x, y}, std::min(room.ceilingAt(place), room.ceiling.heightAt(place)));
+    }
+}
+
+void
+CeilingRule::Storey::addCeiling(Cell cell, double height)
 {
   for (std::int32_t dy = -1; dy <= 1; ++dy)
     for (std::int32_t dx = -1; dx <= 1; ++dx) {
       const auto [at, is_new] =
-          ceiling_at_.emplace(keyOf({cell.x + dx, cell.y + dy}), height);
+          ceiling_at.emplace(keyOf({cell.x + dx, cell.y + dy}), height);
       if (!is_new)
         at->second = std::min(at->second, height);
     }
@@ -69,10 +80,16 @@ CeilingRule::addCeiling(Cell cell, double height)
 bool
 CeilingRule::isAbove(const Eigen::Vector3d& p) const
 {
-  double ceiling = highest_;
+  if (storeys_.empty())
+    return false;
+  // Of the highest storey on whose floors it may lie.
+  auto storey = storeys_.rbegin();
+  while (std::next(storey) != storeys_.rend() && p.z() < storey->floor - thickness)
+    ++storey;
+  double ceiling = storey->highest;
   if (grid_.holds(p.x(), p.y())) {
-    const auto found = ceiling_at_.find(keyOf(grid_.at(p.x(), p.y())));
-    if (found != ceiling_at_.end())
+    const auto found = storey->ceiling_at.find(keyOf(grid_.at(p.x(), p.y())));
+    if (found != storey->ceiling_at.end())
       ceiling = found->second;
   }
   return p.z() > ceiling - thickness;

@@ -2,6 +2,7 @@
 #include "model_run.h"
 
 #include "chain_pictures.h"
+#include "drawing_files.h"
 #include "output_folder.h"
 #include "progress.h"
 #include "report.h"
@@ -30,8 +31,8 @@ namespace tools {
 namespace {
 
 const std::vector<std::string> output_names{
-    "structure.pcd",  "mesh.ply",      "solid.ply",     "solid.obj",  "solid.mtl",
-    "floorplan.json", "floorplan.svg", "floorplan.dxf", "report.json"};
+    "structure.pcd", "mesh.ply",       "solid.ply",  "solid.obj",
+    "solid.mtl",     "floorplan.json", "report.json"};
 
 /** @brief Runs a step that is no stage of the chain, with progress; it is handed its
  * report, to fill in the points. */
@@ -89,7 +90,7 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   return figures;
 }
 
-/** @brief Writes the model: all but the report. */
+/** @brief Writes the model: all but drawings and report. */
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
@@ -102,8 +103,6 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
     stream << floorplanToJson(*chain.getFloorplan());
   });
-  for (const char* name : {"floorplan.svg", "floorplan.dxf"})
-    saveDrawing(folder.file(name), *chain.getFloorplan());
   const auto& extrusion = chain.getChain().extrusion;
   for (const char* name : {"solid.ply", "solid.obj"})
     saveSolid(folder.file(name), extrusion.getMesh(), extrusion.getElements());
@@ -164,7 +163,8 @@ makeModel(const ModelSettings& settings,
     names.erase(std::find(names.begin(), names.end(), "mesh.ply"));
   if (settings.report)
     names.emplace_back("report.html");
-  const OutputFolder folder(settings.folder, names);
+  names.insert(names.end(), drawing_names.begin(), drawing_names.end());
+  OutputFolder folder(settings.folder, names);
   for (const auto& input : settings.inputs)
     folder.spare(input);
   std::optional<OutputFolder> picture_folder;
@@ -193,6 +193,7 @@ makeModel(const ModelSettings& settings,
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain, !settings.no_mesh);
+      writeDrawings(folder, *chain.getFloorplan(), settings.input);
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

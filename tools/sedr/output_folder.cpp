@@ -6,8 +6,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <regex>
 #include <utility>
 
 namespace pcl {
@@ -45,6 +47,25 @@ OutputFolder::spare(const std::string& input) const
     if (fs::equivalent(file(name), input, error))
       throw ToolError("'" + input + "' would be written over by the result " + name +
                       ": choose another output folder");
+}
+
+void
+OutputFolder::add(const std::vector<std::string>& names)
+{
+  names_.insert(names_.end(), names.begin(), names.end());
+}
+
+std::vector<std::string>
+OutputFolder::filesLike(const std::string& expression) const
+{
+  const std::regex wanted(expression);
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path_, error))
+    if (std::regex_match(entry.path().filename().string(), wanted))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 void

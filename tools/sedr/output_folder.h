@@ -24,6 +24,13 @@ public:
 
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
+  /** @brief Further files that will be in it. */
+  void add(const std::vector<std::string>& names);
+
+  /** @brief The names of the files in it that an expression matches as a whole, in
+   * their order; none where there is no folder. */
+  std::vector<std::string> filesLike(const std::string& expression) const;
+
   /** @brief Makes the folder and calls `write`, which fills it. */
   void fill(const std::function<void()>& write) const;
 

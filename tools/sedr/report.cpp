@@ -3,6 +3,7 @@
 
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/storeys.h>
 
 #include <nlohmann/json.hpp>
 
@@ -139,9 +140,12 @@ roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
   std::map<std::uint32_t, double> repaired = chain.getChain().repairedShares();
-  for (const auto& room : chain.getFloorplan()->rooms) {
+  const Floorplan& plan = *chain.getFloorplan();
+  const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
+  for (const auto& room : plan.rooms) {
     const double height = meanHeight(room);
     rooms.push_back({{"id", room.id},
+                     {"storey", storeys.at(room.id)},
                      {"area", room.area()},
                      {"perimeter", room.perimeter()},
                      {"height", height},
@@ -154,6 +158,25 @@ roomsOf(const Reconstruction& chain)
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
   return rooms;
+}
+
+Json
+storeysOf(const Reconstruction& chain)
+{
+  const Floorplan& plan = *chain.getFloorplan();
+  Json storeys = Json::array();
+  for (const PlanStorey& storey : pcl::sedr::storeysOf(plan)) {
+    double area = 0;
+    for (const PlanRoom& room : partOf(plan, storey).rooms)
+      area += room.area();
+    storeys.push_back({{"number", storey.number},
+                       {"name", storey.name},
+                       {"floor", storey.floor},
+                       {"ceiling", storey.ceiling},
+                       {"area", area},
+                       {"rooms", storey.rooms}});
+  }
+  return storeys;
 }
 
 } // namespace
@@ -172,6 +195,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
+            {"storeys", storeysOf(chain)},
             {"rooms", roomsOf(chain)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};

@@ -4,6 +4,7 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
+#include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/solid_obj.h>
@@ -70,12 +71,30 @@ checkDrawingOutput(const std::string& path)
   checkWritable(path);
 }
 
-void
-saveDrawing(const std::string& path, const Floorplan& plan, double scale)
+std::vector<DrawingSheet>
+drawingSheets(const std::string& path, const Floorplan& plan)
 {
-  writeWhole(path, [&](std::ostream& stream) {
-    stream << (hasExtension(path, ".svg") ? floorplanToSvg(plan, scale)
-                                          : floorplanToDxf(plan));
+  const std::vector<PlanStorey> storeys = storeysOf(plan);
+  if (storeys.size() <= 1)
+    return {{path, std::nullopt}};
+  const std::filesystem::path whole(path);
+  std::vector<DrawingSheet> sheets;
+  for (const PlanStorey& storey : storeys) {
+    std::filesystem::path name = whole.stem();
+    name += "_" + std::to_string(storey.number);
+    name += whole.extension();
+    sheets.push_back({(whole.parent_path() / name).string(), storey});
+  }
+  return sheets;
+}
+
+void
+saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, double scale)
+{
+  const PlanStorey* storey = sheet.storey ? &*sheet.storey : nullptr;
+  writeWhole(sheet.path, [&](std::ostream& stream) {
+    stream << (hasExtension(sheet.path, ".svg") ? floorplanToSvg(plan, scale, storey)
+                                                : floorplanToDxf(plan, storey));
   });
 }
 

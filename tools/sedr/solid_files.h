@@ -5,6 +5,7 @@
 #include <pcl/sedr_surface/room_layers.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,18 @@ void saveSolid(const std::string& path,
 /** @brief Likewise for a drawing: .svg or .dxf. */
 void checkDrawingOutput(const std::string& path);
 
-/** @brief Writes a drawing of a plan; `scale`, of an SVG, as floorplanToSvg() has it.
- */
-void saveDrawing(const std::string& path, const Floorplan& plan, double scale = 0);
+/** @brief A drawing to write: its file, and what is on it. */
+struct DrawingSheet {
+  std::string path;
+  std::optional<PlanStorey> storey; ///< nothing: the whole plan
+};
+
+/** @brief One sheet of the name `path` for a plan of one storey, else one a storey with
+ * its number before the extension: plan_1.svg, plan_2.svg. */
+std::vector<DrawingSheet> drawingSheets(const std::string& path, const Floorplan& plan);
+
+/** @brief Writes a drawing; `scale`, of an SVG, as floorplanToSvg() has it. */
+void saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, double scale = 0);
 
 } // namespace tools
 } // namespace sedr

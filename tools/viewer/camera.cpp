@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/camera.h"
 
+#include "results/storey_rule.h"
+
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <algorithm>
@@ -96,7 +98,10 @@ poseInside(const PlanRoom& room, double aspect)
 } // namespace
 
 CameraPose
-cameraPose(const ViewedResult& result, ViewPoint view_point, double aspect)
+cameraPose(const ViewedResult& result,
+           ViewPoint view_point,
+           double aspect,
+           std::uint32_t storey)
 {
   auto box = result.bounds();
   if (box.isEmpty())
@@ -105,7 +110,9 @@ cameraPose(const ViewedResult& result, ViewPoint view_point, double aspect)
   case ViewPoint::Top:
     return poseAround(box, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), aspect);
   case ViewPoint::Inside: {
-    const auto& rooms = result.plan.rooms;
+    const StoreyRule rule(result.plan);
+    const PlanStorey* shown = rule.find(storey);
+    const auto rooms = shown ? partOf(result.plan, *shown).rooms : result.plan.rooms;
     const auto largest = std::max_element(
         rooms.begin(), rooms.end(),
         [](const PlanRoom& a, const PlanRoom& b) { return a.area() < b.area(); });

@@ -20,8 +20,12 @@ struct CameraPose {
 /** @brief The pose of a view point: from the top and from aslant so that the model
  * fills the window; inside at the height of eyes in the largest room of the plan,
  * looking along its longest free way (without a plan from the middle of the box).
- * @param aspect width of the window over its height */
-CameraPose cameraPose(const ViewedResult& result, ViewPoint view_point, double aspect);
+ * @param aspect width of the window over its height
+ * @param storey number of the one whose largest room that is; 0: of any */
+CameraPose cameraPose(const ViewedResult& result,
+                      ViewPoint view_point,
+                      double aspect,
+                      std::uint32_t storey = 0);
 
 } // namespace tools
 } // namespace sedr

@@ -42,6 +42,14 @@ colours(Colouring colouring)
 }
 
 Press
+storey(std::uint32_t number)
+{
+  return [number](ViewState& state, HeightRange) {
+    return state.toggleStorey(number) ? KeyCommand::Redraw : KeyCommand::None;
+  };
+}
+
+Press
 goesTo(ViewPoint view_point)
 {
   return [view_point](ViewState& state, HeightRange) {
@@ -103,6 +111,15 @@ keyBindings()
       {"n", "n", "colours of clouds by height", "--colour plain",
        colours(Colouring::Plain)},
       {"c", "c", "ceilings on and off", "--no-ceiling", flips(&ViewState::ceiling)},
+      {"F1", "F1 to F9", "storey 1 to 9 alone, or all again", "--storey", storey(1)},
+      {"F2", "F2", "", "", storey(2)},
+      {"F3", "F3", "", "", storey(3)},
+      {"F4", "F4", "", "", storey(4)},
+      {"F5", "F5", "", "", storey(5)},
+      {"F6", "F6", "", "", storey(6)},
+      {"F7", "F7", "", "", storey(7)},
+      {"F8", "F8", "", "", storey(8)},
+      {"F9", "F9", "", "", storey(9)},
       {"Down", "Down", "clip 10 cm lower", "--clip", clips(-clip_step)},
       {"Up", "Up", "clip 10 cm higher", "--clip", clips(clip_step)},
       {"0", "0", "no clipping", "", endClipping},
@@ -147,7 +164,8 @@ keyHelp()
   };
   std::string help = "Keys, and the option that does the same:\n";
   for (const auto& binding : keyBindings())
-    help += line(binding.shown, binding.does, binding.option);
+    if (!binding.does.empty())
+      help += line(binding.shown, binding.does, binding.option);
   help += "Mouse:\n";
   help += line("left", "turn", "");
   help += line("middle", "shift", "");

@@ -25,7 +25,7 @@ enum class KeyCommand {
 struct KeyBinding {
   std::string key;    ///< its symbol as X and VTK name it: "c", "Up", "plus"
   std::string shown;  ///< as people call it: "+"
-  std::string does;   ///< "ceilings on and off"
+  std::string does;   ///< "ceilings on and off"; empty where another key tells it
   std::string option; ///< "--no-ceiling"; empty for none
   std::function<KeyCommand(ViewState&, HeightRange)> press;
 };

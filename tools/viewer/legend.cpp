@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 
 namespace pcl {
@@ -63,14 +64,22 @@ addLabels(const ViewedResult& result, const ViewState& state, Lines& lines)
 }
 
 void
-addRooms(const ViewedResult& result, const ViewState& state, Lines& lines)
+addRooms(const ViewedResult& result,
+         const Painter& painter,
+         const ViewState& state,
+         Lines& lines)
 {
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  const auto isShown = [&](std::uint32_t room) {
+    return painter.storeys().holds(state.storey, room, nowhere);
+  };
   std::map<std::uint32_t, std::string> rooms;
   for (const auto room : result.structure.rooms)
-    if (room != 0)
+    if (room != 0 && isShown(room))
       rooms[room] = "";
   for (const auto& room : result.plan.rooms)
-    rooms[room.id] = "  " + fixedText(room.area(), 1) + " m2";
+    if (isShown(room.id))
+      rooms[room.id] = "  " + fixedText(room.area(), 1) + " m2";
   std::size_t told = 0;
   for (const auto& [room, area] : rooms) {
     if (told++ == most_rooms) {
@@ -109,6 +118,15 @@ addDistances(const ViewedResult& result,
   }
 }
 
+/** @brief A name in the letters that a legend can be written in. */
+std::string
+asciiOf(std::string name)
+{
+  for (char& c : name)
+    c = c >= ' ' && c <= '~' ? c : '?';
+  return name;
+}
+
 } // namespace
 
 std::string
@@ -134,7 +152,9 @@ legendOf(const ViewedResult& result, const Painter& painter, const ViewState& st
     addDistances(result, painter, state, lines);
   else
     addLabels(result, state, lines);
-  addRooms(result, state, lines);
+  addRooms(result, painter, state, lines);
+  if (const PlanStorey* storey = painter.storeys().find(state.storey))
+    lines.push_back({"shown alone: " + asciiOf(storey->name)});
   if (!state.ceiling)
     lines.push_back({"without ceilings"});
   if (state.isClipped())

@@ -53,6 +53,7 @@ Painter::Painter(const ViewedResult& result, double range)
     : result_(result)
     , range_(range)
     , rule_(result.plan)
+    , storeys_(result.plan)
 {
   const auto box = result.bounds();
   if (!box.isEmpty())
@@ -131,9 +132,22 @@ Painter::points(Layer layer, const ViewState& state) const
   if (!cloud)
     return shown;
   for (std::size_t i = 0; i < cloud->size(); ++i)
-    if (state.ceiling || !ceilingOf(layer)[i])
+    if ((state.ceiling || !ceilingOf(layer)[i]) &&
+        storeys_.holds(state.storey, cloud->rooms.empty() ? 0 : cloud->rooms[i],
+                       cloud->points[i].z()))
       shown.add(cloud->points[i], colourOfPoint(layer, i, state));
   return shown;
+}
+
+bool
+Painter::shows(Layer layer, std::size_t triangle, const ViewState& state) const
+{
+  const TriangleMesh& mesh = *result_.meshOf(layer);
+  const double z = (mesh.corner(triangle, 0).z() + mesh.corner(triangle, 1).z() +
+                    mesh.corner(triangle, 2).z()) /
+                   3;
+  return (state.ceiling || !ceilingOf(layer)[triangle]) &&
+         storeys_.holds(state.storey, mesh.rooms.empty() ? 0 : mesh.rooms[triangle], z);
 }
 
 ColouredPoints
@@ -144,7 +158,7 @@ Painter::triangles(Layer layer, const ViewState& state) const
   if (!mesh)
     return shown;
   for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-    if (!state.ceiling && ceilingOf(layer)[t])
+    if (!shows(layer, t, state))
       continue;
     const Eigen::Vector3d normal = mesh->scaledNormal(t).normalized();
     Colour colour = colourOf(labelAt(mesh->labels, t));
@@ -189,6 +203,8 @@ Painter::planLines(const ViewState& state) const
     }
   };
   for (const auto& room : result_.plan.rooms) {
+    if (!storeys_.holds(state.storey, room.id, 0))
+      continue;
     addLoop(room.boundary, room.floor, room.ceiling, colours::ink, colours::arc);
     for (const auto& column : room.columns)
       addLoop(column, room.floor, room.ceiling, colours::column, colours::column);
@@ -208,11 +224,10 @@ ColouredLines
 Painter::solidEdges(const ViewState& state) const
 {
   TriangleMesh shown = result_.solid;
-  if (!state.ceiling && !shown.empty()) {
-    std::vector<bool> keep = ceilingOf(Layer::Solid);
-    keep.flip();
-    shown.keepTriangles(keep);
-  }
+  std::vector<bool> keep;
+  for (std::size_t t = 0; t < shown.triangles.size(); ++t)
+    keep.push_back(shows(Layer::Solid, t, state));
+  shown.keepTriangles(keep);
   ColouredLines lines;
   for (const auto& [a, b] : elementEdges(shown)) {
     lines.add(a.cast<float>(), colours::ink);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "colour.h"
+#include "results/storey_rule.h"
 #include "viewer/viewed_result.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
@@ -38,8 +39,8 @@ public:
    * @param range distance that has the last colour, metres */
   explicit Painter(const ViewedResult& result, double range = 0.05);
 
-  /** @brief The points of a cloud that the state leaves: all, or those below the
-   * ceilings. Clipping is not done here. */
+  /** @brief The points of a cloud that the state leaves: all, or those of one storey,
+   * or those below the ceilings. Clipping is not done here. */
   ColouredPoints points(Layer layer, const ViewState& state) const;
 
   /** @brief The triangles of a mesh likewise. */
@@ -58,14 +59,20 @@ public:
 
   double range() const { return range_; }
 
+  const StoreyRule& storeys() const { return storeys_; }
+
 private:
   const std::vector<bool>& ceilingOf(Layer layer) const;
+
+  /** @brief Whether a state shows a triangle of a mesh. */
+  bool shows(Layer layer, std::size_t triangle, const ViewState& state) const;
 
   Colour colourOfPoint(Layer layer, std::size_t i, const ViewState& state) const;
 
   const ViewedResult& result_;
   double range_;
   CeilingRule rule_;
+  StoreyRule storeys_;
   HeightRange heights_; ///< of the model
   mutable std::map<Layer, std::vector<bool>> ceilings_;
   mutable std::map<Layer, std::vector<double>> distances_;

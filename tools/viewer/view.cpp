@@ -40,7 +40,7 @@ std::string
 keyOf(const ViewState& state)
 {
   return std::to_string(static_cast<int>(state.colouring)) +
-         (state.ceiling ? " with" : " without");
+         (state.ceiling ? " with " : " without ") + std::to_string(state.storey);
 }
 
 void

@@ -108,6 +108,15 @@ ViewState::moveClipping(double by, HeightRange range)
 }
 
 bool
+ViewState::toggleStorey(std::uint32_t number)
+{
+  if (std::find(storeys.begin(), storeys.end(), number) == storeys.end())
+    return false;
+  storey = storey == number ? 0 : number;
+  return true;
+}
+
+bool
 ViewState::isShownLeft(Layer layer) const
 {
   if (!two_views || !isScan(layer))

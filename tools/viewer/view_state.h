@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -71,8 +72,10 @@ struct ViewState {
   double clip_height = no_clipping; ///< what is higher is not shown, metres
   bool edges = true;                ///< of the solid
   bool legend = true;
-  bool two_views = false; ///< the scan at the left, the model at the right
-  double point_size = 2;  ///< pixels
+  bool two_views = false;             ///< the scan at the left, the model at the right
+  double point_size = 2;              ///< pixels
+  std::uint32_t storey = 0;           ///< number of the only one that is shown; 0: all
+  std::vector<std::uint32_t> storeys; ///< numbers of those that there are
 
   bool isClipped() const { return clip_height < no_clipping; }
 
@@ -80,6 +83,10 @@ struct ViewState {
    * to its top first, and goes back to no clipping from there; it stays above the
    * bottom. */
   void moveClipping(double by, HeightRange range);
+
+  /** @brief Shows one storey alone, or all again where it was alone already.
+   * @return false where there is no such storey */
+  bool toggleStorey(std::uint32_t number);
 
   /** @brief The layers of the left of two views: clouds of the scan. Of them the raw
    * one if neither is asked for. */

@@ -45,6 +45,8 @@ Window::Window(const ViewedResult& result,
   const auto box = result.bounds();
   if (!box.isEmpty())
     heights_ = {box.min().z(), box.max().z()};
+  for (const PlanStorey& storey : painter.storeys().storeys())
+    state_.storeys.push_back(storey.number);
   int argc = 0;
   char** argv = nullptr;
   const auto style = vtkSmartPointer<KeyStyle>::New();
@@ -93,7 +95,7 @@ Window::moveCamera()
 {
   const int* size = visualizer_->getRenderWindow()->GetSize();
   const double width = state_.two_views ? size[0] / 2.0 : size[0];
-  right_->place(cameraPose(result_, state_.view_point, width / size[1]));
+  right_->place(cameraPose(result_, state_.view_point, width / size[1], state_.storey));
   if (!state_.two_views)
     return;
   // Both views share the camera, and the scan may reach farther than the model.

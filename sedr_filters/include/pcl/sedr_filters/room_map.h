@@ -14,7 +14,8 @@ namespace sedr {
  * of the ceiling that of the ceiling the detail adjoins.
  *
  * A cell takes the room with most ceiling points in it; rooms grow from there over the
- * cells of details that have none. O(n log n). */
+ * cells of details that have none. Where ceilings lie above each other, a point is of
+ * the lowest one that is not below it. O(n log n). */
 class RoomMap {
 public:
   /** @param grid cells of the plan
@@ -32,10 +33,21 @@ public:
   std::uint32_t roomOver(pcl::index_t index) const;
 
 private:
+  /** @brief A room over a cell. */
+  struct Above {
+    std::uint32_t room = 0;
+    std::size_t points = 0; ///< of its ceiling, in the cell
+    double height = 0;      ///< their mean, metres
+  };
+
+  void noteCeilings(const std::vector<std::uint32_t>& room,
+                    const pcl::Indices& ceiling);
+
   CellGrid grid_;
   PointView points_;
   CellSet cells_;
   std::vector<std::uint32_t> room_of_cell_;
+  std::vector<std::vector<Above>> above_; ///< by cell: the rooms with a ceiling in it
 };
 
 } // namespace sedr

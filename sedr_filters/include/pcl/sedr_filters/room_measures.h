@@ -16,9 +16,9 @@ double meanHeight(const PlanRoom& room);
 double volumeOf(const PlanRoom& room, double mean_height);
 
 /** @brief Thickness of the wall behind an element of a room's boundary, metres: the
- * median distance to the face on its other side, of another room or of this one, where
- * that is parallel (to 5 degrees) and at most `most` away. 0 where less than a fifth
- * of the element has such a face: the wall is known from one side only.
+ * median distance to the face on its other side, of another room at its heights or of
+ * this one, where that is parallel (to 5 degrees) and at most `most` away. 0 where less
+ * than a fifth of the element has such a face: the wall is known from one side only.
  * @param room,element indices into the plan */
 double wallThickness(const Floorplan& plan,
                      std::size_t room,

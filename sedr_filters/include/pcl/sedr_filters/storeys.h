@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,24 +12,30 @@ namespace pcl {
 namespace sedr {
 
 /** @brief What a room takes up of the height of a building, metres. */
-struct HeightRange {
+struct RoomHeights {
   double low = 0;
   double high = 0;
 };
 
 /** @brief The heights of a room's main floor and ceiling at the middle of the box
- * around its boundary. */
-HeightRange heightsOf(const PlanRoom& room);
+ * around its corners. O(elements). */
+RoomHeights heightsOf(const PlanRoom& room);
 
 /** @brief Those of all rooms, in their order. */
-std::vector<HeightRange> heightsOf(const Floorplan& plan);
+std::vector<RoomHeights> heightsOf(const Floorplan& plan);
 
 /** @brief Whether rooms of these heights can have to do with each other in plan: share
  * a wall, be in each other's way. They do where they have more than a quarter of the
  * lower room's height in common. Rooms that do not lie one above the other, whatever
  * their storeys: a hall of two storeys shares heights with the rooms of both. A floor
  * found too low or a ceiling that slopes up beside the floor above is forgiven. */
-bool shareHeights(const HeightRange& a, const HeightRange& b);
+bool shareHeights(const RoomHeights& a, const RoomHeights& b);
+
+/** @brief The same of two rooms. */
+bool shareHeights(const PlanRoom& a, const PlanRoom& b);
+
+/** @brief The rooms of a plan that share some heights, in its order. */
+std::vector<const PlanRoom*> roomsAt(const Floorplan& plan, const RoomHeights& heights);
 
 /** @brief The rooms by storey, from the lowest up: every room is in one of them, and
  * each has a room.
@@ -38,6 +45,9 @@ bool shareHeights(const HeightRange& a, const HeightRange& b);
  * nearest. Else rooms are of one storey where their heights have more than half of the
  * lower room's in common with those of a room of it. Cost: rooms squared. */
 std::vector<PlanStorey> storeysOf(const Floorplan& plan);
+
+/** @brief The number of the storey of each room, by PlanRoom::id. */
+std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
 
 /** @brief The part of a plan that is of a storey: its rooms, and the doorways and
  * stairs that touch one of them. */

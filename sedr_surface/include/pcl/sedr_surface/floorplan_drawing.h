@@ -14,12 +14,18 @@ namespace sedr {
  * dashed, steps of the floor and niches thin. Rooms have their number, area and height,
  * walls their length and arcs their radius where there is space, details their height
  * over the floor, steps theirs with a sign; about all are the overall size and a scale
- * bar. A group a room, with the id room_1.
+ * bar. Doorways are gaps in the walls, in a group of the class `doorways`. A group a
+ * room, with the id room_1.
  *
  * @param plan as fitted; without rooms the page is empty
  * @param scale metres in the world for one of paper: 50 for 1:50. 0: the largest usual
- * scale at which the plan fits an A4 page */
-std::string floorplanToSvg(const Floorplan& plan, double scale = 0);
+ * scale at which the plan fits an A4 page
+ * @param storey one of storeysOf(), and only that is drawn, with its name; the page
+ * and all coordinates are those of the whole plan, so that the sheets of a building lie
+ * over each other. Null: all rooms */
+std::string floorplanToSvg(const Floorplan& plan,
+                           double scale = 0,
+                           const PlanStorey* storey = nullptr);
 
 /** @brief The scale that floorplanToSvg() takes by itself. */
 double drawingScale(const Floorplan& plan);
@@ -27,8 +33,9 @@ double drawingScale(const Floorplan& plan);
 /** @brief A floor plan as DXF of AutoCAD's release 12, one unit a metre: LINE, ARC and
  * CIRCLE on the layers WALL, COLUMN, DETAIL (of the ceiling), FLOOR_DETAIL and NICHE,
  * as they are in the plan to a tenth of a micrometre; numbers, areas and heights of
- * rooms on TEXT, sizes of walls on DIMENSION. */
-std::string floorplanToDxf(const Floorplan& plan);
+ * rooms on TEXT, sizes of walls on DIMENSION, gaps of doorways on DOORWAY.
+ * @param storey as for floorplanToSvg() */
+std::string floorplanToDxf(const Floorplan& plan, const PlanStorey* storey = nullptr);
 
 } // namespace sedr
 } // namespace pcl

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "two_storeys.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+Floorplan
+samplePlan()
+{
+  Floorplan plan = twoStoreys(1.0 / 3);
+  plan.storeys = {{1, "ground \"floor\"", 0, 2.5, {1, 2}},
+                  {3, "attic", 2.8, 5.2, {3, 4}}};
+  plan.doorways = {{{1, 2}, {4.05, 1.0 / 3}, {4.05, 1.2}, 0.01, 2.05},
+                   {{0, 3}, {0, 1}, {0, 2}, 2.8, 4.8}};
+  plan.stairs = {{{2, 4}, {M_PI, 1.5}, 0, 2.8}};
+  return plan;
+}
+
+Floorplan
+readOf(const std::string& text, std::string& problem)
+{
+  problem = "none yet";
+  return floorplanFromJson(text, problem);
+}
+
+/** What is wrong with the sample plan once one place of its text is replaced. */
+std::string
+problemWith(const std::string& what, const std::string& by)
+{
+  std::string text = floorplanToJson(samplePlan());
+  const std::size_t at = text.find(what, text.find("\"storeys\""));
+  EXPECT_NE(at, std::string::npos) << what << " in " << text;
+  text.replace(at, what.size(), by);
+  std::string problem;
+  EXPECT_TRUE(readOf(text, problem).rooms.empty()) << by;
+  return problem;
+}
+
+bool
+holds(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST(StoreyJson, ReadsBackExactly)
+{
+  const Floorplan plan = samplePlan();
+  std::string problem;
+  const Floorplan read = readOf(floorplanToJson(plan), problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(read.storeys.size(), 2u);
+  EXPECT_EQ(read.storeys[0].name, "ground \"floor\"");
+  EXPECT_EQ(read.storeys[1].number, 3u);
+  EXPECT_EQ(read.storeys[1].rooms, (std::vector<std::uint32_t>{3, 4}));
+  EXPECT_NEAR(read.storeys[1].floor, 2.8, 1e-12);
+  EXPECT_NEAR(read.storeys[1].ceiling, 5.2, 1e-12);
+  ASSERT_EQ(read.doorways.size(), 2u);
+  EXPECT_EQ(read.doorways[0].rooms, plan.doorways[0].rooms);
+  EXPECT_EQ(read.doorways[0].start, plan.doorways[0].start);
+  EXPECT_EQ(read.doorways[0].end, plan.doorways[0].end);
+  EXPECT_EQ(read.doorways[0].bottom, 0.01);
+  EXPECT_EQ(read.doorways[0].top, 2.05);
+  ASSERT_EQ(read.stairs.size(), 1u);
+  EXPECT_EQ(read.stairs[0].rooms, plan.stairs[0].rooms);
+  EXPECT_EQ(read.stairs[0].at, plan.stairs[0].at);
+  EXPECT_EQ(read.stairs[0].top, 2.8);
+  EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
+}
+
+TEST(StoreyJson, WhatIsKnownOfHeightsAloneIsWrittenToo)
+{
+  std::string problem;
+  const Floorplan read = readOf(floorplanToJson(twoStoreys()), problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(read.storeys.size(), 2u);
+  EXPECT_EQ(read.storeys[1].name, "storey 2");
+  EXPECT_TRUE(read.doorways.empty());
+  EXPECT_TRUE(read.stairs.empty());
+}
+
+TEST(StoreyJson, AFileThatTellsNoneOrLessOfThemIsRead)
+{
+  std::string text = floorplanToJson(twoStoreys());
+  text = text.substr(0, text.find(",\n \"storeys\""));
+  std::string problem;
+  EXPECT_TRUE(readOf(text + "}", problem).storeys.empty());
+  EXPECT_EQ(problem, "");
+  const Floorplan plan = readOf(
+      text + R"(, "storeys": [{"floor": 0, "rooms": [1, 2]}, {"rooms": [4, 3]}]})",
+      problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(plan.storeys.size(), 2u);
+  EXPECT_EQ(plan.storeys[1].number, 2u);
+  EXPECT_EQ(plan.storeys[1].name, "storey 2");
+  EXPECT_EQ(plan.storeys[1].rooms, (std::vector<std::uint32_t>{3, 4}));
+}
+
+TEST(StoreyJson, ARoomThatIsGoneIsOutside)
+{
+  Floorplan plan = samplePlan();
+  plan.rooms.erase(plan.rooms.begin(), plan.rooms.begin() + 2);
+  std::string problem;
+  const Floorplan read = readOf(floorplanToJson(plan), problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(read.storeys.size(), 1u);
+  EXPECT_EQ(read.storeys[0].name, "attic");
+  ASSERT_EQ(read.doorways.size(), 1u);
+  EXPECT_EQ(read.doorways[0].rooms[1], 3u);
+  ASSERT_EQ(read.stairs.size(), 1u);
+  EXPECT_EQ(read.stairs[0].rooms[0], 0u);
+  EXPECT_EQ(read.stairs[0].rooms[1], 4u);
+}
+
+TEST(StoreyJson, BadStoreysAreRefusedWithTheReason)
+{
+  EXPECT_TRUE(holds(problemWith("\"number\": 1", "\"number\": 0"),
+                    "the number of a storey is a whole number from 1"));
+  EXPECT_TRUE(holds(problemWith("\"number\": 1", "\"number\": 3"),
+                    "two storeys have the number 3"));
+  EXPECT_TRUE(
+      holds(problemWith("\"name\": \"attic\"", "\"name\": 7"), "cannot be read"));
+  EXPECT_TRUE(holds(problemWith("\"floor\": 0.0", "\"floor\": 1e7"),
+                    "the floor of a storey must lie within"));
+  EXPECT_TRUE(holds(problemWith("    3,\n    4", "    3,\n    5"), "names room 5"));
+  EXPECT_TRUE(holds(problemWith("    3,\n    4", "    3,\n    1"), "listed twice"));
+  EXPECT_TRUE(
+      holds(problemWith("    3,\n    4", "    3,\n    -1"), "the id of a room"));
+}
+
+TEST(StoreyJson, BadDoorwaysAndStairsAreRefusedWithTheReason)
+{
+  EXPECT_TRUE(holds(problemWith("    0,\n    3\n", "    0,\n    0\n"),
+                    "a doorway leads from room 0 to itself"));
+  EXPECT_TRUE(holds(problemWith("    0,\n    3\n", "    0,\n    9\n"), "names room 9"));
+  EXPECT_TRUE(
+      holds(problemWith("    0,\n    3\n", "    0\n"), "a doorway has 2 rooms"));
+  EXPECT_TRUE(holds(problemWith("\"top\": 2.05", "\"top\": -1"),
+                    "a doorway's top must not be below its bottom"));
+  EXPECT_NE(problemWith("\"start\"", "\"elsewhere\""), "");
+  EXPECT_NE(problemWith("\"at\"", "\"elsewhere\""), "");
+  EXPECT_TRUE(holds(problemWith("    2,\n    4\n", "    4,\n    4\n"), "to itself"));
+}
+
+} // namespace
