@@ -39,7 +39,7 @@ def attempt_to_build(rng, kind, name):
         add_rooms(building, storey, spaces, lines, heights)
     tall = raise_halls(rng, building, heights, kind)
     shape_walls(rng, building)
-    join_storeys(building, count)
+    join_storeys(rng, building, count)
     is_attic = count > 1 and rng.random() < style.attic
     if is_attic:
         put_attic_on(rng, building.on_storey(count), heights[-1])
@@ -74,7 +74,8 @@ def add_rooms(building, storey, spaces, lines, heights):
         x0, y0, x1, y1 = g.bounds(outline)
         if g.area(outline) < 1.2 or min(x1 - x0, y1 - y0) < 0.9:
             raise Unfit
-        building.rooms.append(Room(f"{space.role} {storey + 1}.{k + 1}", space.role, outline, floor, ceiling, storey + 1))
+        step = round(building.rng.uniform(0.08, 0.18), 3) if space.role == "room" and building.rng.random() < 0.03 else 0.0
+        building.rooms.append(Room(f"{space.role} {storey + 1}.{k + 1}", space.role, outline, round(floor + step, 4), ceiling, storey + 1))
 
 
 def raise_halls(rng, building, heights, kind):
@@ -102,12 +103,15 @@ def shape_walls(rng, building):
         shapes.curve_facade(rng, rng.choice(plain), building.rooms)
 
 
-def join_storeys(building, count):
+def join_storeys(rng, building, count):
     for storey in range(1, count):
         lower = next(r for r in building.on_storey(storey) if r.role == "stairs")
         upper = next(r for r in building.on_storey(storey + 1) if r.role == "stairs")
         if not stairs.add(lower, upper, storey % 2):
             raise Unfit
+        open_plans = [r for s in (storey, storey + 1) for r in building.on_storey(s) if r.role == "open"]
+        if len(open_plans) == 2 and rng.random() < 0.5:
+            stairs.add_well(rng, *open_plans)
 
 
 def put_attic_on(rng, rooms, heights):

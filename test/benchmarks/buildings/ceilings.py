@@ -29,7 +29,7 @@ def deck(rng, room):
     x0, y0, x1, y1 = g.bounds(room.outline)
     long_axis = 0 if x1 - x0 > y1 - y0 else 1
     spare = room.ceiling - room.floor - 2.3
-    if spare < 0.15:
+    if spare < 0.15 or room.voids:
         return
     beam_way = 90 if long_axis == 0 else 0  # beams span the short way
     kind = rng.random()
@@ -53,13 +53,14 @@ def deck(rng, room):
 
 
 def columns_under(rng, room, beams, long_axis):
-    """Square columns under the middles of beams, where they are clear of walls and doors."""
+    """Square or round columns under the middles of beams, where they are clear of walls and doors."""
     x0, y0, x1, y1 = g.bounds(room.outline)
     low, high = ((x0, x1), (y0, y1))[long_axis]
     across = ((y0, y1), (x0, x1))[long_axis]
     half = beams["width"] / 2 - 0.02
     if across[1] - across[0] < 6 or half < 0.08:
         return
+    is_round = rng.random() < 0.4
     lanes = [0.5] if across[1] - across[0] < 11 else [0.33, 0.67]
     # The first beam is half a spacing off the right end, seen along the beams: x1 for those that run along y.
     if long_axis == 0:
@@ -76,6 +77,8 @@ def columns_under(rng, room, beams, long_axis):
             p = (middle, c) if long_axis == 0 else (c, middle)
             column = g.turned_rectangle(p, 2 * half, 2 * half, 0.0)
             if low < middle < high and room.fits(column, 0.5):
+                if is_round:
+                    room.circles[len(room.columns)] = ((round(p[0], 4), round(p[1], 4)), round(half, 4))
                 room.columns.append([(round(x, 4), round(y, 4)) for x, y in column])
                 room.taken.append(g.turned_rectangle(p, 2 * half + 0.1, 2 * half + 0.1, 0.0))
 

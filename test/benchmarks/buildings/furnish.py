@@ -18,6 +18,9 @@ def furnish(rng, room):
         return
     for _ in range(min(30, int(room.area / rng.uniform(9, 25)) + 1)):
         table(rng, room)
+    if room.role == "open" and rng.random() < 0.6:
+        for _ in range(rng.randint(2, 10)):
+            screen(rng, room)
     if not room.facets and not room.ribs and not room.details and low > 2.4 and rng.random() < 0.3:
         lamp(rng, room)
 
@@ -82,6 +85,16 @@ def table(rng, room):
         things.append({"chair": {"at": [0, round(depth / 2 + 0.35, 3)]}})
     room.furniture.append({"group": {"places": [[p[0], p[1], yaw]], "objects": things}})
     room.taken.append(outline)
+
+
+def screen(rng, room):
+    """A partition that does not reach the ceiling: it parts no rooms."""
+    width, height = round(rng.uniform(1.2, 3.2), 2), round(rng.uniform(1.2, 1.7), 2)
+    yaw = rng.choice((0, 90))
+    spot = spot_in(rng, room, width + 0.6, 0.7, math.radians(yaw), 0.2)
+    if spot:
+        room.furniture.append({"block": {"name": "screen", "at": list(spot[0]), "yaw": yaw, "size": [width, 0.06, height]}})
+        room.taken.append(spot[1])
 
 
 def lamp(rng, room):

@@ -23,7 +23,7 @@ KINDS = {
     "flat": Kind((1,), (2.3, 3.2), (0.25, 0.35), soffits=0.25, passages=0.15, full_doors=0.2),
     "house": Kind((2, 2, 3), (2.3, 2.7), (0.2, 0.35), soffits=0.15, passages=0.15, attic=0.5),
     "office": Kind((1, 2, 3), (2.6, 3.4), (0.25, 0.4), suspended=0.6, glass=0.35, full_doors=0.25),
-    "openplan": Kind((1, 1, 2), (2.8, 3.8), (0.3, 0.4), suspended=0.3, ribs=0.8, glass=0.5),
+    "openplan": Kind((1, 1, 2), (2.8, 3.8), (0.3, 0.4), suspended=0.3, ribs=0.7, glass=0.5),
     "school": Kind((1, 2, 2), (3.0, 3.8), (0.25, 0.4), suspended=0.3, ribs=0.4, glass=0.3, passages=0.3),
     "hall": Kind((1, 2), (2.5, 3.0), (0.25, 0.4), ribs=0.8, glass=0.2, passages=0.3),
 }

@@ -16,6 +16,7 @@ class Room:
         self.details, self.floor_details, self.ribs, self.voids = [], [], [], []
         self.floor_voids = []  # outlines of the holes in its floor
         self.columns, self.openings, self.furniture = [], [], []
+        self.circles = {}  # of round columns: index -> (centre, radius)
         self.plenum = 0.0
         self.taken, self.used = [], {}
         self.obstacles = []  # outlines of door leaves that stand open, and of stairs
@@ -106,8 +107,13 @@ class Room:
         if self.voids:
             json["voids"] = [{k: v[k] for k in v if k != "outline"} for v in self.voids]
         if self.columns:
-            json["columns"] = [points(c) for c in self.columns]
+            json["columns"] = [self.column_json(k) for k in range(len(self.columns))]
         return json
+
+    def column_json(self, k):
+        if k in self.circles:
+            return {"circle": list(self.circles[k][0]), "radius": self.circles[k][1]}
+        return points(self.columns[k])
 
     def outline_json(self):
         return [{"at": list(p), "bulge": self.bulges[k]} if k in self.bulges else list(p)

@@ -32,9 +32,12 @@ def draw(path, title, graded, points=None):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     box = bounds(places)
-    aspect = (box[2] - box[0]) / (box[3] - box[1])
-    figure, panels = plt.subplots(1, len(storeys), figsize=(max(5, 9 * aspect) * len(storeys), 9.6), squeeze=False)
-    for panel, storey in zip(panels[0], storeys):
+    wide, high = box[2] - box[0] + 2, box[3] - box[1] + 3
+    is_stacked = wide > 1.2 * high
+    scale = 10 / max(wide, high)
+    rows, columns = (len(storeys), 1) if is_stacked else (1, len(storeys))
+    figure, panels = plt.subplots(rows, columns, figsize=(scale * wide * columns + 1, scale * high * rows + 1), squeeze=False)
+    for panel, storey in zip(panels.flat, storeys):
         if points is not None:
             floor = min(t.low for t in places if t.storey == storey)
             slice_ = points[(points["z"] > floor + 1.3) & (points["z"] < floor + 1.5)][::3]

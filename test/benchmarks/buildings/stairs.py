@@ -60,6 +60,29 @@ def add(lower, upper, lane):
     return True
 
 
+def add_well(rng, lower, upper):
+    """A hole in the slab between two large rooms with a balustrade around it; False if there is no place."""
+    box = overlap(g.bounds(lower.outline), g.bounds(upper.outline))
+    wide, deep = rng.uniform(2.0, 4.5), rng.uniform(2.0, 4.5)
+    if box[2] - box[0] < wide + 4 or box[3] - box[1] < deep + 4:
+        return False
+    for _ in range(20):
+        x, y = rng.uniform(box[0] + 1.2, box[2] - wide - 1.2), rng.uniform(box[1] + 1.2, box[3] - deep - 1.2)
+        hole = [(round(p, 3), round(q, 3)) for p, q in g.rectangle(x, y, x + wide, y + deep)]
+        if not (lower.fits(hole, 1.2) and upper.fits(hole, 1.2)):
+            continue
+        lower.voids.append({"loop": [list(p) for p in hole], "leads_to": upper.name, "outline": hole})
+        upper.floor_voids.append(hole)
+        upper.taken.append(g.rectangle(x - 0.3, y - 0.3, x + wide + 0.3, y + deep + 0.3))
+        upper.obstacles.append(hole)
+        for at, size in (((x + wide / 2, y - 0.05), (wide, 0.04)), ((x + wide / 2, y + deep + 0.05), (wide, 0.04)),
+                         ((x - 0.05, y + deep / 2), (0.04, deep)), ((x + wide + 0.05, y + deep / 2), (0.04, deep))):
+            upper.furniture.append({"block": {"name": "balustrade", "at": [round(v, 4) for v in at],
+                                              "size": [round(size[0], 4), round(size[1], 4), 1.0]}})
+        return True
+    return False
+
+
 def balustrade(room, axis, a, b, across, half, forward):
     """Panels along the sides of the hole, open where the flight arrives."""
     inner = across + half + 0.03 if across < middle_of(room, axis) else across - half - 0.03
