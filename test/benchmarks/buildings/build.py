@@ -38,10 +38,9 @@ def attempt_to_build(rng, kind, name):
     for storey, spaces in enumerate(plans):
         add_rooms(building, storey, spaces, lines, heights)
     tall = raise_halls(rng, building, heights, kind)
-    shape_walls(rng, building)
+    shape_walls(rng, [r for r in building.rooms if not (lines.has_attic and r.storey == count)])
     join_storeys(rng, building, count)
-    is_attic = count > 1 and rng.random() < style.attic
-    if is_attic:
+    if lines.has_attic:
         put_attic_on(rng, building.on_storey(count), heights[-1])
     hang_ceilings(rng, building, style, heights)
     doors = "full" if rng.random() < style.full_doors else "usual"
@@ -89,18 +88,18 @@ def raise_halls(rng, building, heights, kind):
     return tall
 
 
-def shape_walls(rng, building):
+def shape_walls(rng, rooms):
     """Partitions that lean, chamfers and curves. Stairwells stay as they are."""
-    plain = [r for r in building.rooms if r.role not in ("stairs", "corridor", "closet")]
+    plain = [r for r in rooms if r.role not in ("stairs", "corridor", "closet")]
     if rng.random() < 0.3:
         pairs = [(a, b) for a in plain for b in plain if a.name < b.name and a.storey == b.storey]
         rng.shuffle(pairs)
         any(shapes.lean_partition(rng, a, b) for a, b in pairs)
     for room in plain:
         if rng.random() < 0.07:
-            shapes.chamfer(rng, room, building.rooms)
-    if rng.random() < 0.3:
-        shapes.curve_facade(rng, rng.choice(plain), building.rooms)
+            shapes.chamfer(rng, room)
+    if plain and rng.random() < 0.3:
+        shapes.curve_facade(rng, rng.choice(plain), rooms)
 
 
 def join_storeys(rng, building, count):
@@ -115,9 +114,7 @@ def join_storeys(rng, building, count):
 
 
 def put_attic_on(rng, rooms, heights):
-    """A roof over the highest storey, as far as its rooms are rectangles."""
-    if not all(g.is_rectangle(r.outline) and not r.bulges for r in rooms):
-        return
+    """A roof over the highest storey, all of whose rooms are rectangles."""
     box = [g.bounds(r.outline) for r in rooms]
     around = min(b[0] for b in box), min(b[1] for b in box), max(b[2] for b in box), max(b[3] for b in box)
     ceilings.attic(rng, rooms, around, max(2.3, heights[1] - heights[0]))

@@ -20,7 +20,7 @@ def suspend(rng, room):
         tile = g.rectangle(x, y, round(x + 0.6, 4), round(y + 0.6, 4))
         others = [v["outline"] for v in room.voids] + room.columns
         if all(g.inside(room.outline, p) and g.wall_distance(room.outline, p) > 0.05 for p in tile) and \
-                not any(g.meet(tile, o) for o in others):
+                not any(g.inside(tile, p) for p in room.outline) and not any(g.meet(tile, o) for o in others):
             room.voids.append({"loop": [list(p) for p in tile], "outline": tile})
 
 
@@ -126,7 +126,7 @@ def attic(rng, rooms, bounds, clear):
     axis = 1 if x1 - x0 > y1 - y0 else 0
     low, high = ((x0, x1), (y0, y1))[axis]
     floor = rooms[0].floor
-    knee = floor + rng.uniform(0.9, 1.5)
+    knee = floor + rng.uniform(1.05, 1.6)
     slope = math.tan(math.radians(rng.uniform(25, 44)))
     middle = (low + high) / 2
     top = knee + slope * (middle - low)

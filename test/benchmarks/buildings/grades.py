@@ -71,7 +71,7 @@ def true_places(truth, points):
     for room in truth["rooms"]:
         plan = polygon(room["boundary"], room["columns"])
         ignored = unary_union([polygon(v) for v in room["voids"] + room["floor_voids"]] or [Polygon()])
-        places.append(Place(room["name"], plan, room["floor"], room["ceiling"], storey=room["storey"], ids=[room["id"]],
+        places.append(Place(room["name"], plan, room["floor"], room["floor"] + room["height"], storey=room["storey"], ids=[room["id"]],
                             seen=seen_share(room, points), ignored=ignored))
     return places
 

@@ -62,10 +62,12 @@ def house(rng, storeys, flight):
     x = snapped(rng.uniform(2.6, w - width - 2.6))
     hall = (x, 0.0, round(x + width, 2), length if d - length >= 2.4 else d)
     plans = []
-    for _ in range(storeys):
+    lines.has_attic = rng.random() < KINDS["house"].attic
+    for k in range(storeys):
         parts = [(0.0, 0.0, x, d), (hall[2], 0.0, w, d)] + ([(x, hall[3], hall[2], d)] if hall[3] < d else [])
         spaces = [Space("room", r) for p in parts for r in split(rng, p, 20, 5, 2.2)]
-        spaces = closets(rng, merged(rng, spaces, 0.3, 45), 0.25)
+        if not (lines.has_attic and k == storeys - 1):  # under a roof all rooms are rectangles
+            spaces = closets(rng, merged(rng, spaces, 0.3, 45), 0.25)
         plans.append([Space("stairs", hall)] + spaces)
     return plans, lines
 

@@ -20,6 +20,7 @@ class Lines:
     def __init__(self, rng, partitions, outer):
         self.rng, self.partitions, self.outer = rng, partitions, outer
         self.known = {}
+        self.has_attic = False  # whether a roof is to be over the highest storey
 
     def set(self, axis, value, thickness):
         self.known[(axis, round(value, 2))] = thickness

@@ -39,6 +39,14 @@ class Room:
                 return height + rise * g.dot(g.sub(p, at), u)
         return self.ceiling
 
+    def top_along(self, edge, start, end):
+        """The lowest ceiling before a part of a wall."""
+        if not self.facets:
+            return self.lowest_ceiling()
+        a, u, n, size = g.frame(self.edges[edge])
+        ends = [max(0.01, start), (start + end) / 2, min(size - 0.01, end)]
+        return min(self.ceiling_at(g.along(g.along(a, u, s), n, -0.005)) for s in ends)
+
     def lowest_ceiling(self):
         """Below everything that hangs from the ceiling."""
         drop = max([d["drop"] for d in self.details] + [r["depth"] for r in self.ribs] + [0.0])

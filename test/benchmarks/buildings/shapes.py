@@ -6,7 +6,7 @@ from . import geometry as g
 from .walls import outer_stretches, walls_between
 
 
-def chamfer(rng, room, rooms):
+def chamfer(rng, room):
     """Cuts a corner of a room off at 45 degrees."""
     k = rng.randrange(len(room.outline))
     p, before, after = room.outline[k], room.outline[k - 1], room.outline[(k + 1) % len(room.outline)]

@@ -33,8 +33,10 @@ def along_other(a, b, i, k, start, end):
     return sorted(g.dot(g.sub(g.along(p, u, s), q), v) for s in (start, end))
 
 
-def place(rng, a, b, width, margin=MARGIN):
-    """(edge of a, edge of b, start, end, thickness) of a free stretch of wall of that width; None if there is none."""
+def place(rng, a, b, width, margin=MARGIN, least=0.0):
+    """(edge of a, edge of b, start, end, thickness) of a free stretch of wall of that width; None if there is none.
+
+    The ceilings on both sides are at the height `least` or higher."""
     walls = walls_between(a, b)
     rng.shuffle(walls)
     for i, k, low, high, depth in walls:
@@ -43,7 +45,8 @@ def place(rng, a, b, width, margin=MARGIN):
         for _ in range(12):
             start = round(rng.uniform(low + margin, high - margin - width), 3)
             other = along_other(a, b, i, k, start, start + width)
-            if a.is_free(i, start - 0.12, start + width + 0.12) and b.is_free(k, other[0] - 0.12, other[1] + 0.12):
+            if a.is_free(i, start - 0.12, start + width + 0.12) and b.is_free(k, other[0] - 0.12, other[1] + 0.12) and \
+                    min(a.top_along(i, start, start + width), b.top_along(k, *other)) >= least:
                 return i, k, start, round(start + width, 3), depth
     return None
 
@@ -75,9 +78,12 @@ def add_door(rng, a, b, style, passages):
             a.openings.append(opening(spot, sill, head, b.name))
             return True
     width = round(rng.uniform(0.75, 0.85) if "closet" in (a.role, b.role) else rng.uniform(0.8, 1.2), 2)
-    spot = place(rng, a, b, width) or place(rng, a, b, 0.75, 0.11)
+    spot = place(rng, a, b, width, MARGIN, sill + 1.95) or place(rng, a, b, 0.75, 0.11, sill + 1.95)
     if not spot:
         return False
+    i, k, start, end, _ = spot
+    top = min(a.top_along(i, start, end), b.top_along(k, *along_other(a, b, i, k, start, end)))
+    top -= 0.01 if a.facets or b.facets else 0.0
     head = top if style == "full" and not (a.facets or b.facets) else min(sill + rng.choice((2.0, 2.05, 2.1, 2.2)), top)
     if head - sill < 1.9:
         return False
@@ -85,7 +91,7 @@ def add_door(rng, a, b, style, passages):
     kind = rng.random()
     if kind < 0.12 and a.role != "closet" and a.wants_station and b.wants_station:
         door["leaf"] = {"hinge": "from", "angle": 0}
-    elif kind < 0.55 and style != "full":
+    elif kind < 0.55 and style != "full" and not a.facets:
         width = spot[3] - spot[2]
         size = g.length(g.sub(*a.edges[spot[0]]))
         if spot[2] > 0.12 and spot[3] < size - 0.12:
@@ -177,9 +183,10 @@ def outer_stretches(room, rooms, reach=1.2):
 
 
 def add_windows(rng, room, rooms, kind, thickness):
-    floor, top = room.floor, room.lowest_ceiling() if not room.facets else room.floor + 1.2
+    floor = room.floor
     for i, start, end in outer_stretches(room, rooms):
         size = end - start
+        top = room.top_along(i, start, end) - (0.05 if room.facets else 0.0)
         if room.role in ("closet", "stairs") and rng.random() < 0.6 or rng.random() < 0.12:
             continue
         if rng.random() < kind.glass and size > 2.0:
