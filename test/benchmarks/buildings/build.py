@@ -151,9 +151,9 @@ def fill(rng, building, style, thickness):
 
 
 def scan(rng, building, count):
-    """Stations in every room, but few closets and one room in thirty, which are seen through their doors."""
+    """Stations in every room but most closets and one room in thirty, which are seen through their doors."""
     for room in building.rooms:
-        is_seen_by_door = room.role == "closet" and rng.random() < 0.6 or rng.random() < 0.03
+        is_seen_by_door = rng.random() < {"closet": 0.6, "room": 0.03}.get(room.role, 0.0)
         if is_seen_by_door and look_in(rng, building, room):
             continue
         room.stations += furnish.stations(rng, room)
