@@ -7,8 +7,8 @@ from .kinds import HIDDEN, KINDS, PLANS
 from .model import Building, Room
 
 TRIES = 40          # layouts that are tried until every room has a door
-RAYS = (1.2e6, 3.0e6)
-MOST_RAYS = 330_000  # of a station
+RAYS = (1.5e6, 3.2e6)  # of all stations
+FEWEST_RAYS, MOST_RAYS = 130_000, 400_000  # of one
 
 
 class Unfit(Exception):
@@ -151,9 +151,9 @@ def fill(rng, building, style, thickness):
 
 
 def scan(rng, building, count):
-    """Stations in every room but most closets and one room in thirty, which are seen through their doors."""
+    """Stations in every room but some closets and one room in thirty, which are seen through their doors."""
     for room in building.rooms:
-        is_seen_by_door = rng.random() < {"closet": 0.6, "room": 0.03}.get(room.role, 0.0)
+        is_seen_by_door = rng.random() < {"closet": 0.35, "room": 0.03}.get(room.role, 0.0)
         if is_seen_by_door and look_in(rng, building, room):
             continue
         room.stations += furnish.stations(rng, room)
@@ -163,7 +163,7 @@ def scan(rng, building, count):
         if room.role in ("corridor", "open", "hall") and rng.random() < 0.5:
             near_a_door(rng, room)
     number = sum(len(r.stations) for r in building.rooms)
-    rays = int(min(MOST_RAYS, max(100_000, rng.uniform(*RAYS) / number)))
+    rays = int(min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number)))
     noise = round(rng.choice((rng.uniform(0.002, 0.006), rng.uniform(0.002, 0.015))), 4)
     placement = {"yaw": round(rng.uniform(-180, 180), 2) if rng.random() < 0.75 else 0.0,
                  "shift": [round(rng.uniform(-50, 50), 3), round(rng.uniform(-50, 50), 3), round(rng.uniform(-5, 100), 3)]}

@@ -109,10 +109,10 @@ def stations(rng, room):
     probes, places = grid(room, rng)
     if not places:
         return []
-    reach = 8.0
+    reach = 6.0
     seen_from = {p: {k for k, q in enumerate(probes) if g.length(g.sub(p, q)) < reach and g.sees(p, q, loops)} for p in places}
     chosen, seen = [], set()
-    while len(seen) < 0.98 * len(probes) and len(chosen) < 12:
+    while len(seen) < 0.98 * len(probes) and len(chosen) < 14:
         best = max(places, key=lambda p: len(seen_from[p] - seen) + 0.02 * min(2.0, g.wall_distance(room.outline, p)))
         if not seen_from[best] - seen:
             break

@@ -11,7 +11,7 @@ from shapely.ops import unary_union
 
 CHORD = 0.05        # metres along an arc
 CELL = 0.25         # metres, of the plan cells that count as seen or not
-MOST_SEEN = 0.8     # share of its cells that must be seen for a room to count
+LEAST_SEEN = (0.5, 0.8)  # shares of the cells of its floor and of its ceiling that must be seen for a room to count
 SMALLEST = 1.5      # square metres of a room that counts, true or found
 RIGHT = 0.7         # intersection over union of a room that is right
 STEPS = (0.5, 0.7, 0.9)
@@ -58,12 +58,12 @@ class Place:
         self.name, self.plan, self.low, self.high = name, plan, low, high
         self.area = plan.area
         self.storey = more.get("storey", 1)
-        self.seen = more.get("seen", 1.0)
+        self.seen = more.get("seen", (1.0, 1.0))
         self.ignored = more.get("ignored", Polygon())  # where its plan is anybody's: voids
         self.ids = more.get("ids", [])
 
     def counts(self):
-        return self.area >= SMALLEST and self.seen >= MOST_SEEN
+        return self.area >= SMALLEST and all(s >= least for s, least in zip(self.seen, LEAST_SEEN))
 
 
 def true_places(truth, points):
@@ -72,7 +72,8 @@ def true_places(truth, points):
         plan = polygon(room["boundary"], room["columns"])
         ignored = unary_union([polygon(v) for v in room["voids"] + room["floor_voids"]] or [Polygon()])
         places.append(Place(room["name"], plan, room["floor"], room["floor"] + room["height"], storey=room["storey"], ids=[room["id"]],
-                            seen=seen_share(room, points), ignored=ignored))
+                            seen=(seen_share(room, points, 2, "floor_voids"), seen_share(room, points, 1, "voids")),
+                            ignored=ignored))
     return places
 
 
@@ -111,16 +112,19 @@ def within(loop, points):
     return odd
 
 
-def seen_share(room, points):
-    """Share of a room's plan cells in which its floor, its ceiling or a detail of them was seen."""
+def seen_share(room, points, label, holes):
+    """Share of a room's plan cells in which its floor (label 2) or ceiling (1) was seen, details of it included."""
     loop = loop_points(room["boundary"])
     low = loop.min(0)
     count = np.ceil((loop.max(0) - low) / CELL).astype(int)
     grid = np.stack(np.meshgrid(*[np.arange(n) for n in count], indexing="ij"), -1).reshape(-1, 2)
-    is_inside = within(loop, low + (grid + 0.5) * CELL)
-    for hole in room["columns"]:
-        is_inside &= ~within(loop_points(hole), low + (grid + 0.5) * CELL)
-    mine = points[(points["room"] == room["id"]) & np.isin(points["label"], (1, 2, 4))]
+    centres = low + (grid + 0.5) * CELL
+    is_inside = within(loop, centres)
+    for hole in room["columns"] + room[holes]:
+        is_inside &= ~within(loop_points(hole), centres)
+    mine = points[points["room"] == room["id"]]
+    is_high = mine["z"] > room["floor"] + 0.5 * room["height"]
+    mine = mine[(mine["label"] == label) | ((mine["label"] == 4) & (is_high if label == 1 else ~is_high))]
     cells = ((np.stack([mine["x"], mine["y"]], -1) - low) / CELL).astype(int)
     cells = cells[((cells >= 0) & (cells < count)).all(1)]
     seen = np.zeros(count, bool)
@@ -156,7 +160,7 @@ def read_openings(places, links, found):
         for f in found:
             if min(overlap(a, f) / a.area, overlap(b, f) / b.area) > 0.5:
                 joined = Place(f"{a.name} + {b.name}", unary_union([a.plan, b.plan]).buffer(0.25, join_style=2).buffer(-0.25, join_style=2),
-                               min(a.low, b.low), max(a.high, b.high), storey=a.storey, seen=min(a.seen, b.seen),
+                               min(a.low, b.low), max(a.high, b.high), storey=a.storey, seen=tuple(map(min, a.seen, b.seen)),
                                ids=a.ids + b.ids, ignored=a.ignored.union(b.ignored))
                 places = [p for p in places if p is not a and p is not b] + [joined]
                 break

@@ -48,7 +48,7 @@ def draw(path, title, graded, points=None):
             fill(panel, t.plan, COLOURS.get(fate, NOT_COUNTED), "k")
             fill(panel, t.ignored, "none", "#0060c0")
             at = t.plan.representative_point()
-            note = f"{best:.2f}" if fate else f"seen {t.seen:.2f}"
+            note = f"{best:.2f}" if fate else "seen {:.2f} {:.2f}".format(*t.seen)
             panel.text(at.x, at.y, f"{t.name}\n{t.area:.1f}\n{note}", fontsize=6, ha="center", va="center", zorder=5)
         for f, of in found:
             if of == storey:
