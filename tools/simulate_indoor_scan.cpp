@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator/building.h"
 #include "simulator/files.h"
+#include "simulator/room_links.h"
 #include "simulator/room_truth.h"
 #include "simulator/scan.h"
 #include "simulator/scenes.h"
@@ -87,7 +88,7 @@ printHelp(const po::options_description& options)
       << "Scans an indoor scene: SCENE is the name of a built-in one or a scene file,\n"
       << "which ends in .json. Writes OUTPUT_DIR/scan.pcd (x y z label room),\n"
       << "OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
-      << "and OUTPUT_DIR/truth.json (outline, area, height and volume of each room).\n"
+      << "and OUTPUT_DIR/truth.json (rooms, storeys and what joins them).\n"
       << "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
       << options;
 }
@@ -218,7 +219,8 @@ simulate(Arguments& arguments)
   const sim::Scan scan = sim::scan(scene, arguments.scan);
   sim::writePly(arguments.folder / "truth.ply", truth, scene.placement);
   sim::writeText(arguments.folder / "truth.json",
-                 sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth)));
+                 sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth),
+                                       sim::roomLinks(scene)));
   sim::writePcd(arguments.folder / "scan.pcd", scan.points);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
             << " rays, truth of " << truth.faces.size() << " triangles\n";

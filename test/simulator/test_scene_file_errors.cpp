@@ -201,7 +201,16 @@ TEST(SceneFileErrors, objectsThatCannotBe)
   };
   refused(R"({"sofa": {"at": [1, 1]}})",
           " is of unknown kind \"sofa\"; known are block, car, chair, cylinder, "
-          "door_leaf, duct, fixture, group, lamp, object, shelf, table, tree");
+          "door_leaf, duct, fixture, group, lamp, object, shelf, stairs, table, "
+          "tree");
+  refused(R"({"stairs": {"at": [1, 1], "width": 1, "rise": 0.2, "going": 0.25}})",
+          ".stairs lacks \"steps\"");
+  refused(R"({"stairs": {"at": [1, 1], "width": 1, "rise": 0.2, "going": 0.25,
+                         "steps": 5, "solid": 1}})",
+          ".stairs.solid must be true or false, not 1");
+  refused(R"({"stairs": {"at": [1, 1], "width": 1, "rise": 0.2, "going": 0.25,
+                         "steps": 0}})",
+          ".stairs.steps must be a whole number from 1 to 200, not 0");
   refused(R"({"chair": {}, "table": {}})",
           " must be an object with one key, the kind of thing it is");
   refused(R"({"chair": {"at": [1, 2], "colour": "red"}})",

@@ -49,6 +49,22 @@ expectSame(const Object& a, const Object& b)
   }
 }
 
+TEST(SceneFileObjects, stairsClimbAwayFromTheirFoot)
+{
+  const Object open = readOne(R"({"stairs": {"at": [1, 1], "yaw": -90, "width": 0.9,
+      "rise": 0.2, "going": 0.25, "steps": 4}})");
+  EXPECT_EQ(open.name, "stairs");
+  ASSERT_EQ(open.boxes.size(), 4U);
+  expectSame(open.boxes[0].center, {1.125, 1.0, 0.1});
+  expectSame(open.boxes[3].size, {0.9, 0.25, 0.35}); // a step and 0.15 m below it
+  EXPECT_NEAR(open.boxes[3].center.x, 1.875, 1e-12);
+  EXPECT_NEAR(open.boxes[3].center.z + 0.5 * open.boxes[3].size.z, 0.8, 1e-12);
+  const Object solid = readOne(R"({"stairs": {"at": [1, 1], "width": 0.9, "rise": 0.2,
+      "going": 0.25, "steps": 4, "solid": true}})");
+  expectSame(solid.boxes[3].center, {1.0, 1.875, 0.4});
+  expectSame(solid.boxes[3].size, {0.9, 0.25, 0.8});
+}
+
 TEST(SceneFileObjects, furnitureStandsWhereItIsPut)
 {
   const Spot spot{{2.0, 1.0}, 0.5 * pi, 0.0};

@@ -46,7 +46,7 @@ TEST(Scenes, areScannedFromTheHeightOfAPerson)
   for (const Scene& scene : allScenes())
     for (const Scanner& scanner : scene.scanners)
       for (const Vec3& station : scanner.stations) {
-        const std::uint32_t room = roomAt(scene, plan(station));
+        const std::uint32_t room = roomAt(scene, station);
         ASSERT_GT(room, 0U) << scene.name;
         const double height =
             station.z - floorBelow(scene.rooms[room - 1], plan(station));

@@ -76,6 +76,7 @@ public:
 
   void run()
   {
+    floor_voids_ = floorVoidsOf(scene_);
     for (const Object& object : scene_.furniture)
       checkFurniture(object);
     for (std::size_t i = 0; i < scene_.scanners.size(); ++i)
@@ -109,7 +110,7 @@ private:
   {
     const Loop footprint = footprintOf(part);
     const Bounds bounds = boundsOf(Shape{part});
-    const Vec2 center = plan(0.5 * (bounds.min + bounds.max));
+    const Vec3 center = 0.5 * (bounds.min + bounds.max);
     const std::uint32_t number = roomAt(scene_, center);
     if (number == 0)
       return fail(object, " at (", center.x, ", ", center.y, ") is in no room");
@@ -120,9 +121,10 @@ private:
     std::vector<Vec2> samples = samplesAlong(footprint);
     for (const Layer layer : {Layer::Floor, Layer::Ceiling})
       for (const SlabDetail& detail : detailsOf(room, layer))
-        for (const Vec2 sample : samplesAlong(detail.loop, kContact))
-          if (contains(footprint, sample))
-            samples.push_back(sample);
+        if (meet(boundsOf(detail.loop), boundsOf(footprint)))
+          for (const Vec2 sample : samplesAlong(detail.loop, kContact))
+            if (contains(footprint, sample))
+              samples.push_back(sample);
     return std::all_of(samples.begin(), samples.end(), [&](Vec2 sample) {
       return checkSample(object, room, sample, bounds, size);
     });
@@ -144,11 +146,28 @@ private:
       const Slab& slab = slabOf(room, regionAt(room, sample, layer), layer);
       return kContact + 0.5 * size * length(slab.gradient);
     };
-    if (bounds.min.z < floorBelow(room, sample) - slack(Layer::Floor))
+    if (bounds.min.z < floorBelow(room, sample) - slack(Layer::Floor) &&
+        !isOverVoid(room, sample))
       return fail(object, " is below the floor at (", sample.x, ", ", sample.y, ")");
-    if (bounds.max.z > ceilingAbove(room, sample) + slack(Layer::Ceiling))
+    if (bounds.max.z > ceilingAbove(room, sample) + slack(Layer::Ceiling) &&
+        !isUnderVoid(room, sample))
       return fail(object, " is above the ceiling at (", sample.x, ", ", sample.y, ")");
     return true;
+  }
+
+  static bool isUnderVoid(const Room& room, Vec2 point)
+  {
+    return std::any_of(room.voids.begin(), room.voids.end(),
+                       [point](const CeilingVoid& hole) {
+                         return hole.leads_to && contains(hole.loop, point);
+                       });
+  }
+
+  bool isOverVoid(const Room& room, Vec2 point) const
+  {
+    const auto& voids = floor_voids_[&room - scene_.rooms.data()];
+    return std::any_of(voids.begin(), voids.end(),
+                       [point](const Loop& loop) { return contains(loop, point); });
   }
 
   void checkStation(Vec3 station, std::size_t scanner, std::size_t index)
@@ -157,7 +176,7 @@ private:
     text << placeOf("scanners", scanner) << ": station " << index << " at ("
          << station.x << ", " << station.y << ", " << station.z << ")";
     const std::string place = text.str();
-    const std::uint32_t number = roomAt(scene_, plan(station));
+    const std::uint32_t number = roomAt(scene_, station);
     if (number == 0 || !isInRoom(scene_.rooms[number - 1], plan(station)))
       return problems_.report(place, " is in no room");
     const Room& room = scene_.rooms[number - 1];
@@ -171,6 +190,7 @@ private:
 
   const Scene& scene_;
   Problems& problems_;
+  std::vector<std::vector<Loop>> floor_voids_; ///< of each room
 };
 
 } // namespace

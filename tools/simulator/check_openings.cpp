@@ -144,13 +144,21 @@ private:
     }
   }
 
+  static bool holds(const Room& room, Vec2 point, const Gap& gap)
+  {
+    return contains(room.outline, point) &&
+           floorBelow(room, point) < gap.head - kContact &&
+           ceilingAbove(room, point) > gap.sill + kContact;
+  }
+
   /** @brief The room in which a gap's far side ends, if any. */
   const Room* roomBehind(const Room& room, const Gap& gap) const
   {
     const Element far = offsetRight(faceOf(room, gap), gap.depth);
     for (const double s : stepsAlong(far))
-      if (const std::uint32_t number = roomAt(scene_, pointAt(far, s)))
-        return &scene_.rooms[number - 1];
+      for (const Room& other : scene_.rooms)
+        if (holds(other, pointAt(far, s), gap))
+          return &other;
     return nullptr;
   }
 

@@ -22,6 +22,20 @@ touchesOutline(const Loop& loop, Vec2 point)
   return false;
 }
 
+/** @brief Places along the outline and all details of a room. */
+std::vector<Vec2>
+placesOf(const Room& room)
+{
+  std::vector<Vec2> places = samplesAlong(room.outline, kInside);
+  for (const Layer layer : {Layer::Floor, Layer::Ceiling})
+    for (const SlabDetail& detail : detailsOf(room, layer))
+      for (const double side : {kInside, -kInside}) {
+        const auto more = samplesAlong(detail.loop, side);
+        places.insert(places.end(), more.begin(), more.end());
+      }
+  return places;
+}
+
 /** @brief Checks one room for itself. */
 class RoomChecker {
 public:
@@ -82,13 +96,7 @@ private:
   /** @brief The ceiling is above the floor wherever one of them ends or changes. */
   bool checkHeights()
   {
-    std::vector<Vec2> samples = samplesAlong(room_.outline, kInside);
-    for (const Layer layer : {Layer::Floor, Layer::Ceiling})
-      for (const SlabDetail& detail : detailsOf(room_, layer))
-        for (const double side : {kInside, -kInside}) {
-          const auto more = samplesAlong(detail.loop, side);
-          samples.insert(samples.end(), more.begin(), more.end());
-        }
+    const std::vector<Vec2> samples = placesOf(room_);
     for (const Vec2 sample : samples)
       if (isInRoom(room_, sample) &&
           !(floorBelow(room_, sample) < ceilingAbove(room_, sample) - kContact))
@@ -115,15 +123,27 @@ private:
   Problems& problems_;
 };
 
-/** @brief A point that is in both rooms, if any outline shows one. */
+/** @brief True if both rooms take the same height at @p point. */
+bool
+shareHeight(const Room& a, const Room& b, Vec2 point)
+{
+  const double low = std::max(floorBelow(a, point), floorBelow(b, point));
+  const double high =
+      std::min(ceilingAbove(a, point) + a.plenum, ceilingAbove(b, point) + b.plenum);
+  return low < high - kContact;
+}
+
+/** @brief A point that is in both rooms, if any outline or detail shows one. */
 std::optional<Vec2>
 overlapOf(const Room& a, const Room& b)
 {
-  for (const auto& [outline, other] :
-       {std::make_pair(a.outline, b.outline), std::make_pair(b.outline, a.outline)})
-    for (const Vec2 sample : samplesAlong(outline, kInside))
-      if (contains(outline, sample) && contains(other, sample))
-        return sample;
+  if (!meet(boundsOf(a.outline), boundsOf(b.outline)))
+    return std::nullopt;
+  for (const Room* room : {&a, &b})
+    for (const Vec2 place : placesOf(*room))
+      if (contains(a.outline, place) && contains(b.outline, place) &&
+          shareHeight(a, b, place))
+        return place;
   return std::nullopt;
 }
 
@@ -142,6 +162,7 @@ checkRooms(const Scene& scene, Problems& problems)
       if (const auto point = overlapOf(rooms[i], rooms[k]))
         problems.report(placeOf("rooms", i), " overlaps room '", rooms[k].name,
                         "' at (", point->x, ", ", point->y, ")");
+  checkVoids(scene, problems);
 }
 
 } // namespace pcl::sedr::sim

@@ -145,6 +145,22 @@ makeDuct(Vec2 from, Vec2 to, double radius, double top)
 }
 
 Object
+makeStairs(const Spot& spot, const Flight& flight)
+{
+  constexpr double thickness = 0.15; // below the inner corners of the steps
+  Assembly stairs(kStairs, spot);
+  for (std::size_t i = 0; i < flight.steps; ++i) {
+    const double y = static_cast<double>(i) * flight.going;
+    const double top = static_cast<double>(i + 1) * flight.rise;
+    const double bottom =
+        flight.is_solid ? 0.0 : std::max(0.0, top - flight.rise - thickness);
+    stairs.add({-0.5 * flight.width, y, bottom},
+               {0.5 * flight.width, y + flight.going, top});
+  }
+  return stairs.take();
+}
+
+Object
 makeTree(const Spot& spot, double height, double crown_radius)
 {
   Object tree;

@@ -69,6 +69,22 @@ Object makeDuct(Vec2 from, Vec2 to, double radius, double top);
 /** @brief A trunk with a round crown. */
 Object makeTree(const Spot& spot, double height, double crown_radius);
 
+/** @brief The name of every flight of stairs. */
+constexpr const char* kStairs = "stairs";
+
+/** @brief A straight flight of steps. */
+struct Flight {
+  double width = 0.0;    ///< metres
+  double rise = 0.0;     ///< metres, of a step
+  double going = 0.0;    ///< metres, depth of a step
+  std::size_t steps = 0; ///< the landing above is a rise higher than the last one
+  bool is_solid = false; ///< down to the floor, else about 0.15 m thick
+};
+
+/** @brief A flight whose lowest riser stands at the spot; it climbs along the spot's y.
+ */
+Object makeStairs(const Spot& spot, const Flight& flight);
+
 constexpr double kCarLength = 4.2;
 constexpr double kCarWidth = 1.75;
 

@@ -220,6 +220,13 @@ boundsOf(const Loop& loop)
   return bounds;
 }
 
+bool
+meet(const Rectangle& a, const Rectangle& b)
+{
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y &&
+         b.min.y < a.max.y;
+}
+
 Loop
 rectangleLoop(Vec2 min, Vec2 max)
 {

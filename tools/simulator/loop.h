@@ -80,6 +80,9 @@ struct Rectangle {
 /** @brief Bounds of the loop, arcs taken exactly. */
 Rectangle boundsOf(const Loop& loop);
 
+/** @brief True if two rectangles have an area in common. */
+bool meet(const Rectangle& a, const Rectangle& b);
+
 /** @brief An axis-parallel rectangle as counter-clockwise loop. */
 Loop rectangleLoop(Vec2 min, Vec2 max);
 

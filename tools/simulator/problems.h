@@ -43,6 +43,9 @@ constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
 /** @brief Outlines, heights, details and columns; rooms that overlap. */
 void checkRooms(const Scene& scene, Problems& problems);
 
+/** @brief Holes in ceilings; rooms without problems are taken for granted. */
+void checkVoids(const Scene& scene, Problems& problems);
+
 /** @brief Openings and niches; rooms without problems are taken for granted. */
 void checkOpenings(const Scene& scene, Problems& problems);
 

@@ -40,6 +40,17 @@ regionAt(const Room& room, Vec2 point, Layer layer)
   return kMain;
 }
 
+Vec2
+pointInside(const Loop& loop)
+{
+  constexpr double step = 1e-3;
+  const Element first = elementOf(loop, 0);
+  const double middle = 0.5 * lengthOf(first);
+  const Vec2 aside = step * rightNormalAt(first, middle);
+  const Vec2 left = pointAt(first, middle) - aside;
+  return contains(loop, left) ? left : pointAt(first, middle) + aside;
+}
+
 bool
 isInRoom(const Room& room, Vec2 point)
 {

@@ -26,6 +26,9 @@ Region regionCount(const Room& room, Layer layer);
 /** @brief The region that @p point is in. */
 Region regionAt(const Room& room, Vec2 point, Layer layer);
 
+/** @brief A point just inside a loop. */
+Vec2 pointInside(const Loop& loop);
+
 /** @brief True if @p point is in the room's plan and in none of its columns. */
 bool isInRoom(const Room& room, Vec2 point);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "room_links.h"
 #include "scene.h"
 #include "truth_mesh.h"
 
@@ -27,6 +28,11 @@ struct RoomTruth {
   double column_perimeter = 0.0; ///< of all columns
   double height = 0.0;           ///< mean from floor to ceiling inside the outline
   double volume = 0.0;           ///< of all the mesh encloses, niches included
+  double floor = 0.0;            ///< z of the floor's main plane, mean over the plan
+  double ceiling = 0.0;          ///< z of the ceiling's main plane, mean over the plan
+  std::size_t storey = 1;        ///< from 1, the lowest
+  std::vector<Loop> voids;       ///< where its ceiling is open to a room above
+  std::vector<Loop> floor_voids; ///< where its floor is open to a room below
 };
 
 /** @brief The truth of every room of a scene, in its order.
@@ -39,11 +45,13 @@ std::vector<RoomTruth> roomTruths(const Scene& scene);
  */
 std::vector<RoomTruth> roomTruths(const Scene& scene, const Mesh& truth);
 
-/** @brief The rooms as JSON: {"format": "sedr-room-truth", "version": 1, "unit": "m",
- * "scene": name, "rooms": [...]}. Loops are lists of elements as in a floor plan: start
- * and end, for arcs centre, radius and counter_clockwise.
+/** @brief The truth as JSON: {"format": "sedr-room-truth", "version": 1, "unit": "m",
+ * "scene": name, "storeys": [...], "rooms": [...], "links": [...]}. Loops are lists of
+ * elements as in a floor plan: start and end, for arcs centre, radius and
+ * counter_clockwise.
  */
 std::string roomTruthsToJson(const std::string& scene,
-                             const std::vector<RoomTruth>& rooms);
+                             const std::vector<RoomTruth>& rooms,
+                             const std::vector<RoomLink>& links = {});
 
 } // namespace pcl::sedr::sim

@@ -71,6 +71,7 @@ struct Opening {
   /// Room behind the wall, whose wall gets the same opening; empty: the outside.
   std::optional<std::size_t> leads_to = std::nullopt;
   std::optional<Glazing> glazing = std::nullopt;
+  bool is_shut = false; ///< a door with its leaf in the opening
 };
 
 /** @brief A recess in a wall, closed all around: back, sides, bottom and lid. */
@@ -81,6 +82,13 @@ struct Niche {
   double sill = 0.0;    ///< lower z
   double head = 0.0;    ///< upper z
   double depth = 0.0;   ///< behind the wall's face
+};
+
+/** @brief A hole in a ceiling: a stairwell, a well over two storeys, a missing tile. */
+struct CeilingVoid {
+  Loop loop;
+  /// Room above, whose floor gets the same hole; empty: the plenum of the room itself.
+  std::optional<std::size_t> leads_to = std::nullopt;
 };
 
 /** @brief A room: what is enclosed by floor, walls, ceiling and columns. */
@@ -94,6 +102,9 @@ struct Room {
   std::vector<Loop> columns; ///< counter-clockwise, floor to ceiling, away from walls
   std::vector<Opening> openings;
   std::vector<Niche> niches;
+  std::vector<CeilingVoid> voids;
+  double plenum = 0.0; ///< height of the closed space above the ceiling; 0: none
+  std::optional<std::size_t> storey = std::nullopt; ///< from 1; empty: by its height
 };
 
 /** @brief A box that stands upright, turned about z. */

@@ -4,36 +4,13 @@
 #include "subdivision.h"
 
 #include <algorithm>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kMatch = 1e-3; ///< how well the two faces of a partition must fit
-
-[[noreturn]] void
-reject(std::size_t room, std::size_t opening, const std::string& reason)
-{
-  throw std::invalid_argument("rooms[" + std::to_string(room) + "].openings[" +
-                              std::to_string(opening) + "] " + reason);
-}
-
-void
-checkOpening(const Scene& scene, std::size_t room, std::size_t index)
-{
-  const Opening& opening = scene.rooms[room].openings[index];
-  const Loop& outline = scene.rooms[room].outline;
-  if (opening.wall >= outline.size())
-    reject(room, index, "lies on no wall");
-  const double length = lengthOf(elementOf(outline, opening.wall));
-  if (!(opening.from >= 0.0 && opening.from < opening.to && opening.to <= length))
-    reject(room, index, "does not lie within its wall");
-  if (!(opening.sill < opening.head && opening.depth > 0.0))
-    reject(room, index, "has no height or depth");
-}
+constexpr double kBelow = 1e-3; ///< metres: a detail that hides what is behind it
 
 /** @brief Collects the surfaces of a scene. */
 class SurfaceBuilder {
@@ -45,14 +22,20 @@ public:
   std::vector<Surface> run()
   {
     const auto openings = openingsByRoom(scene_);
+    const auto floor_voids = floorVoidsOf(scene_);
     for (std::size_t i = 0; i < scene_.rooms.size(); ++i) {
       room_ = static_cast<std::uint32_t>(i + 1);
-      addSlabs(scene_.rooms[i]);
+      addSlabs(scene_.rooms[i], floor_voids[i]);
       addVerticals(scene_.rooms[i], openings[i]);
       for (const Opening& opening : scene_.rooms[i].openings)
         addReveal(scene_.rooms[i], opening);
       for (const Niche& niche : scene_.rooms[i].niches)
         addNiche(scene_.rooms[i], niche);
+      room_ = 0; // what follows is inside the slabs
+      for (const CeilingVoid& hole : scene_.rooms[i].voids)
+        addShaft(scene_.rooms[i], hole);
+      if (scene_.rooms[i].plenum > 0.0)
+        addPlenum(scene_.rooms[i]);
     }
     addObjects(scene_.furniture);
     addObjects(scene_.outside);
@@ -65,22 +48,94 @@ private:
     surfaces_.push_back({std::move(shape), label, room_, std::nullopt, front});
   }
 
-  void addSlabs(const Room& room)
+  void addSlabs(const Room& room, const std::vector<Loop>& floor_voids)
   {
-    addSlabs(room, Layer::Floor, Label::Floor, Side::AboveOrLeft);
-    addSlabs(room, Layer::Ceiling, Label::Ceiling, Side::BelowOrRight);
+    std::vector<Loop> ceiling_voids;
+    for (const CeilingVoid& hole : room.voids)
+      ceiling_voids.push_back(hole.loop);
+    addSlabs(room, Layer::Floor, Label::Floor, Side::AboveOrLeft, floor_voids);
+    addSlabs(room, Layer::Ceiling, Label::Ceiling, Side::BelowOrRight, ceiling_voids);
   }
 
   /** @brief Adds a floor or ceiling, its details cut out of what they overlap. */
-  void addSlabs(const Room& room, Layer layer, Label label, Side front)
+  void addSlabs(const Room& room,
+                Layer layer,
+                Label label,
+                Side front,
+                const std::vector<Loop>& voids)
   {
     std::vector<Loop> holes = room.columns;
+    holes.insert(holes.end(), voids.begin(), voids.end());
     const auto& details = detailsOf(room, layer);
-    for (auto detail = details.rbegin(); detail != details.rend(); ++detail) {
-      add(SlabPatch{detail->slab, detail->loop, holes}, Label::Detail, front);
-      holes.push_back(detail->loop);
-    }
-    add(SlabPatch{slabOf(room, kMain, layer), room.outline, holes}, label, front);
+    for (std::size_t i = details.size(); i > 0; --i)
+      add(SlabPatch{details[i - 1].slab, details[i - 1].loop,
+                    withDetails(holes, room, layer, static_cast<Region>(i))},
+          Label::Detail, front);
+    add(SlabPatch{slabOf(room, kMain, layer), room.outline,
+                  withDetails(holes, room, layer, kMain)},
+        label, front);
+  }
+
+  /** @brief @p holes and the details that cut a region.
+   *
+   * What hangs below a ceiling, or stands on a floor, hides it, and need not be cut
+   * out: a deck has hundreds of ribs.
+   */
+  static std::vector<Loop>
+  withDetails(std::vector<Loop> holes, const Room& room, Layer layer, Region region)
+  {
+    const Slab& slab = slabOf(room, region, layer);
+    const auto& details = detailsOf(room, layer);
+    for (auto detail = details.begin() + region; detail != details.end(); ++detail)
+      if (!hides(*detail, slab, layer))
+        holes.push_back(detail->loop);
+    return holes;
+  }
+
+  static bool hides(const SlabDetail& detail, const Slab& slab, Layer layer)
+  {
+    const double way = layer == Layer::Ceiling ? -1.0 : 1.0;
+    return std::all_of(detail.loop.begin(), detail.loop.end(),
+                       [&](const LoopVertex& vertex) {
+                         const double rise = heightAt(detail.slab, vertex.position) -
+                                             heightAt(slab, vertex.position);
+                         return vertex.bulge == 0.0 && way * rise > kBelow;
+                       });
+  }
+
+  /** @brief The sides of a void, from the ceiling up to the floor it leads to. */
+  void addShaft(const Room& room, const CeilingVoid& hole)
+  {
+    if (!hole.leads_to)
+      return;
+    const Room& above = scene_.rooms[*hole.leads_to];
+    const Vec2 inside = pointInside(hole.loop);
+    const Slab& low = slabOf(
+        room, std::max(kMain, regionAt(room, inside, Layer::Ceiling)), Layer::Ceiling);
+    const Slab& high = slabOf(
+        above, std::max(kMain, regionAt(above, inside, Layer::Floor)), Layer::Floor);
+    addSides(hole.loop, low, high);
+  }
+
+  /** @brief The sides and the top of the space above a suspended ceiling. */
+  void addPlenum(const Room& room)
+  {
+    Slab top = room.ceiling;
+    top.height += room.plenum;
+    std::vector<Loop> holes = room.columns;
+    for (const CeilingVoid& hole : room.voids)
+      if (hole.leads_to)
+        holes.push_back(hole.loop);
+    addSides(room.outline, room.ceiling, top);
+    for (const Loop& column : room.columns)
+      addSides(column, room.ceiling, top);
+    add(SlabPatch{top, room.outline, std::move(holes)}, Label::Other, Side::None);
+  }
+
+  void addSides(const Loop& loop, const Slab& low, const Slab& high)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      add(verticalPatch(elementOf(loop, i), low, high), Label::Other, Side::None);
   }
 
   void addVerticals(const Room& room, const std::vector<Opening>& openings)
@@ -157,11 +212,11 @@ private:
   {
     for (const Object& object : objects) {
       for (const Box& box : object.boxes) {
-        room_ = roomAt(scene_, plan(box.center));
+        room_ = roomAt(scene_, box.center);
         add(box, Label::Other, Side::None);
       }
       for (const Cylinder& cylinder : object.cylinders) {
-        room_ = roomAt(scene_, plan(cylinder.base));
+        room_ = roomAt(scene_, cylinder.base + Vec3{0.0, 0.0, 0.5 * cylinder.height});
         add(cylinder, Label::Other, Side::None);
       }
     }
@@ -173,68 +228,6 @@ private:
 };
 
 } // namespace
-
-Opening
-otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
-{
-  const Opening& opening = scene.rooms[room].openings[index];
-  if (*opening.leads_to >= scene.rooms.size())
-    reject(room, index, "leads to a room that does not exist");
-  const Element wall = elementOf(scene.rooms[room].outline, opening.wall);
-  const Element far =
-      offsetRight(pieceOf(wall, opening.from, opening.to), opening.depth);
-  const Room& target = scene.rooms[*opening.leads_to];
-  for (std::size_t i = 0; i < target.outline.size(); ++i) {
-    const Element behind = elementOf(target.outline, i);
-    const auto from = locate(behind, far.end, kMatch);
-    const auto to = locate(behind, far.start, kMatch);
-    if (!from || !to || !(*from < *to))
-      continue;
-    Opening other = opening;
-    other.wall = i;
-    other.from = *from;
-    other.to = *to;
-    other.leads_to = room;
-    return other;
-  }
-  std::ostringstream reason;
-  reason << "leads to room '" << target.name << "', which has no wall there, "
-         << opening.depth << " m behind this one";
-  reject(room, index, reason.str());
-}
-
-std::vector<std::vector<Opening>>
-openingsByRoom(const Scene& scene)
-{
-  std::vector<std::vector<Opening>> openings(scene.rooms.size());
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
-    for (std::size_t k = 0; k < scene.rooms[i].openings.size(); ++k) {
-      const Opening& opening = scene.rooms[i].openings[k];
-      checkOpening(scene, i, k);
-      openings[i].push_back(opening);
-      if (opening.leads_to) {
-        const Opening other = otherSideOf(scene, i, k);
-        openings[*opening.leads_to].push_back(other);
-      }
-    }
-  return openings;
-}
-
-Loop
-recessFootprint(const Element& near, double depth)
-{
-  const Element far = offsetRight(near, depth);
-  return {{near.start, near.bulge}, {near.end}, {far.end, -far.bulge}, {far.start}};
-}
-
-std::uint32_t
-roomAt(const Scene& scene, Vec2 point)
-{
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
-    if (contains(scene.rooms[i].outline, point))
-      return static_cast<std::uint32_t>(i + 1);
-  return 0;
-}
 
 std::vector<Surface>
 surfacesOf(const Scene& scene)

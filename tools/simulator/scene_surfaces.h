@@ -29,8 +29,13 @@ std::vector<std::vector<Opening>> openingsByRoom(const Scene& scene);
 Loop recessFootprint(const Element& near, double depth);
 
 /** @brief Number of the room around @p point in the plan, from 1; 0 if there is none.
+ *
+ * Where rooms lie above each other it is the one that is nearest in height.
  */
-std::uint32_t roomAt(const Scene& scene, Vec2 point);
+std::uint32_t roomAt(const Scene& scene, Vec3 point);
+
+/** @brief The holes in every room's floor: voids of rooms below that lead to it. */
+std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);
 
 /** @brief Everything in the scene that a ray can hit, in the scene's own frame.
  *

@@ -132,6 +132,14 @@ JsonView::count(std::size_t least, std::size_t most) const
   return value_.get<std::size_t>();
 }
 
+bool
+JsonView::boolean() const
+{
+  if (!value_.is_boolean())
+    fail("must be true or false, not " + shown(value_));
+  return value_.get<bool>();
+}
+
 std::string
 JsonView::text() const
 {

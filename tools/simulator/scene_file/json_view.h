@@ -55,6 +55,9 @@ public:
   /** @brief A whole number from @p least to @p most. */
   std::size_t count(std::size_t least, std::size_t most) const;
 
+  /** @brief true or false. */
+  bool boolean() const;
+
   /** @brief A text that is not empty. */
   std::string text() const;
 

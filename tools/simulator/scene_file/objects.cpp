@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 200'000; ///< boxes and cylinders of a list
 constexpr int kDeepestGroup = 4;
+constexpr std::size_t kMostSteps = 200; ///< of a flight
 
 using Keys = std::vector<std::string>;
 
@@ -53,6 +54,7 @@ private:
       readers["duct"] = &ObjectReader::readDuct;
       readers["fixture"] = &ObjectReader::readFixture;
       readers["lamp"] = &ObjectReader::readLamp;
+      readers["stairs"] = &ObjectReader::readStairs;
       return readers;
     }();
     return room_ == nullptr ? anywhere : indoors;
@@ -162,6 +164,18 @@ private:
     add(view,
         makeDoorLeaf(hinge, places.yawOf(view, "direction"), view.at("width").size(),
                      view.at("height").size(), places.floorAt(view, hinge)));
+  }
+
+  void readStairs(const JsonView& view, const ObjectPlaces& places)
+  {
+    view.allowOnly({"at", "yaw", "raise", "width", "rise", "going", "steps", "solid"});
+    Flight flight{view.at("width").size(), view.at("rise").size(),
+                  view.at("going").size(), view.at("steps").count(1, kMostSteps)};
+    if (const auto solid = view.find("solid"))
+      flight.is_solid = solid->boolean();
+    const Vec2 foot = places.pointOf(view.at("at"));
+    add(view,
+        makeStairs({foot, places.yawOf(view), places.floorAt(view, foot)}, flight));
   }
 
   void readLamp(const JsonView& view, const ObjectPlaces& places)

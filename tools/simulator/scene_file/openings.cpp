@@ -61,6 +61,15 @@ readLobby(const JsonView& view, const Room& room, const Opening& opening)
                    view.at("height").number(opening.head - opening.sill));
 }
 
+void
+addObject(std::vector<Object>& objects, const JsonView& view, Object object)
+{
+  object.place = view.place();
+  objects.push_back(std::move(object));
+}
+
+} // namespace
+
 std::size_t
 roomNamed(const JsonView& view, const Scene& scene)
 {
@@ -70,15 +79,6 @@ roomNamed(const JsonView& view, const Scene& scene)
       return i;
   view.fail("is \"" + name + "\", which is no room of the scene");
 }
-
-void
-addObject(std::vector<Object>& objects, const JsonView& view, Object object)
-{
-  object.place = view.place();
-  objects.push_back(std::move(object));
-}
-
-} // namespace
 
 void
 readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
@@ -101,6 +101,7 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
 
   if (const auto leaf = view.find("leaf")) {
     const LeafPose pose = readLeaf(*leaf);
+    room.openings.back().is_shut = pose.angle == 0.0;
     auto& objects = pose.angle == 0.0 ? scene.outside : scene.furniture;
     addObject(objects, *leaf, makeLeaf(room, opening, pose));
   }

@@ -8,6 +8,9 @@
 
 namespace pcl::sedr::sim {
 
+/** @brief Number, from 0, of the room that @p view names. */
+std::size_t roomNamed(const JsonView& view, const Scene& scene);
+
 /** @brief Adds an opening to a room, its leaf and lobby to the objects of the scene.
  *
  * All rooms of @p scene are known by name already.

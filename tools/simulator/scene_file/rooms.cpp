@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rooms.h"
 
+#include "../ribs.h"
 #include "loops.h"
 #include "objects.h"
 #include "openings.h"
@@ -13,6 +14,9 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr double kSteepest = 45.0; ///< degrees
+constexpr std::size_t kMostStoreys = 200;
+constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
+constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
 
 /** @brief A plane: its height, or its height, slope and direction.
  * @param origin where the height is measured unless the file says where
@@ -64,12 +68,62 @@ readNiche(const JsonView& view, const Room& room)
   return niche;
 }
 
-/** @brief All of a room but its openings and furniture. */
+RibFamily
+readRibFamily(const JsonView& view)
+{
+  view.allowOnly({"direction", "spacing", "width", "depth", "first"});
+  RibFamily family;
+  family.direction = view.at("direction").number() * pi / 180.0;
+  family.spacing = view.at("spacing").number(kNarrowest);
+  family.width = view.at("width").size();
+  family.depth = view.at("depth").size();
+  if (!(family.width < family.spacing))
+    view.at("width").fail("is not less than the spacing of the ribs");
+  if (const auto first = view.find("first"))
+    family.first = first->number();
+  return family;
+}
+
+/** @brief Adds the ribs of a ceiling to its details. */
+void
+readRibs(const std::vector<JsonView>& list, Room& room)
+{
+  std::vector<RibFamily> families;
+  for (const JsonView& view : list) {
+    families.push_back(readRibFamily(view));
+    for (const LoopVertex& vertex : room.outline)
+      if (vertex.bulge != 0.0)
+        view.fail("needs a room with straight walls");
+  }
+  const auto loops = ribLoops(room.outline, families);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const Loop& loop : loops[i]) {
+      room.details.push_back({loop, room.ceiling});
+      room.details.back().slab.height -= families[i].depth;
+    }
+    if (room.details.size() > kMostRibs)
+      list[i].fail("makes more than " + std::to_string(kMostRibs) + " ribs");
+  }
+}
+
+/** @brief A hole in a ceiling; all rooms are known by name already. */
+CeilingVoid
+readVoid(const JsonView& view, const Scene& scene)
+{
+  view.allowOnly({"loop", "leads_to"});
+  CeilingVoid hole{readLoop(view.at("loop"))};
+  if (const auto target = view.find("leads_to"))
+    hole.leads_to = roomNamed(*target, scene);
+  return hole;
+}
+
+/** @brief All of a room but its openings, voids and furniture. */
 Room
 readShell(const JsonView& view)
 {
-  view.allowOnly({"name", "outline", "floor", "ceiling", "floor_details",
-                  "ceiling_details", "columns", "niches", "openings", "furniture"});
+  view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
+                  "ceiling_details", "ribs", "plenum", "voids", "columns", "niches",
+                  "openings", "furniture"});
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
@@ -78,6 +132,11 @@ readShell(const JsonView& view)
   const Vec2 origin = room.outline.front().position;
   room.floor = readSlab(view.at("floor"), origin);
   room.ceiling = readSlab(view.at("ceiling"), origin);
+  if (const auto storey = view.find("storey"))
+    room.storey = storey->count(1, kMostStoreys);
+  if (const auto plenum = view.find("plenum"))
+    room.plenum = plenum->size();
+  readRibs(view.itemsOf("ribs"), room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
     room.floor_details.push_back(readSlabDetail(detail, room.floor, "rise", 1));
   for (const JsonView& detail : view.itemsOf("ceiling_details"))
@@ -113,6 +172,8 @@ readRooms(const JsonView& list, Scene& scene)
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (const JsonView& opening : views[i].itemsOf("openings"))
       readOpening(opening, i, scene);
+    for (const JsonView& hole : views[i].itemsOf("voids"))
+      scene.rooms[i].voids.push_back(readVoid(hole, scene));
     append(scene.furniture,
            readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]));
   }

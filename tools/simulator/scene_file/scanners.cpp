@@ -11,20 +11,22 @@ namespace {
 
 constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
+constexpr double kLowest = -1e5; ///< below every room
 
 /** @brief Stations along a path, at a height above the floor under them. */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {
-  view.allowOnly({"path", "count", "height", "sway"});
+  view.allowOnly({"path", "count", "height", "sway", "floor"});
   std::vector<Vec2> path;
   for (const JsonView& corner : view.at("path").items(2))
     path.push_back(corner.point2());
   const std::size_t count = view.at("count").count(1, kMostStations);
   auto stations =
       walkAlong(path, count, view.at("height").size(), view.numberOr("sway", 0.0));
+  const double floor = view.numberOr("floor", kLowest);
   for (Vec3& station : stations)
-    if (const std::uint32_t room = roomAt(scene, plan(station)))
+    if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
       station.z += floorBelow(scene.rooms[room - 1], plan(station));
   return stations;
 }

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Doors, passages, galleries and windows in the walls between rooms and to the outside."""
+import math
+
+from . import geometry as g
+
+MARGIN = 0.15        # metres from a door to the next corner
+THICKEST = 0.8       # metres of wall that an opening goes through
+DOOR_ROLES = ("corridor", "stairs", "open", "hall")
+
+
+def walls_between(a, b):
+    """(edge of a, edge of b, start, end along a's edge, thickness) of the straight walls that two rooms share."""
+    found = []
+    for i, e in enumerate(a.edges):
+        p, u, n, size = g.frame(e)
+        for k, f in enumerate(b.edges):
+            q, v, _, _ = g.frame(f)
+            depth = g.dot(g.sub(q, p), n)
+            if i in a.bulges or k in b.bulges or g.dot(u, v) > -1 + 1e-9 or not 0.03 < depth < THICKEST:
+                continue
+            ends = sorted(g.dot(g.sub(x, p), u) for x in f)
+            low, high = max(0.0, ends[0]), min(size, ends[1])
+            if high - low > 0.3:
+                found.append((i, k, low, high, round(depth, 6)))
+    return found
+
+
+def along_other(a, b, i, k, start, end):
+    """The same stretch as metres along b's edge."""
+    p, u, _, _ = g.frame(a.edges[i])
+    q, v, _, _ = g.frame(b.edges[k])
+    return sorted(g.dot(g.sub(g.along(p, u, s), q), v) for s in (start, end))
+
+
+def place(rng, a, b, width, margin=MARGIN, least=0.0):
+    """(edge of a, edge of b, start, end, thickness) of a free stretch of wall of that width; None if there is none.
+
+    The ceilings on both sides are at the height `least` or higher."""
+    walls = walls_between(a, b)
+    rng.shuffle(walls)
+    for i, k, low, high, depth in walls:
+        if high - low < width + 2 * margin:
+            continue
+        for _ in range(12):
+            start = round(rng.uniform(low + margin, high - margin - width), 3)
+            other = along_other(a, b, i, k, start, start + width)
+            if a.is_free(i, start - 0.12, start + width + 0.12) and b.is_free(k, other[0] - 0.12, other[1] + 0.12) and \
+                    min(a.top_along(i, start, start + width), b.top_along(k, *other)) >= least:
+                return i, k, start, round(start + width, 3), depth
+    return None
+
+
+def reserve(a, b, spot, depth_a, depth_b):
+    i, k, start, end, _ = spot
+    other = along_other(a, b, i, k, start, end)
+    a.use(i, start, end)
+    b.use(k, *other)
+    if depth_a:
+        a.keep_clear(i, start, end, depth_a)
+    if depth_b:
+        b.keep_clear(k, *other, depth_b)
+
+
+def add_door(rng, a, b, style, passages):
+    """A door or passage between two rooms; True if there was a place for it."""
+    sill = max(a.floor, b.floor)
+    top = min(a.lowest_ceiling(), b.lowest_ceiling())
+    wide = rng.uniform(2.0, 4.0)
+    is_large = min(a.area, b.area) > 7 and "closet" not in (a.role, b.role) and a.area + b.area > 25
+    if is_large and rng.random() < passages and top - sill > 2.4:
+        spot = place(rng, a, b, round(wide, 2), 0.3)
+        if spot:
+            reserve(a, b, spot, 1.0, 1.0)
+            head = min(top - rng.uniform(0.2, 0.6), sill + 3.0)
+            if rng.random() < 0.15 and not (a.facets or b.facets) and abs(a.lowest_ceiling() - b.lowest_ceiling()) < 1e-9:
+                head = top  # no lintel: one room and two are both right
+            a.openings.append(opening(spot, sill, head, b.name))
+            return True
+    width = round(rng.uniform(0.75, 0.85) if "closet" in (a.role, b.role) else rng.uniform(0.8, 1.2), 2)
+    spot = place(rng, a, b, width, MARGIN, sill + 1.95) or place(rng, a, b, 0.75, 0.11, sill + 1.95)
+    if not spot:
+        return False
+    i, k, start, end, _ = spot
+    top = min(a.top_along(i, start, end), b.top_along(k, *along_other(a, b, i, k, start, end)))
+    top -= 0.01 if a.facets or b.facets else 0.0
+    head = top if style == "full" and not (a.facets or b.facets) else min(sill + rng.choice((2.0, 2.05, 2.1, 2.2)), top)
+    if head - sill < 1.9:
+        return False
+    door = opening(spot, sill, head, b.name)
+    kind = rng.random()
+    if kind < 0.12 and a.role != "closet" and a.wants_station and b.wants_station:
+        door["leaf"] = {"hinge": "from", "angle": 0}
+    elif kind < 0.55 and style != "full" and not a.facets:
+        width = spot[3] - spot[2]
+        size = g.length(g.sub(*a.edges[spot[0]]))
+        if spot[2] > 0.12 and spot[3] < size - 0.12:
+            door["leaf"] = {"hinge": rng.choice(("from", "to")), "angle": rng.choice((70, 80, 90, 90))}
+            outline = leaf_outline(a, door)
+            if all(g.inside(a.outline, p) for p in outline[1:3]) and a.is_clear_of_walls(outline):
+                a.obstacles.append(outline)
+            else:
+                del door["leaf"]
+    reserve(a, b, spot, 1.05, 0.8)
+    a.openings.append(door)
+    return True
+
+
+def leaf_outline(room, door):
+    a, u, n, _ = g.frame(room.edges[door["wall"]])
+    width, angle = door["to"] - door["from"], math.radians(door["leaf"]["angle"])
+    s, way = (door["from"] - 0.03, 1) if door["leaf"]["hinge"] == "from" else (door["to"] + 0.03, -1)
+    hinge = g.along(a, u, s)
+    along = (way * math.cos(angle) * u[0] - math.sin(angle) * n[0], way * math.cos(angle) * u[1] - math.sin(angle) * n[1])
+    return g.turned_rectangle(g.along(hinge, along, width / 2), width, 0.1, math.atan2(along[1], along[0]))
+
+
+def opening(spot, sill, head, leads_to=None):
+    i, _, start, end, depth = spot
+    json = {"wall": i, "from": start, "to": end, "sill": round(sill, 4), "head": round(head, 4), "depth": depth}
+    if leads_to:
+        json["leads_to"] = leads_to
+    return json
+
+
+def connect(rng, rooms, kind, style):
+    """Doors along a tree over the rooms of a storey, corridors first, and a few more; False if a room stays alone."""
+    todo = sorted(rooms, key=lambda r: (r.role not in DOOR_ROLES, -r.area))
+    joined = [todo.pop(0)]
+    alone = []
+    while todo:
+        for room in todo:
+            near = sorted((r for r in joined if r.role != "closet"), key=lambda r: (r.role not in DOOR_ROLES, rng.random()))
+            near += [r for r in joined if r.role == "closet"]
+            if any(add_door(rng, room, r, style, kind.passages) for r in near):
+                joined.append(room)
+                todo.remove(room)
+                break
+        else:
+            alone.append(todo.pop(0))
+    for a in joined:
+        for b in joined:
+            if a.name < b.name and a.role == b.role == "room" and rng.random() < 0.12:
+                add_door(rng, a, b, style, kind.passages)
+    return not alone
+
+
+def add_galleries(rng, tall, rooms):
+    """Openings of upper rooms to a tall one beside them, above a parapet."""
+    for room in rooms:
+        spot = None
+        if room.floor > tall.floor + 1.5 and room.role != "closet" and rng.random() < 0.4:
+            spot = place(rng, room, tall, round(rng.uniform(1.5, 3.0), 2), 0.3)
+        if spot:
+            sill = room.floor + rng.uniform(0.9, 1.1)
+            head = min(room.lowest_ceiling() - 0.2, tall.lowest_ceiling() - 0.2, sill + 1.4)
+            if head - sill > 0.5:
+                room.openings.append(opening(spot, sill, head, tall.name))
+                reserve(room, tall, spot, 0.0, 0.0)
+
+
+def outer_stretches(room, rooms, reach=1.2):
+    """(edge, start, end) of the straight walls behind which no room is."""
+    others = [r for r in rooms if r is not room and r.floor < room.ceiling and room.floor < r.ceiling]
+    found = []
+    for i, e in enumerate(room.edges):
+        if i in room.bulges:
+            continue
+        p, u, n, size = g.frame(e)
+        steps = max(2, int(size / 0.2))
+        start = None
+        for k in range(steps + 1):
+            s = min(size, (k + 0.5) * size / steps)
+            is_outer = k < steps and not any(g.inside(r.outline, g.along(g.along(p, u, s), n, d))
+                                             for r in others for d in (0.06, 0.15, 0.3, 0.5, 0.8, reach))
+            if is_outer and start is None:
+                start = k * size / steps
+            if not is_outer and start is not None:
+                if k * size / steps - start > 0.8:
+                    found.append((i, start, k * size / steps))
+                start = None
+    return found
+
+
+def add_windows(rng, room, rooms, kind, thickness):
+    floor = room.floor
+    for i, start, end in outer_stretches(room, rooms):
+        size = end - start
+        top = room.top_along(i, start, end) - (0.05 if room.facets else 0.0)
+        if room.role in ("closet", "stairs") and rng.random() < 0.6 or rng.random() < 0.12:
+            continue
+        if rng.random() < kind.glass and size > 2.0:
+            panes = [(start + 0.12, end - 0.12)]
+            sill, head = floor + rng.choice((0.0, 0.05, 0.4)), top - rng.choice((0.0, 0.1, 0.3))
+        else:
+            width = min(rng.uniform(0.8, 2.2), size - 0.5)
+            count = max(1, int(size / (width + rng.uniform(0.6, 2.0))))
+            pitch = size / count
+            panes = [(start + (k + 0.5) * pitch - width / 2, start + (k + 0.5) * pitch + width / 2) for k in range(count)]
+            sill, head = floor + rng.uniform(0.7, 1.0), floor + rng.uniform(1.9, 2.3)
+        head = min(head, top)
+        if head - sill < 0.4:
+            continue
+        for a, b in panes:
+            a, b = round(a, 3), round(b, 3)
+            if b - a > 0.4 and room.is_free(i, a - 0.1, b + 0.1):
+                room.use(i, a, b)
+                window = opening((i, 0, a, b, round(thickness, 3)), sill, head)
+                window["glazing"] = {}
+                room.openings.append(window)
