@@ -142,6 +142,7 @@ roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
   std::map<std::uint32_t, double> repaired = chain.getChain().repairedShares();
+  std::map<std::uint32_t, UnseenShares> unseen = chain.getChain().unseenShares();
   for (const auto& room : chain.getFloorplan()->rooms) {
     const double height = meanHeight(room);
     rooms.push_back({{"id", room.id},
@@ -153,6 +154,8 @@ roomsOf(const Reconstruction& chain)
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
                      {"repaired_share", repaired[room.id]},
+                     {"unseen_share", unseen[room.id].surface},
+                     {"unseen_walls", unseen[room.id].walls},
                      {"solid", solidOf(chain.getChain(), room.id)},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
