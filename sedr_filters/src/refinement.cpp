@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "unseen_cells.h"
+
 #include <pcl/sedr_filters/refinement.h>
 
 #include <pcl/sedr_filters/parallel.h>
@@ -83,7 +85,8 @@ std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
             double cell_size,
-            std::vector<RepairedStrip>* strips)
+            std::vector<RepairedStrip>* strips,
+            std::map<std::uint32_t, UnseenShares>* unseen)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)
@@ -93,6 +96,8 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     SurfaceCells cells(room, cell_size);
     for (const std::size_t i : points_of[room.id])
       cells.occupy(refined[i], i);
+    if (unseen)
+      (*unseen)[room.id] = unseenSharesOf(cells, refined);
     if (strips)
       for (const auto& strip : cells.strips())
         strips->push_back(repairedStrip(strip, room.id, repaired.size()));

@@ -152,6 +152,7 @@ SurfaceCells::addStrip(const UprightSurface& surface)
     }
   }
   strip.first.push_back(cells_.size());
+  starts_.push_back(cells_.size());
   strips_.push_back(std::move(strip));
 }
 
@@ -179,6 +180,7 @@ SurfaceCells::addSheet(const PlanLoop& loop, PointAt pointAt)
     sheet.cell[i] = cells_.size();
     cells_.push_back(cell);
   }
+  starts_.push_back(cells_.size());
   sheets_.push_back(std::move(sheet));
 }
 

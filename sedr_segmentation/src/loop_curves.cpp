@@ -17,10 +17,17 @@ namespace {
 const double least_cosine = std::cos(35.0 * M_PI / 180.0);
 
 /** @brief How well a sample agrees with a curve: from its weight down to 0 at the
- * tolerance. */
+ * tolerance; where only the contour shows the wall that is its staircase, half a cell.
+ */
 double
-agreement(const ContourSample& sample, const PlanCurve& curve, double tolerance)
+agreement(const ContourSample& sample,
+          const PlanCurve& curve,
+          const LoopParameters& parameters)
 {
+  const double tolerance =
+      sample.isSupported()
+          ? parameters.tolerance
+          : std::max(parameters.tolerance, parameters.evidence_span / 2);
   const double d = curve.distance(sample.position) / tolerance;
   if (d >= 1 ||
       std::abs(curve.tangentAt(sample.position).dot(sample.tangent)) < least_cosine)
@@ -91,7 +98,7 @@ private:
     auto left = static_cast<double>(open.size());
     for (const std::size_t i : open) {
       if (samples_[i].isSupported() || !curve.isCircle() || !is_seen_)
-        sum += agreement(samples_[i], curve, parameters_.tolerance);
+        sum += agreement(samples_[i], curve, parameters_);
       left -= 1;
       if (sum + most_weight * left + rounding < least)
         break;
@@ -135,7 +142,7 @@ private:
   {
     std::vector<WeightedPoint> inliers;
     for (const std::size_t i : open)
-      if (agreement(samples_[i], curve, parameters_.tolerance) > 0)
+      if (agreement(samples_[i], curve, parameters_) > 0)
         inliers.push_back({samples_[i].position, samples_[i].weight()});
     if (inliers.size() < 4)
       return curve;
@@ -158,12 +165,12 @@ private:
 void
 eraseExplained(const std::vector<ContourSample>& samples,
                const PlanCurve& curve,
-               double tolerance,
+               const LoopParameters& parameters,
                std::vector<std::size_t>& open)
 {
   open.erase(std::remove_if(open.begin(), open.end(),
                             [&](std::size_t i) {
-                              return agreement(samples[i], curve, tolerance) > 0;
+                              return agreement(samples[i], curve, parameters) > 0;
                             }),
              open.end());
 }
@@ -193,7 +200,7 @@ proposeLines(CurveSearch& search,
     if (line_score < least_score)
       break;
     curves.push_back(line);
-    eraseExplained(samples, line, parameters.tolerance, open);
+    eraseExplained(samples, line, parameters, open);
   }
 }
 
@@ -214,7 +221,7 @@ findCurves(const std::vector<ContourSample>& samples,
   for (std::size_t i = 0; i < samples.size(); ++i)
     open.push_back(i);
   for (const auto& curve : known)
-    eraseExplained(samples, curve, parameters.tolerance, open);
+    eraseExplained(samples, curve, parameters, open);
 
   const double edge =
       samples.size() < 2
@@ -234,7 +241,7 @@ findCurves(const std::vector<ContourSample>& samples,
       break;
     curves.push_back(is_circle ? circle : line);
     std::vector<std::size_t> left = open;
-    eraseExplained(samples, curves.back(), parameters.tolerance, left);
+    eraseExplained(samples, curves.back(), parameters, left);
     if (is_circle) // a square column is nearly a circle: its sides are proposed as well
       proposeLines(search, samples, difference(open, left), parameters, least_score,
                    curves);

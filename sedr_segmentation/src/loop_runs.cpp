@@ -123,8 +123,8 @@ collectEvidence(const Assignment& a,
   return own;
 }
 
-/** @brief Whether an arc does no better than a line: it hardly bends along its samples.
- */
+/** @brief Whether an arc does no better than a line: it hardly bends along its samples,
+ * which belong to a curve within `tolerance`. */
 bool
 isStraight(const PlanCurve& arc,
            const std::vector<WeightedPoint>& places,
@@ -140,14 +140,16 @@ isStraight(const PlanCurve& arc,
     line_sum += std::pow(line.distance(p.position), 2);
   }
   return line_sum <= 1.2 * arc_sum ||
-         line_sum < std::pow(tolerance / 5, 2) * static_cast<double>(places.size());
+         line_sum < std::pow(0.4 * tolerance, 2) * static_cast<double>(places.size());
 }
 
-/** @brief Fits every curve that is in use anew to all that follows it. */
+/** @brief Fits every curve that is in use anew to all that follows it.
+ * @param of_samples sampleTolerance() */
 void
 refit(Assignment& a,
       const std::vector<ContourSample>& samples,
       const PlanPoints& walls,
+      double of_samples,
       const LoopParameters& parameters)
 {
   std::vector<PlanCurve> fitted = a.curves;
@@ -157,7 +159,7 @@ refit(Assignment& a,
     if (own.places.size() < 2)
       return;
     PlanCurve start = a.curves[c];
-    if (start.isCircle() && isStraight(start, own.places, parameters.tolerance))
+    if (start.isCircle() && isStraight(start, own.places, of_samples))
       start = fitLine(own.places);
     const auto& fitted_to =
         own.walls.size() >= 3 * own.places.size() ? own.walls : own.places;
@@ -203,7 +205,7 @@ findAssignment(const std::vector<ContourSample>& samples,
   const CurveAssignment assignment(samples, walls, search);
   for (int round = 0; round < rounds; ++round) {
     a.curve_of = assignment.assign(a.curves);
-    refit(a, samples, walls, parameters);
+    refit(a, samples, walls, search.tolerance, parameters);
     dropUnused(a, least_samples);
   }
   a.curve_of = assignment.assign(a.curves);

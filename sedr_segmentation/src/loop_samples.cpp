@@ -91,6 +91,7 @@ sampleContour(const Contour& contour,
     const WallStretch wall =
         wallAcross(evidence, sample.place, sample.tangent, parameters);
     sample.points = wall.count;
+    sample.deviation = wall.deviation;
     walls[i] = sample.place + wall.offset * leftOf(sample.tangent);
   };
   parallelBlocks(n, samples_a_block, parameters.threads,
@@ -122,12 +123,21 @@ sampleTolerance(const std::vector<ContourSample>& samples,
     if (way.norm() > 0)
       deviations.push_back(std::abs(way.x() * d.y() - way.y() * d.x()) / way.norm());
   }
+  std::vector<double> of_points;
+  for (const ContourSample& sample : samples)
+    if (sample.isSupported())
+      of_points.push_back(sample.deviation);
   if (deviations.empty())
     return parameters.tolerance;
   // The deviation from the middle of two neighbours has 1.5 times the variance of a
   // sample.
   const double noise = 1.4826 * middleValue(deviations) / std::sqrt(1.5);
-  return std::clamp(4 * noise, parameters.tolerance / 2, parameters.tolerance);
+  constexpr double exactness = 0.001; // of what is called a wall, metres
+  // Of a contour alone it is the staircase of its cells.
+  const double of_wall =
+      of_points.empty() ? parameters.tolerance : 3 * middleValue(of_points);
+  const double least = std::max(exactness, std::min(of_wall, parameters.tolerance / 2));
+  return std::clamp(4 * noise, least, parameters.tolerance);
 }
 
 } // namespace sedr

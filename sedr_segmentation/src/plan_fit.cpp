@@ -67,11 +67,11 @@ sharesOf(const std::vector<int>& indices,
 
 /** @brief The heights from floor to ceiling of each room, of points that are shared out
  * to the rooms; none where a room has no points of its floor. */
-std::vector<HeightRange>
+std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
                const std::array<std::vector<std::vector<int>>, 3>& parts)
 {
-  std::vector<HeightRange> heights(parts[0].size());
+  std::vector<RoomHeights> heights(parts[0].size());
   for (std::size_t r = 0; r < heights.size(); ++r) {
     heights[r] = {std::numeric_limits<double>::infinity(),
                   -std::numeric_limits<double>::infinity()};
@@ -195,7 +195,7 @@ fitPlan(const PointView& points,
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-  const std::vector<HeightRange> heights =
+  const std::vector<RoomHeights> heights =
       heightsOfRooms(points, {ceilings, details, shareBy(evidence.floor, labelled)});
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(

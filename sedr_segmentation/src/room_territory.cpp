@@ -18,7 +18,7 @@ namespace {
 /** @brief Rooms by layers, lowest first: a room that would lie above one of a layer
  * starts the next. */
 std::vector<std::vector<std::size_t>>
-layersOf(std::size_t rooms, const std::vector<HeightRange>& heights)
+layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
 {
   std::vector<std::size_t> order(rooms);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -40,7 +40,7 @@ layersOf(std::size_t rooms, const std::vector<HeightRange>& heights)
 
 /** @brief How far a height is from those of a room, 0 within. */
 double
-awayFrom(const HeightRange& range, double z)
+awayFrom(const RoomHeights& range, double z)
 {
   return std::max({0.0, range.low - z, z - range.high});
 }
@@ -49,7 +49,7 @@ awayFrom(const HeightRange& range, double z)
 
 RoomTerritory::RoomTerritory(const CellGrid& grid,
                              const std::vector<CellSet>& scopes,
-                             const std::vector<HeightRange>& heights,
+                             const std::vector<RoomHeights>& heights,
                              double reach)
     : grid_(grid)
 {

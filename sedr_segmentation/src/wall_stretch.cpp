@@ -23,10 +23,14 @@ densestStretch(std::vector<double>& offsets,
   WallStretch best;
   double best_score = 0;
   double sum = 0;
+  double squares = 0;
   for (std::size_t first = 0, last = 0; last < offsets.size(); ++last) {
     sum += offsets[last];
-    for (; offsets[last] - offsets[first] > width; ++first)
+    squares += offsets[last] * offsets[last];
+    for (; offsets[last] - offsets[first] > width; ++first) {
       sum -= offsets[first];
+      squares -= offsets[first] * offsets[first];
+    }
     const std::size_t count = last - first + 1;
     const double mean = sum / static_cast<double>(count);
     if (std::abs(mean - expected) > reach)
@@ -35,7 +39,9 @@ densestStretch(std::vector<double>& offsets,
         static_cast<double>(count) * (1.2 - std::abs(mean - expected) / reach);
     if (score > best_score) {
       best_score = score;
-      best = {mean, count};
+      best = {
+          mean, count,
+          std::sqrt(std::max(0.0, squares / static_cast<double>(count) - mean * mean))};
     }
   }
   return best;

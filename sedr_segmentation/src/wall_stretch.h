@@ -14,6 +14,7 @@ namespace sedr {
 struct WallStretch {
   double offset = 0; ///< their mean, to the left of the contour, metres
   std::size_t count = 0;
+  double deviation = 0; ///< their root mean square distance from the mean, metres
 };
 
 /** @brief The densest stretch of the evidence beside `place`, along a wall that runs in

@@ -98,6 +98,7 @@ MeshRepairReport::operator+=(const MeshRepairReport& other)
   filled_edges += other.filled_edges;
   open_holes += other.open_holes;
   collapsed_edges += other.collapsed_edges;
+  parted_vertices += other.parted_vertices;
   removed_components += other.removed_components;
   removed_triangles += other.removed_triangles;
   return *this;

@@ -90,6 +90,8 @@ done(const RepairJob& job, unsigned threads)
   repair.filter(whole);
   room.problem = repair.getErrorMessage();
   room.filled = repair.getRepairedIndices().size();
+  if (const auto unseen = repair.getUnseenShares(); unseen.count(job.plan.id) > 0)
+    room.unseen = unseen.at(job.plan.id);
   room.points.reserve(whole.size());
   room.labels.reserve(whole.size());
   for (const auto& p : whole) {

@@ -123,7 +123,7 @@ repair(TriangleMesh& mesh,
   options.shortest_edge = std::max(0.05 * report.cell, 2 * resolutionAt(mesh));
   options.normals = NormalSide::Inward;
   repairMesh(mesh, options, report.repair);
-  roundToFloat(mesh);
+  report.repair.parted_vertices = partEqualPositions(mesh);
   report.topology = checkTopology(mesh);
   checkRoom(mesh, parameters, report);
 }

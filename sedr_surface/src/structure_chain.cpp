@@ -81,6 +81,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   structure.reset(new StructureCloud);
   refined_.clear();
   repaired_shares_.clear();
+  unseen_.clear();
   reports.clear();
   warnings.clear();
   failed_stage.clear();

@@ -152,6 +152,7 @@ void
 StructureChain::addStructure(std::uint32_t room, const RepairedRoom& repaired)
 {
   *structure += cloudOf(room, repaired);
+  unseen_[room] = repaired.unseen;
   if (!repaired.points.empty())
     repaired_shares_[room] = static_cast<double>(repaired.filled) /
                              static_cast<double>(repaired.points.size());

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/surface_cells.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace pcl {
@@ -72,6 +73,8 @@ StructureChain::repair(StageReport& report)
     if (!hole_repair.getErrorMessage().empty())
       return fail(hole_repair.getErrorMessage());
     tellResult("VerticalHoleRepair", room.id);
+    for (const auto& [id, shares] : hole_repair.getUnseenShares())
+      unseen_[id] = shares;
     if (!whole.empty())
       repaired_shares_[room.id] =
           static_cast<double>(hole_repair.getRepairedIndices().size()) /
@@ -87,17 +90,19 @@ StructureChain::repair(StageReport& report)
 void
 StructureChain::warnOfGuesses()
 {
-  // Larger cells leave the smaller ones of the repair empty, however good the scan.
-  const double most = enlarged_from_ > 0 ? 0.8 : 0.45;
-  for (const auto& [room, share] : repaired_shares_)
-    if (share > most) {
-      char text[120];
-      std::snprintf(text, sizeof text,
-                    "%.0f %% of its surface were filled in, not seen: its walls may be "
-                    "elsewhere",
-                    100 * share);
-      warn(room, text);
-    }
+  constexpr double most = 0.45;
+  for (const auto& [room, unseen] : unseen_) {
+    if (std::max(unseen.surface, unseen.walls) <= most)
+      continue;
+    const bool is_surface = unseen.surface > most;
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "%.0f %% of its %s were filled in, not seen: its walls may be "
+                  "elsewhere",
+                  100 * (is_surface ? unseen.surface : unseen.walls),
+                  is_surface ? "surface" : "walls");
+    warn(room, text);
+  }
 }
 
 bool

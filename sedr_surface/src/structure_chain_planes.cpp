@@ -221,7 +221,7 @@ StructureChain::scopes() const
 RoomTerritory
 StructureChain::territory(double reach) const
 {
-  std::vector<HeightRange> heights;
+  std::vector<RoomHeights> heights;
   for (const BuildingRoom& room : getBuilding().rooms) {
     double highest = room.ceiling;
     for (const RoomColumn& column : room.columns)

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <random>
 #include <set>
 
 namespace {
@@ -176,6 +178,49 @@ TEST(RepairHoles, WithoutPointsMakesTheWholeRoom)
     ASSERT_EQ(p.point.room, 5u);
   }
   EXPECT_TRUE(repairHoles({}, Floorplan(), 0.1).empty());
+}
+
+/** Points at random on all surfaces of a room of 6 m x 4 m x 2.5 m, so many a square
+ * metre; on two of the walls none where `is_open`. */
+std::vector<SurfacePoint>
+scattered(const PlanRoom& room, double density, bool is_open)
+{
+  std::mt19937 random(5);
+  std::vector<SurfacePoint> points;
+  const std::vector<SurfacePoint> all = [&] {
+    std::vector<SurfacePoint> fine;
+    for (const auto& p : repairHoles({}, Floorplan{{room}}, 0.02))
+      fine.push_back(p.point);
+    return fine;
+  }();
+  std::bernoulli_distribution is_hit(density * 0.02 * 0.02);
+  for (const auto& p : all)
+    if (is_hit(random) && !(is_open && std::abs(p.normal.z()) < 0.5 &&
+                            (p.position.x() < 0.01 || p.position.y() < 0.01)))
+      points.push_back(p);
+  return points;
+}
+
+TEST(RepairHoles, WhatASparseScanCoversEvenlyIsSeenAndWhatItLacksIsNot)
+{
+  const PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
+  for (const double spacing : {0.04, 0.1, 0.15}) {
+    SCOPED_TRACE(spacing);
+    const double density = 1 / (spacing * spacing);
+    std::map<std::uint32_t, UnseenShares> unseen;
+    repairHoles(scattered(room, density, false), Floorplan{{room}}, 0.05, nullptr,
+                &unseen);
+    EXPECT_LT(unseen.at(1).surface, 0.23);
+    EXPECT_EQ(unseen.at(1).walls, 0);
+    repairHoles(scattered(room, density, true), Floorplan{{room}}, 0.05, nullptr,
+                &unseen);
+    EXPECT_NEAR(unseen.at(1).walls, 0.5, 0.03);
+    EXPECT_GT(unseen.at(1).surface, 0.25);
+  }
+  std::map<std::uint32_t, UnseenShares> unseen;
+  repairHoles({}, Floorplan{{room}}, 0.05, nullptr, &unseen);
+  EXPECT_EQ(unseen.at(1).walls, 1);
+  EXPECT_EQ(unseen.at(1).surface, 1);
 }
 
 } // namespace

@@ -132,6 +132,37 @@ TEST(MeshRepair, cubes_at_an_edge_grow_together_where_their_outside_is_kept_apar
   EXPECT_EQ(checkTopology(mesh).euler_characteristic, 2);
 }
 
+TEST(MeshRepair, sheets_that_follow_one_edge_get_vertices_of_their_own)
+{
+  // Closed and manifold as they are; a reader that welds would join them at an edge.
+  for (const double far : {0.0, 3000.0}) {
+    TriangleMesh mesh =
+        both(box({far, 0, 0}, {far + 1, 1, 1}), box({far + 1, 1, 0}, {far + 2, 2, 1}));
+    mesh.append(box({far + 1, 0, 1}, {far + 2, 1, 2})); // meets either at a vertex
+    ASSERT_TRUE(checkTopology(mesh).isClosedManifold());
+    ASSERT_FALSE(closedAlsoWhenWelded(mesh));
+    EXPECT_EQ(partEqualPositions(mesh), 5u);
+    EXPECT_TRUE(closedAlsoWhenWelded(mesh));
+    EXPECT_EQ(checkTopology(mesh).components.size(), 3u);
+    EXPECT_NEAR(mesh.signedVolume(), 3, 0.05);
+    EXPECT_EQ(partEqualPositions(mesh), 0u);
+  }
+}
+
+TEST(MeshRepair, vertices_that_a_float_does_not_tell_apart_get_different_floats)
+{
+  // At 100 km a float is 8 mm wide; these boxes are 1 cm.
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d low(1e5 + 0.005 * i, 1e5, 0);
+    mesh.append(box(low, low + Eigen::Vector3d::Constant(0.01)));
+  }
+  EXPECT_GT(partEqualPositions(mesh), 0u);
+  EXPECT_TRUE(closedAlsoWhenWelded(mesh));
+  for (const auto& v : mesh.vertices)
+    EXPECT_EQ(v, v.cast<float>().cast<double>());
+}
+
 TEST(MeshRepair, cubes_at_a_vertex_come_apart)
 {
   TriangleMesh mesh = both(unitCube(), box({1, 1, 1}, {2, 2, 2}));

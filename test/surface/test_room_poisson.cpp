@@ -98,6 +98,35 @@ TEST(RoomPoisson, rooms_of_perfect_points_come_back)
   }
 }
 
+TEST(RoomPoisson, sheets_that_meet_in_one_vertical_edge_stay_apart)
+{
+  // Two pillars, or a soffit above what stands beside it: the vertices of both sheets
+  // seek their edge, and some find the same place on it.
+  const auto pillars = [](int x, int y, int) {
+    return !((x == 2 && y == 2) || (x == 3 && y == 3));
+  };
+  const auto crossed = [](int x, int y, int z) {
+    return !((x == 2 && y == 2 && z >= 3) || (x == 3 && y == 3 && z < 3));
+  };
+  std::size_t parted = 0;
+  for (const LatticeRoom& room :
+       {LatticeRoom(6, 6, 5, pillars), LatticeRoom(6, 6, 5, crossed)})
+    for (const double degrees : {0.0, 8.0, 17.0, 45.0}) {
+      SCOPED_TRACE(degrees);
+      TriangleMesh mesh;
+      std::vector<std::uint32_t> nearest;
+      RoomPoissonReport report;
+      const auto points = LatticeRoom(room).placed(degrees, {0.1, 0.03, 0}).points(0.1);
+      ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
+      EXPECT_TRUE(report.closed) << report.problem;
+      EXPECT_EQ(weldVertices(mesh), 0u);
+      EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+      EXPECT_NEAR(report.volume, room.truth().signedVolume() * -1, 0.05);
+      parted += report.repair.parted_vertices;
+    }
+  EXPECT_GT(parted, 0u) << "the case is not met";
+}
+
 TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
 {
   // A float resolves 8 mm there.

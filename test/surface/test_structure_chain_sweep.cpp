@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace {
@@ -32,6 +33,53 @@ TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
                             return warning.find("sweep") != std::string::npos;
                           }));
   EXPECT_EQ(chain.labels.size(), chain.cloud->size());
+}
+
+/** A room of 6 m x 4 m x 2.5 m, one point at random in every square of `spacing`. */
+StructureChain::Cloud::Ptr
+sparseRoom(double spacing, const RoomPoints::InSpace& keep)
+{
+  RoomPoints even(spacing);
+  even.room(roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5), keep);
+  auto cloud = even.cloud();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> off(-0.5F, 0.5F);
+  for (auto& p : *cloud)
+    for (const int axis : {0, 1, 2}) { // along the surface, not off it
+      const float low = axis == 2 ? 0.F : 0.01F;
+      const float high = axis == 0 ? 6.01F : axis == 1 ? 4.01F : 2.5F;
+      if (std::abs(p.data[axis] - low) > 0.01F && std::abs(p.data[axis] - high) > 0.01F)
+        p.data[axis] += off(random) * static_cast<float>(spacing);
+    }
+  return cloud;
+}
+
+bool
+tellsOfGuesses(const StructureChain& chain)
+{
+  return std::any_of(chain.warnings.begin(), chain.warnings.end(),
+                     [](const std::string& warning) {
+                       return warning.find("filled in, not seen") != std::string::npos;
+                     });
+}
+
+TEST(StructureChain, AScanThatCoversItsWallsSparselyButEvenlyIsNoGuess)
+{
+  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
+  const auto ofTwoWalls = [](const Eigen::Vector3d& p) {
+    return p.x() > 0.02 && p.y() > 0.02;
+  };
+  for (const double spacing : {0.1, 0.13}) {
+    SCOPED_TRACE(spacing);
+    StructureChain chain;
+    ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, everywhere))) << chain.problem;
+    EXPECT_GT(chain.repairedShares().at(1), 0.5) << "its cells are smaller";
+    EXPECT_FALSE(tellsOfGuesses(chain));
+    EXPECT_LT(chain.unseenShares().at(1).walls, 0.05);
+    ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, ofTwoWalls))) << chain.problem;
+    EXPECT_TRUE(tellsOfGuesses(chain));
+    EXPECT_NEAR(chain.unseenShares().at(1).walls, 0.5, 0.05);
+  }
 }
 
 } // namespace

@@ -167,6 +167,7 @@ serialize(Archive& archive, pcl::sedr::RepairedRoom& room, unsigned)
   pcl::sedr::tools::packNumbers(archive, room.points);
   pcl::sedr::tools::packNumbers(archive, room.labels);
   archive& room.refined& room.filled& room.problem;
+  archive& room.unseen.surface& room.unseen.walls;
 }
 
 template <typename Archive>

@@ -72,7 +72,8 @@ roomOf(const Json& json)
   room.walls = count(json, "walls");
   room.columns = count(json, "columns");
   room.details = count(json, "details");
-  room.repaired_share = optionalNumber(json, "repaired_share");
+  room.repaired_share = optionalNumber(
+      json, json.contains("unseen_share") ? "unseen_share" : "repaired_share");
   const Json& solid = member(json, "solid");
   room.wall_area = optionalNumber(solid, "wall_area");
   room.solid_closed = optionalFlag(solid, "closed_manifold");

@@ -140,6 +140,7 @@ roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
   std::map<std::uint32_t, double> repaired = chain.getChain().repairedShares();
+  std::map<std::uint32_t, UnseenShares> unseen = chain.getChain().unseenShares();
   const Floorplan& plan = *chain.getFloorplan();
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
   for (const auto& room : plan.rooms) {
@@ -154,6 +155,8 @@ roomsOf(const Reconstruction& chain)
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
                      {"repaired_share", repaired[room.id]},
+                     {"unseen_share", unseen[room.id].surface},
+                     {"unseen_walls", unseen[room.id].walls},
                      {"solid", solidOf(chain.getChain(), room.id)},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }

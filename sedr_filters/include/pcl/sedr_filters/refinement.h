@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pcl {
@@ -52,14 +53,25 @@ struct RepairedStrip {
   std::vector<Column> columns; ///< of equal widths
 };
 
+/** @brief How much of a room no scanned point supports, at the density that the scan
+ * has there: an empty cell counts only if it is farther from all points of its surface
+ * than these are from one another. */
+struct UnseenShares {
+  double surface = 0; ///< of the cells of all its surfaces
+  double walls = 0;   ///< of the length of its walls: less than a fifth of the height
+};
+
 /** @brief One point for every cell of every room's surfaces (SurfaceCells): the refined
  * point of the cell, or a new one at its centre. Rooms in the order of the plan.
  * surfaceCellsProblem() must be empty.
- * @param[out] strips where the points of upright surfaces are among them, if wanted */
-std::vector<RepairedPoint> repairHoles(const std::vector<SurfacePoint>& refined,
-                                       const Floorplan& plan,
-                                       double cell_size,
-                                       std::vector<RepairedStrip>* strips = nullptr);
+ * @param[out] strips where the points of upright surfaces are among them, if wanted
+ * @param[out] unseen of each room by its id, if wanted */
+std::vector<RepairedPoint>
+repairHoles(const std::vector<SurfacePoint>& refined,
+            const Floorplan& plan,
+            double cell_size,
+            std::vector<RepairedStrip>* strips = nullptr,
+            std::map<std::uint32_t, UnseenShares>* unseen = nullptr);
 
 } // namespace sedr
 } // namespace pcl

@@ -53,6 +53,10 @@ public:
   /** @brief All cells: upright surfaces, then floor, then ceiling, then niches. */
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
+  /** @brief The first cell of each surface, in the order of the cells, and one past the
+   * last. */
+  const std::vector<std::size_t>& starts() const { return starts_; }
+
   /** @brief The upright surfaces as they were cut; they point into the room. */
   const std::vector<Strip>& strips() const { return strips_; }
 
@@ -87,6 +91,7 @@ private:
   double size_;
   std::vector<Strip> strips_;
   std::vector<SurfaceCell> cells_;
+  std::vector<std::size_t> starts_{0};
   std::vector<Sheet> sheets_; ///< floor, ceiling, then bottom and top of each niche
 };
 

@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -74,6 +75,13 @@ public:
    * not seen. */
   const Indices& getRepairedIndices() const { return repaired_; }
 
+  /** @brief What the scan does not support, at its own density, of each room by its id:
+   * less than was filled where the scan is sparser than the cells. */
+  const std::map<std::uint32_t, sedr::UnseenShares>& getUnseenShares() const
+  {
+    return unseen_;
+  }
+
   /** @brief Position, normal, label and room of every point of the output, in double
    * precision. */
   const std::vector<sedr::SurfacePoint>& getSurfacePoints() const
@@ -107,6 +115,7 @@ private:
   Indices sources_;
   Indices repaired_;
   std::vector<sedr::RepairedStrip> strips_;
+  std::map<std::uint32_t, sedr::UnseenShares> unseen_;
   std::vector<sedr::SurfacePoint> surface_points_;
 };
 

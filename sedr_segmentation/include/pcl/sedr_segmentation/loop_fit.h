@@ -36,6 +36,7 @@ struct ContourSample {
   Eigen::Vector2d tangent;  ///< unit, along the contour
   double support = 0;       ///< points by the loop's median, 1 at most; 0 for too few
   std::size_t points = 0;   ///< that show the wall here
+  double deviation = 0;     ///< of these across the contour, root mean square, metres
 
   /** @brief Whether points show the wall here. */
   bool isSupported() const { return support > 0; }
@@ -51,9 +52,10 @@ std::vector<ContourSample> sampleContour(const Contour& contour,
                                          const PlanPoints& evidence,
                                          const LoopParameters& parameters);
 
-/** @brief The distance within which samples belong to a curve: four standard deviations
- * of their own noise, measured across neighbours, between half of the tolerance and all
- * of it. */
+/** @brief The distance within which samples belong to a curve: three standard
+ * deviations of the points that show the wall, at most half of the tolerance; where the
+ * samples' own noise, measured across neighbours, is larger, four standard deviations
+ * of that, at most all of it. Metres, at least a millimetre. */
 double sampleTolerance(const std::vector<ContourSample>& samples,
                        const LoopParameters& parameters);
 

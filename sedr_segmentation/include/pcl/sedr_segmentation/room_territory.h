@@ -27,7 +27,7 @@ public:
    * @param reach how far rooms grow, metres */
   RoomTerritory(const CellGrid& grid,
                 const std::vector<CellSet>& scopes,
-                const std::vector<HeightRange>& heights = {},
+                const std::vector<RoomHeights>& heights = {},
                 double reach = farthest_wall);
 
   /** @brief What is wrong, a sentence; empty if nothing is. */
@@ -65,7 +65,7 @@ private:
   CellGrid grid_;
   std::vector<Layer> layers_;
   std::vector<CellSet> scopes_;       ///< kept where there are several layers
-  std::vector<HeightRange> heights_;  ///< likewise
+  std::vector<RoomHeights> heights_;  ///< likewise
   std::string problem_;
 };
 

@@ -35,6 +35,7 @@ struct MeshRepairReport {
   std::size_t filled_edges = 0; ///< edges of the holes filled
   std::size_t open_holes = 0;   ///< holes left: too long, or not a simple loop
   std::size_t collapsed_edges = 0;
+  std::size_t parted_vertices = 0; ///< moved from where another vertex is
   std::size_t removed_components = 0;
   std::size_t removed_triangles = 0; ///< with these components
 
@@ -84,6 +85,16 @@ void fillHoles(TriangleMesh& mesh, std::size_t max_edges, MeshRepairReport& repo
  * remain.
  * @return the number of edges collapsed */
 std::size_t collapseShortEdges(TriangleMesh& mesh, double length);
+
+/** @brief Moves vertices apart that are at equal positions, as those of two sheets are
+ * that both follow one edge: afterwards no two are, also in a file of floats, and a
+ * reader that welds equal positions joins no sheets.
+ *
+ * All positions become what a float holds of them. Of several vertices in one place
+ * the first stays; each other one goes 2 % of the way to the middle of its own
+ * triangles, or farther or towards one of them where that place is taken. O(n log n).
+ * @return the number of vertices moved */
+std::size_t partEqualPositions(TriangleMesh& mesh);
 
 /** @brief Keeps the `count` components of the largest area. Adds to removed_components
  * and removed_triangles. */

@@ -4,6 +4,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/refinement.h>
 #include <pcl/sedr_segmentation/detail/boundary_points.h>
 #include <pcl/sedr_segmentation/detail/wall_growing.h>
 #include <pcl/sedr_surface/room_poisson.h>
@@ -52,6 +53,7 @@ struct RepairedRoom {
   std::vector<std::uint32_t> labels; ///< of each of them
   std::size_t refined = 0;           ///< points that were moved to the plan
   std::size_t filled = 0;            ///< points that fill holes
+  UnseenShares unseen;               ///< what the scan does not support
   std::string problem;               ///< why a stage could not do the room, or empty
 };
 

@@ -125,6 +125,10 @@ public:
   /** @brief Share of each room's points that hole repair added in the last run. */
   std::map<std::uint32_t, double> repairedShares() const { return repaired_shares_; }
 
+  /** @brief How much of each room the scan did not support, at its own density, in the
+   * last run: a warning tells where that is much. */
+  const std::map<std::uint32_t, UnseenShares>& unseenShares() const { return unseen_; }
+
 private:
   /** @brief Runs one stage, `step(report)`, and keeps its report. */
   template <typename Step>
@@ -233,6 +237,7 @@ private:
   std::vector<StructureCloud::Ptr>
       refined_; ///< of each room of the plan, till repaired
   std::map<std::uint32_t, double> repaired_shares_;
+  std::map<std::uint32_t, UnseenShares> unseen_;
   std::size_t scanned_points_ = 0;
 };
 

@@ -34,6 +34,7 @@ VerticalHoleRepair<PointT>::clearResults()
   sources_.clear();
   repaired_.clear();
   strips_.clear();
+  unseen_.clear();
   surface_points_.clear();
 }
 
@@ -56,7 +57,7 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
       sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);
   std::vector<bool> is_used(refined.sources.size(), false);
   for (const auto& repaired :
-       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_)) {
+       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_, &unseen_)) {
     const bool is_new = repaired.source < 0;
     PointT p{};
     if (is_new)

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "unseen_cells.h"
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The scanned points of one surface. */
+class SeenPoints {
+public:
+  /** @param begin, end the cells of the surface */
+  SeenPoints(const std::vector<SurfaceCell>& cells,
+             std::size_t begin,
+             std::size_t end,
+             const std::vector<SurfacePoint>& points)
+  {
+    for (std::size_t c = begin; c < end; ++c)
+      if (cells[c].is_occupied) {
+        if (cloud_->empty())
+          origin_ = cells[c].centre.position;
+        cloud_->push_back(local(points[cells[c].source].position));
+      }
+    if (!cloud_->empty())
+      tree_.setInputCloud(cloud_);
+  }
+
+  /** @brief Distance from each of the points to the nearest other one. */
+  void addDistances(std::vector<float>& distances)
+  {
+    if (cloud_->size() < 2)
+      return;
+    for (const auto& p : *cloud_)
+      distances.push_back(std::sqrt(squaredDistance(p, 2)));
+  }
+
+  bool isWithin(const Eigen::Vector3d& place, double reach)
+  {
+    return !cloud_->empty() && squaredDistance(local(place), 1) <= reach * reach;
+  }
+
+private:
+  /** @brief From where a float has digits to spare. */
+  pcl::PointXYZ local(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3f p = (place - origin_).cast<float>();
+    return {p.x(), p.y(), p.z()};
+  }
+
+  /** @brief Of the k-th nearest point. */
+  float squaredDistance(const pcl::PointXYZ& place, int k)
+  {
+    tree_.nearestKSearch(place, k, indices_, squared_);
+    return squared_.back();
+  }
+
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_{new pcl::PointCloud<pcl::PointXYZ>};
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
+  pcl::Indices indices_;
+  std::vector<float> squared_;
+};
+
+/** @brief Half the diagonal of a square of the scan's spacing, metres; 0 for no points.
+ */
+double
+reachOf(std::vector<float> distances)
+{
+  constexpr double share = 0.95;
+  if (distances.empty())
+    return 0;
+  const auto at =
+      distances.begin() +
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
+  std::nth_element(distances.begin(), at, distances.end());
+  return *at / std::sqrt(2.0);
+}
+
+double
+share(std::size_t part, std::size_t whole)
+{
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+/** @brief Share of the walls' columns of which less than a fifth was seen: so little is
+ * no evidence of a wall in the fit of its line, either. */
+double
+shareOfWalls(const SurfaceCells& cells, const std::vector<std::uint8_t>& is_unseen)
+{
+  constexpr double least_seen = 0.2;
+  std::size_t all = 0;
+  std::size_t unseen = 0;
+  for (const auto& strip : cells.strips()) {
+    if (strip.surface.label != StructureLabel::Wall)
+      continue;
+    for (std::size_t c = 0; c + 1 < strip.first.size(); ++c) {
+      const auto begin = is_unseen.begin();
+      const auto first = begin + static_cast<std::ptrdiff_t>(strip.first[c]);
+      const auto last = begin + static_cast<std::ptrdiff_t>(strip.first[c + 1]);
+      if (first == last)
+        continue;
+      const auto seen = static_cast<double>(std::count(first, last, 0));
+      ++all;
+      unseen += seen < least_seen * static_cast<double>(last - first) ? 1 : 0;
+    }
+  }
+  return share(unseen, all);
+}
+
+} // namespace
+
+UnseenShares
+unseenSharesOf(const SurfaceCells& cells, const std::vector<SurfacePoint>& points)
+{
+  const std::vector<std::size_t>& starts = cells.starts();
+  std::vector<std::unique_ptr<SeenPoints>> seen;
+  std::vector<float> distances;
+  for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
+    seen.push_back(
+        std::make_unique<SeenPoints>(cells.cells(), starts[s], starts[s + 1], points));
+    seen.back()->addDistances(distances);
+  }
+  const double reach = reachOf(std::move(distances));
+  std::vector<std::uint8_t> is_unseen(cells.cells().size(), 0);
+  for (std::size_t s = 0; s < seen.size(); ++s)
+    for (std::size_t c = starts[s]; c < starts[s + 1]; ++c) {
+      const SurfaceCell& cell = cells.cells()[c];
+      is_unseen[c] =
+          !cell.is_occupied && !seen[s]->isWithin(cell.centre.position, reach) ? 1 : 0;
+    }
+  UnseenShares shares;
+  shares.surface =
+      share(static_cast<std::size_t>(std::count(is_unseen.begin(), is_unseen.end(), 1)),
+            is_unseen.size());
+  shares.walls = shareOfWalls(cells, is_unseen);
+  return shares;
+}
+
+} // namespace sedr
+} // namespace pcl
