@@ -124,6 +124,8 @@ def hang_ceilings(rng, building, style, heights):
     for room in building.rooms:
         if room.facets or room.role == "stairs":
             continue
+        if room.role == "open" and rng.random() < 0.3:
+            ceilings.shaft(rng, room)
         is_large = room.area > 45 and room.role in ("open", "hall", "room")
         if is_large and not room.bulges and rng.random() < style.ribs:
             ceilings.deck(rng, room)
