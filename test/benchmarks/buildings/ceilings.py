@@ -36,13 +36,14 @@ def deck(rng, room):
     kind = rng.random()
     if kind < 0.75:
         spacing, width = round(rng.uniform(2.4, 5.0), 2), round(rng.uniform(0.2, 0.45), 3)
-        beams = {"direction": beam_way, "spacing": spacing, "width": width, "depth": round(min(spare, rng.uniform(0.2, 0.6)), 3)}
+        depth = round(min(spare, rng.uniform(0.2, 0.6)), 3)
+        beams = {"direction": beam_way, "spacing": spacing, "width": width, "depth": depth}
     else:
         beams = None
     if kind > 0.45 and room.area < 450:
         way = 90 - beam_way
-        room.ribs.append({"direction": way, "spacing": rng.choice((0.3, 0.45, 0.6, 0.75)), "width": rng.choice((0.1, 0.12, 0.15)),
-                          "depth": round(min(spare, rng.uniform(0.12, 0.35)), 3)})
+        room.ribs.append({"direction": way, "spacing": rng.choice((0.3, 0.45, 0.6, 0.75)),
+                          "width": rng.choice((0.1, 0.12, 0.15)), "depth": round(min(spare, rng.uniform(0.12, 0.35)), 3)})
     if beams:
         if room.ribs:
             beams["depth"] = round(min(spare, max(beams["depth"], room.ribs[0]["depth"] + 0.05)), 3)
@@ -136,7 +137,7 @@ def facet(room, axis, profile):
 
 
 def attic(rng, rooms, bounds, clear):
-    """One roof over all rooms of a storey: a gable along the longer side, capped by a flat ceiling, or a single slope."""
+    """One roof over all rooms of a storey: a gable along the longer side, capped by a flat ceiling."""
     x0, y0, x1, y1 = bounds
     axis = 1 if x1 - x0 > y1 - y0 else 0
     low, high = ((x0, x1), (y0, y1))[axis]
