@@ -88,14 +88,24 @@ std::size_t
 StructureChain::labelLowerCeilings(std::size_t region)
 {
   const PointView points(*cloud);
+  const CellGrid columns(getBuilding().cell_size);
+  std::vector<CellKey> keys;
+  for (const RoomColumn& column : getBuilding().rooms[region].columns)
+    if (column.is_level)
+      keys.push_back(keyOf(column.cell));
+  const CellSet level(std::move(keys));
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (const int i : regions_[region].ceiling) {
     const auto at = static_cast<std::size_t>(i);
     if (labels[at] != 0)
       continue;
-    labels[at] = valueOf(StructureLabel::Detail);
     rooms[at] = static_cast<std::uint32_t>(region + 1);
+    if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
+      labels[at] = valueOf(StructureLabel::Ceiling); // of a vault or a roof
+      continue;
+    }
+    labels[at] = valueOf(StructureLabel::Detail);
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }
