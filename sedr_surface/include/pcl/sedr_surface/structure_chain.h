@@ -181,9 +181,6 @@ private:
   /** @brief Takes the labels from all points of a room. */
   void giveUp(std::uint32_t room);
 
-  /** @brief Gives the plan its storeys, doorways and stairs, of rooms that it has. */
-  void tellBuilding();
-
   /** @brief Takes the labels of every room that the plan does not have. */
   void giveUpRoomsWithoutPlan();
 
