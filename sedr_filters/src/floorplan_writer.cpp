@@ -90,6 +90,20 @@ wallsToJson(const Floorplan& plan, std::size_t room)
 }
 
 Json
+toJson(const Levelling& levelling)
+{
+  constexpr double degrees = 180 / M_PI;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back(
+        {levelling.rotation(r, 0), levelling.rotation(r, 1), levelling.rotation(r, 2)});
+  return {{"angle", levelling.angle() * degrees},
+          {"direction", levelling.direction() * degrees},
+          {"rotation", rows},
+          {"about", {levelling.about.x(), levelling.about.y(), levelling.about.z()}}};
+}
+
+Json
 toJson(const PlanStorey& storey)
 {
   return {{"floor", storey.floor}, {"rooms", storey.rooms}};
@@ -122,7 +136,7 @@ toJson(const Floorplan& plan, std::size_t number)
 } // namespace
 
 std::string
-floorplanToJson(const Floorplan& plan)
+floorplanToJson(const Floorplan& plan, const Levelling* levelling)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
@@ -130,11 +144,13 @@ floorplanToJson(const Floorplan& plan)
   Json storeys = Json::array();
   for (const auto& storey : storeysOf(plan))
     storeys.push_back(toJson(storey));
-  const Json json{{"format", floorplan_format_name},
-                  {"version", floorplan_format_version},
-                  {"unit", "m"},
-                  {"rooms", rooms},
-                  {"storeys", storeys}};
+  Json json{{"format", floorplan_format_name},
+            {"version", floorplan_format_version},
+            {"unit", "m"},
+            {"rooms", rooms},
+            {"storeys", storeys}};
+  if (levelling)
+    json["levelling"] = toJson(*levelling);
   return json.dump(1) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/levelling.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -20,6 +21,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,6 +93,10 @@ public:
    * is. */
   bool trust_up = false;
 
+  /** @brief Whether what is made of a tilted scan stays in the level frame that it was
+   * fitted in, see `levelling`. */
+  bool keep_levelled = false;
+
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);
 
@@ -107,6 +113,9 @@ public:
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
+  /** @brief How a scan tilted by 0.3 to 3 degrees was made level; none for others. All
+   * that the chain holds is level. */
+  std::optional<Levelling> levelling;
   Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
@@ -121,6 +130,16 @@ public:
   /** @brief The rooms as segmentRooms() parted them, on cells of its size: room r + 1
    * is the r-th. */
   const std::vector<RoomRegion>& getRoomRegions() const { return regions_; }
+
+  /** @brief A mesh or solid that the chain holds, in the frame of the scan, unless
+   * keep_levelled. */
+  TriangleMesh inScanFrame(TriangleMesh mesh) const;
+
+  /** @brief The mesh in that frame. */
+  TriangleMesh meshInScanFrame() const;
+
+  /** @brief The refined and repaired points in that frame. */
+  StructureCloud::Ptr structureInScanFrame() const;
 
   /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
    * points less reflections. What was recovered comes after them. */
@@ -146,6 +165,10 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
+
+  /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
+   * tilted. */
+  void levelScan();
   bool detectPlanes();
 
   /** @brief Takes points, increasing, out of the cloud before any has a label. */
