@@ -70,14 +70,16 @@ patchesOf(const PointView& points,
           std::size_t begin,
           std::size_t end,
           const Eigen::Matrix3d& turn,
-          double patch)
+          double patch,
+          double offset)
 {
   constexpr double farthest = 1e5;
   Patches patches;
   auto last = patches.end(); // where most of the next points are too
   for (std::size_t n = begin; n < end; ++n) {
     const Eigen::Vector3d p =
-        turn * points[static_cast<std::size_t>(indices[n])].cast<double>();
+        turn * points[static_cast<std::size_t>(indices[n])].cast<double>() +
+        Eigen::Vector3d::Constant(offset * patch);
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
     const auto alongAxis = [&](double v) { // rounds down, without a call
@@ -118,15 +120,17 @@ normalsOf(const PointView& points,
           const std::vector<int>& indices,
           const Eigen::Matrix3d& turn,
           double patch,
-          unsigned threads)
+          unsigned threads,
+          double offset)
 {
   constexpr std::size_t block = std::size_t{1} << 15;
   constexpr std::size_t patches_a_block = 512;
   std::vector<Patches> parts(indices.size() / block + 1);
-  parallelBlocks(
-      indices.size(), block, threads, [&](std::size_t begin, std::size_t end) {
-        parts[begin / block] = patchesOf(points, indices, begin, end, turn, patch);
-      });
+  parallelBlocks(indices.size(), block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   parts[begin / block] =
+                       patchesOf(points, indices, begin, end, turn, patch, offset);
+                 });
   Patches patches;
   for (const Patches& part : parts)
     for (const auto& [key, moments] : part)

@@ -11,12 +11,14 @@ namespace pcl {
 namespace sedr {
 
 /** @brief The normals of the cubes of `patch` metres whose points are a plane, z not
- * below 0, all turned by `turn`. O(n log n); the same for any number of threads. */
+ * below 0, all turned by `turn`; the cubes lie `offset` patches off along all axes.
+ * O(n log n); the same for any number of threads. */
 std::vector<Eigen::Vector3d> normalsOf(const PointView& points,
                                        const std::vector<int>& indices,
                                        const Eigen::Matrix3d& turn,
                                        double patch,
-                                       unsigned threads);
+                                       unsigned threads,
+                                       double offset = 0);
 
 } // namespace sedr
 } // namespace pcl

@@ -77,26 +77,50 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/** @brief What the patches of a turned scan tell. */
+struct PatchView {
+  Eigen::Vector3d up_of_walls = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d up_of_slabs = Eigen::Vector3d::UnitZ();
+};
+
+/** @brief A face of the patches that runs within the noise of a plane slices it askew,
+ * into twice as many patches: of two places of the patches that one tells which gives
+ * fewer of them. */
+PatchView
+look(const PointView& points,
+     const std::vector<int>& indices,
+     const Eigen::Matrix3d& turn,
+     double patch,
+     unsigned threads)
+{
+  const std::vector<Eigen::Vector3d> here =
+      normalsOf(points, indices, turn, patch, threads);
+  const std::vector<Eigen::Vector3d> beside =
+      normalsOf(points, indices, turn, patch, threads, 0.5);
+  const auto& normals = beside.size() < here.size() ? beside : here;
+  return {upOfWalls(normals), upOfSlabs(normals)};
+}
+
 } // namespace
 
 ScanTilt
 tiltOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
   constexpr double patch = 0.5; // metres
-  const std::vector<Eigen::Vector3d> normals =
-      normalsOf(points, indices, Eigen::Matrix3d::Identity(), patch, threads);
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d up = upOfWalls(normals);
-  const double angle = angleBetween(up, z);
+  const PatchView scan =
+      look(points, indices, Eigen::Matrix3d::Identity(), patch, threads);
+  const double angle = angleBetween(scan.up_of_walls, z);
   // Nearer to what the slabs say than to z.
-  if (angle < least_tilt || 2 * angleBetween(up, upOfSlabs(normals)) > angle)
+  if (angle < least_tilt ||
+      2 * angleBetween(scan.up_of_walls, scan.up_of_slabs) > angle)
     return {};
   // Once it is level, larger patches tell the rest: thinning makes smaller ones uneven.
   const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(up, z).toRotationMatrix();
+      Eigen::Quaterniond::FromTwoVectors(scan.up_of_walls, z).toRotationMatrix();
   ScanTilt tilt;
-  tilt.up = turn.transpose() *
-            upOfWalls(normalsOf(points, indices, turn, 2 * patch, threads));
+  tilt.up =
+      turn.transpose() * look(points, indices, turn, 2 * patch, threads).up_of_walls;
   tilt.angle = angleBetween(tilt.up, z);
   return tilt;
 }
