@@ -85,6 +85,29 @@ wallsToJson(const Floorplan& plan, std::size_t room)
 }
 
 Json
+<<<<<<< .merge_file_xVwsr8
+=======
+toJson(const Levelling& levelling)
+{
+  constexpr double degrees = 180 / M_PI;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back(
+        {levelling.rotation(r, 0), levelling.rotation(r, 1), levelling.rotation(r, 2)});
+  return {{"angle", levelling.angle() * degrees},
+          {"direction", levelling.direction() * degrees},
+          {"rotation", rows},
+          {"about", {levelling.about.x(), levelling.about.y(), levelling.about.z()}}};
+}
+
+Json
+toJson(const PlanStorey& storey)
+{
+  return {{"floor", storey.floor}, {"rooms", storey.rooms}};
+}
+
+Json
+>>>>>>> .merge_file_RhAgqL
 toJson(const Floorplan& plan, std::size_t number)
 {
   const PlanRoom& room = plan.rooms[number];
@@ -117,11 +140,12 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan)
+floorplanToJson(const Floorplan& plan, const Levelling* levelling)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
+<<<<<<< .merge_file_xVwsr8
   const Json json{{"format", floorplan_format_name},
                   {"version", floorplan_format_version},
                   {"unit", "m"},
@@ -129,6 +153,18 @@ floorplanToJson(const Floorplan& plan)
                   {"storeys", storeysToJson(plan)},
                   {"doorways", doorwaysToJson(plan)},
                   {"stairs", stairsToJson(plan)}};
+=======
+  Json storeys = Json::array();
+  for (const auto& storey : storeysOf(plan))
+    storeys.push_back(toJson(storey));
+  Json json{{"format", floorplan_format_name},
+            {"version", floorplan_format_version},
+            {"unit", "m"},
+            {"rooms", rooms},
+            {"storeys", storeys}};
+  if (levelling)
+    json["levelling"] = toJson(*levelling);
+>>>>>>> .merge_file_RhAgqL
   return json.dump(1) + "\n";
 }
 

@@ -79,6 +79,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   planes.clear();
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
+  levelling.reset();
   refined_.clear();
   repaired_shares_.clear();
   unseen_.clear();
@@ -138,10 +139,17 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +
         std::to_string(stray_limit) + " points were left out");
+  if (!checkScan())
+    return false;
+  levelScan();
   const std::size_t n = cloud->size();
+<<<<<<< .merge_file_YJFnuP
   return checkScan() &&
          runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
+=======
+  return runStage("HorizontalPlaneDetection", n,
+>>>>>>> .merge_file_CJhYqy
                   [&](auto& r) { return findPlanes(r); }) &&
          runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
          runStage("FloorProjectionRecovery", n,

@@ -4,13 +4,11 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 namespace pcl {
@@ -219,29 +217,10 @@ StructureChain::fitPlan(StageReport& report)
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
-  tellBuilding();
+  giveStoreys(getBuilding(), *plan);
   giveUpRoomsWithoutPlan();
   labelNiches();
   return true;
-}
-
-void
-StructureChain::tellBuilding()
-{
-  const Building& building = getBuilding();
-  const auto isInPlan = [&](std::uint32_t id) {
-    return std::any_of(plan->rooms.begin(), plan->rooms.end(),
-                       [&](const PlanRoom& room) { return room.id == id; });
-  };
-  const auto isKept = [&](const auto& link) {
-    return isInPlan(link.rooms[0]) && isInPlan(link.rooms[1]);
-  };
-  plan->storeys = building.storeys;
-  plan->storeys = storeysOf(*plan);
-  std::copy_if(building.doorways.begin(), building.doorways.end(),
-               std::back_inserter(plan->doorways), isKept);
-  std::copy_if(building.stairs.begin(), building.stairs.end(),
-               std::back_inserter(plan->stairs), isKept);
 }
 
 void

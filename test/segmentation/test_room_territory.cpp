@@ -63,7 +63,7 @@ TEST(RoomTerritory, ReachesAsFarAsAskedButNotIntoOthers)
 {
   const RoomTerritory territory(
       CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, 1.5);
+      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, {}, 1.5);
   EXPECT_EQ(territory.roomAt({-1.48f, 1.5f, 1}), 0);
   EXPECT_EQ(territory.roomAt({-1.52f, 1.5f, 1}), -1);
   EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);

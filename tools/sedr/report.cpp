@@ -46,6 +46,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
   const StructureChain& c = chain.getChain();
   return {{"unit", run.unit},
           {"z_up", c.trust_up},
+          {"levelled", c.keep_levelled},
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
@@ -93,6 +94,22 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"maximum_hole_edges", c.poisson.getMaxHoleEdges()},
           {"support_distance", c.poisson.getSupportDistance()},
           {"solver_threads", c.poisson.getSolverThreads()}};
+}
+
+/** @brief How the scan was made level, or null. */
+Json
+levellingOf(const StructureChain& chain)
+{
+  if (!chain.levelling)
+    return nullptr;
+  const Levelling& l = *chain.levelling;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back({l.rotation(r, 0), l.rotation(r, 1), l.rotation(r, 2)});
+  return {{"angle", pcl::rad2deg(l.angle())},
+          {"direction", pcl::rad2deg(l.direction())},
+          {"rotation", rows},
+          {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
 Json
@@ -198,7 +215,11 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
+<<<<<<< .merge_file_Mh4Bt6
             {"storeys", storeysOf(chain)},
+=======
+            {"levelling", levellingOf(chain.getChain())},
+>>>>>>> .merge_file_0FiRQO
             {"rooms", roomsOf(chain)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};

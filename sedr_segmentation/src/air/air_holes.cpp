@@ -57,6 +57,21 @@ surfaceNear(const AirGaps& air,
   return false;
 }
 
+/** @brief A gap whose ends were taken from its neighbours, with those that were seen in
+ * its own column. */
+AirGap
+withSeenEnds(const AirGaps& air, AirGap gap)
+{
+  std::int32_t at = 0;
+  gap.floor_seen = surfaceNear(air, gap.column, gap.low - 1, at);
+  if (gap.floor_seen)
+    gap.low = at + 1;
+  gap.ceiling_seen = surfaceNear(air, gap.column, gap.high, at);
+  if (gap.ceiling_seen)
+    gap.high = at;
+  return gap;
+}
+
 std::int32_t
 medianOf(std::vector<std::int32_t>& values)
 {
@@ -155,7 +170,8 @@ pocketsOf(const AirGaps& air)
         }
         if (lows.size() < most_neighbours)
           continue;
-        AirGap pocket{column, medianOf(lows), medianOf(highs), false, false};
+        const AirGap pocket =
+            withSeenEnds(air, {column, medianOf(lows), medianOf(highs), false, false});
         if (!isTall(air, pocket) || isWalled(air, column, pocket.low, pocket.high))
           continue;
         next.push_back(pocket);
@@ -189,16 +205,8 @@ enclosedHolesOf(const AirGaps& air)
             added.find(column, gap.low, gap.high) >= 0 ||
             isWalled(air, column, gap.low, gap.high))
           continue;
-        AirGap hole{column, gap.low, gap.high, false, false};
-        std::int32_t at = 0;
-        if (surfaceNear(air, column, gap.low - 1, at)) {
-          hole.low = at + 1;
-          hole.floor_seen = true;
-        }
-        if (surfaceNear(air, column, gap.high, at)) {
-          hole.high = at;
-          hole.ceiling_seen = true;
-        }
+        const AirGap hole =
+            withSeenEnds(air, {column, gap.low, gap.high, false, false});
         if ((!hole.floor_seen && !hole.ceiling_seen) || !isTall(air, hole))
           continue;
         added.add(hole);

@@ -1,75 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_description.h"
 
+#include "height_counts.h"
+
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Heights in bins: where a level lies in a room. */
-class HeightCounts {
-public:
-  void add(double height) { ++bins_[std::lround(height / bin)]; }
-
-  /** @brief The lowest height around which at least `share` of all lie. */
-  double lowestOf(double share) const
-  {
-    for (const auto& entry : bins_)
-      if (static_cast<double>(around(entry.first)) >= share * total())
-        return middleOf(entry.first);
-    return highestCount();
-  }
-
-  /** @brief The height around which most lie. */
-  double highestCount() const
-  {
-    long best = bins_.empty() ? 0 : bins_.begin()->first;
-    for (const auto& entry : bins_)
-      if (around(entry.first) > around(best))
-        best = entry.first;
-    return middleOf(best);
-  }
-
-private:
-  static constexpr double bin = 0.05; // metres
-
-  double total() const
-  {
-    double sum = 0;
-    for (const auto& entry : bins_)
-      sum += static_cast<double>(entry.second);
-    return sum;
-  }
-
-  std::size_t count(long at) const
-  {
-    const auto found = bins_.find(at);
-    return found == bins_.end() ? 0 : found->second;
-  }
-
-  std::size_t around(long at) const
-  {
-    return count(at - 1) + count(at) + count(at + 1);
-  }
-
-  /** @brief The mean height of a bin and those beside it. */
-  double middleOf(long at) const
-  {
-    double sum = 0;
-    for (long k = at - 1; k <= at + 1; ++k)
-      sum += bin * static_cast<double>(k) * static_cast<double>(count(k));
-    return sum / std::max<double>(1, static_cast<double>(around(at)));
-  }
-
-  std::map<long, std::size_t> bins_;
-};
 
 /** @brief Whether a wall stands beside a gap where its air ends in direction d: in one
  * of the three columns there, or beside them. */
@@ -165,7 +108,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   const VoxelColumns& columns = air.columns();
   std::vector<std::vector<std::uint32_t>> gaps(parted.rooms);
   for (std::uint32_t g = 0; g < air.size(); ++g)
-    if (parted.room[g] != PartedAir::no_room)
+    if (parted.room[g] != PartedAir::no_room && parted.is_reveal[g] == 0)
       gaps[static_cast<std::size_t>(parted.room[g])].push_back(g);
   const LevelParts levels(air, parted.room);
   std::vector<BuildingRoom> rooms(parted.rooms);
@@ -209,7 +152,8 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
 std::string
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
-              const BuildingParameters& parameters)
+              const BuildingParameters& parameters,
+              LeftOutKind& kind)
 {
   std::size_t tall = 0;
   for (const RoomColumn& column : room.columns)
@@ -221,12 +165,14 @@ noRoomBecause(const BuildingRoom& room,
   const double area = static_cast<double>(tall) * cell_size * cell_size;
   char text[120];
   if (area < parameters.minimum_area) {
+    kind = LeftOutKind::Low;
     std::snprintf(text, sizeof text,
                   "less than %.1f square metres with a headroom of %.1f m",
                   parameters.minimum_area, parameters.headroom);
     return text;
   }
   if (room.enclosure < parameters.minimum_enclosure) {
+    kind = LeftOutKind::Open;
     std::snprintf(
         text, sizeof text,
         "walls along %.0f %% of its outline only: seen through an opening, or "

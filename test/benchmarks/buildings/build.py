@@ -9,6 +9,7 @@ from .model import Building, Room
 TRIES = 40          # layouts that are tried until every room has a door
 RAYS = (1.5e6, 3.2e6)  # of all stations
 FEWEST_RAYS, MOST_RAYS = 130_000, 400_000  # of one
+LARGEST_SCAN = 4.5e6  # rays
 
 
 class Unfit(Exception):
@@ -167,11 +168,11 @@ def scan(rng, building):
         if room.role in ("corridor", "open", "hall") and rng.random() < 0.5:
             near_a_door(rng, room)
     number = sum(len(r.stations) for r in building.rooms)
-    rays = int(min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number)))
+    rays = min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number), LARGEST_SCAN / number)
     noise = round(rng.choice((rng.uniform(0.002, 0.006), rng.uniform(0.002, 0.015))), 4)
     placement = {"yaw": round(rng.uniform(-180, 180), 2) if rng.random() < 0.75 else 0.0,
                  "shift": [round(rng.uniform(*span), 3) for span in ((-50, 50), (-50, 50), (-5, 100))]}
-    return building.to_json(rays, noise, placement)
+    return building.to_json(int(rays), noise, placement)
 
 
 def door_places(room, building):

@@ -3,6 +3,11 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
+<<<<<<< .merge_file_P441Y7
+=======
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/levelling.h>
+>>>>>>> .merge_file_F2DoAd
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -20,6 +25,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +94,10 @@ public:
    * is. */
   bool trust_up = false;
 
+  /** @brief Whether what is made of a tilted scan stays in the level frame that it was
+   * fitted in, see `levelling`. */
+  bool keep_levelled = false;
+
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);
 
@@ -104,6 +114,9 @@ public:
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
+  /** @brief How a scan tilted by 0.3 to 3 degrees was made level; none for others. All
+   * that the chain holds is level. */
+  std::optional<Levelling> levelling;
   Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
@@ -117,6 +130,16 @@ public:
 
   /** @brief The building as room segmentation found it: room r + 1 is the r-th. */
   const Building& getBuilding() const { return room_segmentation.getBuilding(); }
+
+  /** @brief A mesh or solid that the chain holds, in the frame of the scan, unless
+   * keep_levelled. */
+  TriangleMesh inScanFrame(TriangleMesh mesh) const;
+
+  /** @brief The mesh in that frame. */
+  TriangleMesh meshInScanFrame() const;
+
+  /** @brief The refined and repaired points in that frame. */
+  StructureCloud::Ptr structureInScanFrame() const;
 
   /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
    * points less reflections. What was recovered comes after them. */
@@ -142,9 +165,30 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
+<<<<<<< .merge_file_P441Y7
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
+=======
+
+  /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
+   * tilted. */
+  void levelScan();
+  bool detectPlanes();
+
+  /** @brief Takes points, increasing, out of the cloud before any has a label. */
+  void removePoints(const pcl::Indices& indices);
+
+  /** @brief The planes as levels, with cells of that size. */
+  std::vector<Level> levelsOfPlanes(double cell_size) const;
+
+  /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
+   * puts points on the walls that they hide, before any has a label.
+   * @return whether there were any: the planes must be found again */
+  bool leaveOutHangingFurniture(const std::vector<Level>& levels);
+
+  double cellSizeThatFills(const std::vector<Level>& levels) const;
+>>>>>>> .merge_file_F2DoAd
   void enlargeCells(double size);
 
   /** @brief Keeps the planes of all rooms as `planes`, for those who look at them. */
@@ -180,9 +224,6 @@ private:
 
   /** @brief Takes the labels from all points of a room. */
   void giveUp(std::uint32_t room);
-
-  /** @brief Gives the plan its storeys, doorways and stairs, of rooms that it has. */
-  void tellBuilding();
 
   /** @brief Takes the labels of every room that the plan does not have. */
   void giveUpRoomsWithoutPlan();
