@@ -85,8 +85,6 @@ wallsToJson(const Floorplan& plan, std::size_t room)
 }
 
 Json
-<<<<<<< .merge_file_xVwsr8
-=======
 toJson(const Levelling& levelling)
 {
   constexpr double degrees = 180 / M_PI;
@@ -101,13 +99,6 @@ toJson(const Levelling& levelling)
 }
 
 Json
-toJson(const PlanStorey& storey)
-{
-  return {{"floor", storey.floor}, {"rooms", storey.rooms}};
-}
-
-Json
->>>>>>> .merge_file_RhAgqL
 toJson(const Floorplan& plan, std::size_t number)
 {
   const PlanRoom& room = plan.rooms[number];
@@ -145,26 +136,15 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling)
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
-<<<<<<< .merge_file_xVwsr8
-  const Json json{{"format", floorplan_format_name},
+  Json json{{"format", floorplan_format_name},
                   {"version", floorplan_format_version},
                   {"unit", "m"},
                   {"rooms", rooms},
                   {"storeys", storeysToJson(plan)},
                   {"doorways", doorwaysToJson(plan)},
                   {"stairs", stairsToJson(plan)}};
-=======
-  Json storeys = Json::array();
-  for (const auto& storey : storeysOf(plan))
-    storeys.push_back(toJson(storey));
-  Json json{{"format", floorplan_format_name},
-            {"version", floorplan_format_version},
-            {"unit", "m"},
-            {"rooms", rooms},
-            {"storeys", storeys}};
   if (levelling)
     json["levelling"] = toJson(*levelling);
->>>>>>> .merge_file_RhAgqL
   return json.dump(1) + "\n";
 }
 

@@ -143,13 +143,8 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     return false;
   levelScan();
   const std::size_t n = cloud->size();
-<<<<<<< .merge_file_YJFnuP
-  return checkScan() &&
-         runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
+  return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
-=======
-  return runStage("HorizontalPlaneDetection", n,
->>>>>>> .merge_file_CJhYqy
                   [&](auto& r) { return findPlanes(r); }) &&
          runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
          runStage("FloorProjectionRecovery", n,

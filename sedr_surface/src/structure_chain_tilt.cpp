@@ -33,7 +33,7 @@ StructureChain::levelScan()
   if (trust_up)
     return;
   const ScanTilt tilt =
-      tiltOf(PointView(*cloud), *allIndices(cloud->size()), room_segmentation.threads);
+      tiltOf(PointView(*cloud), *allIndices(cloud->size()), room_segmentation.getNumberOfThreads());
   if (!(tilt.angle > 0))
     return;
   levelling = Levelling::of(tilt.up, middleOf(*cloud));

@@ -107,13 +107,7 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
     stream << floorplanToJson(*chain.getFloorplan(),
                               c.levelling ? &*c.levelling : nullptr);
   });
-<<<<<<< .merge_file_3RNys2
-  const auto& extrusion = chain.getChain().extrusion;
-=======
-  for (const char* name : {"floorplan.svg", "floorplan.dxf"})
-    saveDrawing(folder.file(name), *chain.getFloorplan());
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
->>>>>>> .merge_file_Erqy0k
   for (const char* name : {"solid.ply", "solid.obj"})
     saveSolid(folder.file(name), solid, c.extrusion.getElements());
 }

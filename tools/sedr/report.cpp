@@ -215,11 +215,8 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
-<<<<<<< .merge_file_Mh4Bt6
             {"storeys", storeysOf(chain)},
-=======
             {"levelling", levellingOf(chain.getChain())},
->>>>>>> .merge_file_0FiRQO
             {"rooms", roomsOf(chain)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};

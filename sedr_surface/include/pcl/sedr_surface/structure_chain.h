@@ -3,11 +3,7 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
-<<<<<<< .merge_file_P441Y7
-=======
-#include <pcl/sedr_filters/grid_region_outlier_removal.h>
 #include <pcl/sedr_filters/levelling.h>
->>>>>>> .merge_file_F2DoAd
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -165,30 +161,13 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
-<<<<<<< .merge_file_P441Y7
-  bool partRooms(StageReport& report);
-  bool findPlanes(StageReport& report);
-  double cellSizeThatFills() const;
-=======
 
   /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
    * tilted. */
   void levelScan();
-  bool detectPlanes();
-
-  /** @brief Takes points, increasing, out of the cloud before any has a label. */
-  void removePoints(const pcl::Indices& indices);
-
-  /** @brief The planes as levels, with cells of that size. */
-  std::vector<Level> levelsOfPlanes(double cell_size) const;
-
-  /** @brief Takes cupboards that hang before the edge of a ceiling out of the cloud and
-   * puts points on the walls that they hide, before any has a label.
-   * @return whether there were any: the planes must be found again */
-  bool leaveOutHangingFurniture(const std::vector<Level>& levels);
-
-  double cellSizeThatFills(const std::vector<Level>& levels) const;
->>>>>>> .merge_file_F2DoAd
+  bool partRooms(StageReport& report);
+  bool findPlanes(StageReport& report);
+  double cellSizeThatFills() const;
   void enlargeCells(double size);
 
   /** @brief Keeps the planes of all rooms as `planes`, for those who look at them. */
