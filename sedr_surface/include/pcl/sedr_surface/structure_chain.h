@@ -231,6 +231,10 @@ private:
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
 
+  /** @brief The columns of a room, of the building's size, below level parts of its
+   * ceiling. */
+  CellSet levelColumns(std::size_t room) const;
+
   /** @brief Labels what is not yet labelled of a room's ceiling: soffits that the
    * slices did not tell from the head of a window, and what no slab is.
    * @return how many points */
