@@ -32,10 +32,7 @@ isWalled(const AirGaps& air, std::uint32_t column, std::int32_t low, std::int32_
 {
   const AirParameters& parameters = air.parameters();
   const int skin = air.voxels(parameters.same_surface) / 2;
-  const std::int32_t from = low + skin;
-  const std::int32_t to = high - skin;
-  return to > from && air.columns().countBetween(column, from, to) >
-                          parameters.walled_share * (to - from);
+  return air.occupiedShare(column, low + skin, high - skin) > parameters.walled_share;
 }
 
 /** @brief The voxel of a surface of a column nearest to `at`, no farther than the same

@@ -31,8 +31,7 @@ hasWallBeside(const AirGaps& air, std::size_t g, int d)
       return false;
     for (const std::uint32_t c : {column, columns.neighbour(column, (d + 1) % 4),
                                   columns.neighbour(column, (d + 3) % 4)})
-      if (c != VoxelColumns::none &&
-          columns.countBetween(c, from, to) >= least * (to - from))
+      if (c != VoxelColumns::none && air.occupiedShare(c, from, to) >= least)
         return true;
   }
   return false;

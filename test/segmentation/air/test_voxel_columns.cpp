@@ -203,10 +203,17 @@ TEST(VoxelColumns, StraysAHundredKilometresOffAreNoBurden)
   for (const double far : {-1e5, 1e5}) {
     points.point(far, 1, 1);
     points.point(1, far, 1);
+    points.point(1, 1, far); // a column up to it would fill a gigabyte
   }
   const VoxelColumns columns = columnsOf(points);
   EXPECT_EQ(columns.tiles(), 5u);
   EXPECT_EQ(columns.halved(1).tiles(), 5u);
+  for (const double off : {-1e5, 1e5}) {
+    RoomPoints high;
+    high.slab(rectangle(0, 0, 1, 1), off);
+    high.point(0.5, 0.5, 0);
+    EXPECT_EQ(voxelsOf(columnsOf(high)).size(), 100u) << "a scan of a mountain's height";
+  }
 }
 
 TEST(VoxelColumns, AreTheSameForAnyNumberOfThreads)
