@@ -27,8 +27,6 @@ secondsSince(std::chrono::steady_clock::time_point start)
 StructureChain::StructureChain()
 {
   reset(Cloud::ConstPtr(new Cloud));
-  // A wall point may lie two cells and a voxel away from the outermost ceiling point.
-  wall_growing.setDistanceThreshold(0.15);
   // Of a round room, facets of 0.5 mm would be all that is between the solid and truth.
   extrusion.setChordTolerance(0.00025);
 }

@@ -66,6 +66,9 @@ addModelOptions(Options& options, ModelSettings& s)
                "sample the floor plan for mesh.ply, not the points");
   options.flag("no-mesh", s.no_mesh,
                "stop at the plan and its solid: no mesh.ply and no distances to it");
+  options.flag("partial", s.partial,
+               "write the model even if it holds less than half of the floor that was "
+               "seen");
   options.flag("report", s.report,
                "write report.html, one page on all of it, as pcl_sedr_report does");
 }

@@ -41,6 +41,7 @@ struct ModelSettings {
   bool fixed_grid = false;
   bool mesh_from_plan;
   bool no_mesh = false;
+  bool partial = false; ///< take what there is, however little
   bool pictures = false;
   bool report = false;
 };

@@ -199,6 +199,24 @@ storeysOf(const Reconstruction& chain)
   return storeys;
 }
 
+Json
+coverageOf(const Coverage& coverage)
+{
+  Json left_out = Json::array();
+  for (const CoverageGap& gap : coverage.left_out)
+    left_out.push_back({{"reason", gap.reason},
+                        {"area", gap.area},
+                        {"floor", gap.floor},
+                        {"ceiling", gap.ceiling},
+                        {"at", {gap.at.x(), gap.at.y()}},
+                        {"inside", gap.is_inside}});
+  return {{"seen", coverage.seen},
+          {"modelled", coverage.modelled},
+          {"share", coverage.share()},
+          {"outdoors", coverage.outdoors},
+          {"left_out", left_out}};
+}
+
 } // namespace
 
 std::string
@@ -218,6 +236,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"storeys", storeysOf(chain)},
             {"levelling", levellingOf(chain.getChain())},
             {"rooms", roomsOf(chain)},
+            {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);

@@ -3,8 +3,6 @@
 
 #include <pcl/sedr_segmentation/building.h>
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace pcl {

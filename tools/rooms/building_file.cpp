@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "results/building_file.h"
+#include "rooms/building_file.h"
 
 #include "tool_error.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
