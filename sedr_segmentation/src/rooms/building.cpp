@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "looked_into.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
@@ -51,17 +52,24 @@ airParameters(const BuildingParameters& parameters, double cell)
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
 keepRooms(std::vector<BuildingRoom> parts,
+          const std::vector<RoomOpening>& openings,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
+  const std::vector<std::uint8_t> is_looked_into =
+      lookedInto(parts, openings, building.cell_size);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (BuildingRoom& part : parts) {
     building.seen_area += part.area;
     LeftOutKind kind = LeftOutKind::Low;
-    const std::string reason =
-        noRoomBecause(part, building.cell_size, parameters, kind);
+    std::string reason = noRoomBecause(part, building.cell_size, parameters, kind);
     const std::size_t p = part.id - 1;
+    if (reason.empty() && is_looked_into[p] != 0) {
+      kind = LeftOutKind::Open;
+      reason = "looked into through an opening only: nothing of the wall with the "
+               "opening was seen from within";
+    }
     if (reason.empty()) {
       part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
       building.rooms.push_back(std::move(part));
@@ -129,7 +137,7 @@ findBuilding(const PointView& points,
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted), parameters, building);
+      keepRooms(describeRooms(air, parted), parted.openings, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

@@ -233,6 +233,7 @@ private:
   void measureBorders()
   {
     const int reach = static_cast<int>(std::lround(parameters_.thickest_wall / cell_));
+    ends_.assign(area_.size(), 0);
     for (std::uint32_t g = 0; g < air_.size(); ++g) {
       const std::int32_t own = label_[g];
       if (own == no_room)
@@ -246,6 +247,7 @@ private:
                 .crossings.push_back({g, o});
           continue;
         }
+        ++ends_[static_cast<std::size_t>(own)];
         const std::int32_t facing = facedFrom(g, d, reach);
         if (facing != no_room && facing != own)
           ++borderOf(static_cast<std::uint32_t>(own),
@@ -491,6 +493,20 @@ private:
            ((on_both && has_lintel) || (on_one && is_deep));
   }
 
+  /** @brief Share of a room's outline at which it goes on into others: what is open on
+   * most sides is a place between columns or furniture and no room. */
+  double openShare(std::uint32_t room) const
+  {
+    double open = 0;
+    for (const std::uint32_t other : beside_[room]) {
+      const auto found = borders_.find({std::min(room, other), std::max(room, other)});
+      open += found == borders_.end()
+                  ? 0
+                  : static_cast<double>(found->second.crossings.size());
+    }
+    return open / std::max(1.0, open + static_cast<double>(ends_[room]));
+  }
+
   /** @brief How open the border of two rooms is: the share of it that joins them; 0
    * where they are parted by doors alone. */
   double opennessOf(const RoomPair& pair, const Border& border)
@@ -512,7 +528,10 @@ private:
                          parameters_.most_stacked * smaller)
       return 0;
     const double share = open / length;
-    return is_door && smaller >= parameters_.smallest_room ? 0 : share;
+    const bool parts = is_door && smaller >= parameters_.smallest_room &&
+                       openShare(pair.first) <= parameters_.most_open &&
+                       openShare(pair.second) <= parameters_.most_open;
+    return parts ? 0 : share;
   }
 
   /** @brief Whether the air of the smaller of two rooms is too narrow to stand in:
@@ -557,6 +576,7 @@ private:
     sets_.join(a, b);
     area_[a] += area_[b];
     depth_[a] = std::max(depth_[a], depth_[b]);
+    ends_[a] += ends_[b];
     borders_.erase(joined);
     openness.erase(joined);
     std::vector<RoomPair> of_b;
@@ -622,8 +642,9 @@ private:
   std::vector<float> dip_;
   std::vector<float> free_; ///< distance from what ends the air, cells
   std::vector<std::int32_t> label_;
-  std::vector<double> area_;  ///< of each label, square metres
-  std::vector<double> depth_; ///< of each label: farthest from its rim, metres
+  std::vector<double> area_;      ///< of each label, square metres
+  std::vector<std::size_t> ends_; ///< of each label: where its air ends at walls
+  std::vector<double> depth_;     ///< of each label: farthest from its rim, metres
   std::map<RoomPair, Border> borders_;
   std::vector<std::set<std::uint32_t>> beside_; ///< rooms with a border, of each
   DisjointSets sets_{0};                        ///< of labels that were joined

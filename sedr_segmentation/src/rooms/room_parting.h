@@ -30,6 +30,7 @@ struct PartingParameters {
   double most_stacked = 0.1;  ///< share of the smaller of two rooms that may lie above
                               ///< the other if they are one
   double least_open = 0.5;    ///< share of the wall between that joins two rooms
+  double most_open = 0.5;     ///< share of a room's outline that doors may be
   double smallest_room = 1.0; ///< square metres
 };
 
