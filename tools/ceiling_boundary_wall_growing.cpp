@@ -2,6 +2,7 @@
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
+#include "rooms/file_rooms.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <utility>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;
@@ -18,6 +21,8 @@ using pcl::sedr::StructureLabel;
 namespace {
 
 using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
+
+constexpr double territory_cell = 0.05; // metres
 
 struct Settings {
   std::string input;
@@ -110,6 +115,23 @@ growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
   return roomWallsOf(growing, room.id);
 }
 
+/** @brief In a file that room segmentation has parted into rooms the candidates of each
+ * are all that lies in its territory: no room reaches for the walls of another. */
+void
+takeTerritories(const ToolCloud& cloud, unsigned threads, std::vector<Room>& rooms)
+{
+  const std::vector<FileRoom> known = roomsOf(cloud);
+  const auto at = territoryOf(known, cloud, territory_cell)
+                      .roomsAt(pcl::sedr::PointView(*cloud.points), threads);
+  std::map<std::uint32_t, pcl::Indices> candidates;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (at[i] >= 0)
+      candidates[known[static_cast<std::size_t>(at[i])].id].push_back(
+          static_cast<pcl::index_t>(i));
+  for (Room& room : rooms)
+    room.candidates = std::move(candidates[room.id]);
+}
+
 double
 squareDistanceToBoundary(const ToolCloud& cloud,
                          pcl::index_t index,
@@ -135,6 +157,8 @@ labelWalls(const std::vector<RoomWalls>& rooms, ToolCloud& cloud)
   std::vector<const RoomWalls*> owner(cloud.size(), nullptr);
   for (const auto& found : rooms)
     for (const auto i : found.walls) {
+      if (cloud.label[static_cast<std::size_t>(i)] != 0)
+        continue;
       auto& now = owner[static_cast<std::size_t>(i)];
       if (!now || squareDistanceToBoundary(cloud, i, found) <
                       squareDistanceToBoundary(cloud, i, *now))
@@ -177,11 +201,17 @@ run(const Settings& settings)
     checkCloudOutput(settings.boundary_output);
   checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
+  std::vector<Room> rooms_of_file;
+  for (const auto id : ceilingRooms(cloud))
+    rooms_of_file.push_back(pointsOfRoom(cloud, id));
+  if (isByRooms(cloud))
+    takeTerritories(cloud, settings.threads, rooms_of_file);
   std::vector<RoomWalls> rooms;
-  for (const auto id : ceilingRooms(cloud)) {
+  for (const Room& room : rooms_of_file) {
     const Progress progress(
-        "growing walls" + (id > 0 ? " of room " + std::to_string(id) : std::string()));
-    rooms.push_back(growIn(settings, cloud, pointsOfRoom(cloud, id)));
+        "growing walls" +
+        (room.id > 0 ? " of room " + std::to_string(room.id) : std::string()));
+    rooms.push_back(growIn(settings, cloud, room));
   }
   const std::size_t walls = labelWalls(rooms, cloud);
   if (walls == 0)

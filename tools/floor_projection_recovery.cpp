@@ -3,6 +3,7 @@
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
+#include "rooms/file_rooms.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -36,6 +37,8 @@ struct RoomPoints {
   pcl::Indices floor;
   pcl::Indices ceiling;
   pcl::Indices detail;
+  pcl::sedr::PlanSlab plane; ///< of its floor, where the file says the floor's room
+  bool has_plane = false;
 };
 
 /** @brief What the recovery of all rooms comes to. */
@@ -64,6 +67,12 @@ splitRooms(const Settings& settings, ToolCloud& cloud)
                                pcl::sedr::PointView(*cloud.points), cloud.room, ceiling,
                                detail);
   std::map<std::uint32_t, RoomPoints> rooms;
+  if (isByRooms(cloud))
+    for (const FileRoom& room : roomsOf(cloud))
+      if (!room.floor.empty()) {
+        rooms[room.id].plane = floorOf(room, cloud, pcl::sedr::RoomPlaneParameters());
+        rooms[room.id].has_plane = true;
+      }
   const auto share = [&](const pcl::Indices& indices, pcl::Indices RoomPoints::*part) {
     for (const auto i : indices) {
       auto& room = cloud.room[static_cast<std::size_t>(i)];
@@ -105,11 +114,15 @@ recoverRoom(const Settings& settings,
   recovery.setGridSize(settings.grid);
   const auto level = std::make_shared<pcl::ModelCoefficients>();
   level->values = {0, 0, 1, -static_cast<float>(common_height)};
+  if (points.has_plane && !settings.has_height)
+    for (int k = 0; k < 4; ++k)
+      level->values[static_cast<std::size_t>(k)] =
+          static_cast<float>(points.plane.plane[k]);
   const auto kept = pcl::sedr::recoverFloor(pcl::sedr::CellGrid(settings.grid),
                                             pcl::sedr::PointView(*cloud.points),
                                             points.floor, points.ceiling, points.detail)
                         .kept;
-  if (settings.has_height || kept.empty())
+  if (settings.has_height || points.has_plane || kept.empty())
     recovery.setFloorCoefficients(level);
   pcl::PointCloud<pcl::PointXYZ> floor;
   recovery.filter(floor);

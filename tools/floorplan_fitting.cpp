@@ -4,6 +4,7 @@
 #include "plan_file.h"
 #include "plan_picture.h"
 #include "progress.h"
+#include "rooms/building_file.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -25,6 +26,7 @@ struct Settings {
   std::string input;
   std::string output;
   std::string raw;
+  std::string building;
   std::string picture;
 };
 
@@ -67,6 +69,9 @@ run(const Settings& settings, Fitting& fitting)
   checkJsonOutput(settings.output);
   checkPictureOutput(settings.picture);
   const ToolCloud cloud = loadCloud(settings.input);
+  pcl::sedr::Building building;
+  if (!settings.building.empty())
+    building = loadBuilding(settings.building);
   setEvidence(cloud, fitting);
   if (!settings.raw.empty())
     fitting.setRawCloud<pcl::PointXYZ>(loadCloud(settings.raw).points);
@@ -76,6 +81,8 @@ run(const Settings& settings, Fitting& fitting)
     if (!fitting.segment(plan))
       throw ToolError(fitting.getErrorMessage(), NothingFound);
   }
+  if (!settings.building.empty())
+    giveStoreys(building, plan);
   writeWhole(settings.output,
              [&](std::ostream& stream) { stream << pcl::sedr::floorplanToJson(plan); });
   if (!settings.picture.empty())
@@ -126,6 +133,10 @@ main(int argc, char** argv)
                  Range::atLeast(0));
   options.text("raw", settings.raw,
                "PCD or PLY file of the scan before thinning, to fit the plan to");
+  options.text(
+      "building", settings.building,
+      "JSON file of pcl_room_segmentation: the plan gets its storeys, doorways "
+      "and stairs");
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
     if (greatest_radius <= least_radius)

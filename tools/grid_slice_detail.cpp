@@ -2,18 +2,15 @@
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
+#include "rooms/detail_rooms.h"
 #include "run_tool.h"
 #include "slice_picture.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
-#include <pcl/sedr_segmentation/horizontal_levels.h>
-#include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 using namespace pcl::sedr::tools;
@@ -32,152 +29,40 @@ struct Settings {
   bool compress = false;
 };
 
-/** @brief What the details of one room are looked for in. */
-struct Room {
-  std::uint32_t id = 0;  ///< 0: a file without rooms
-  pcl::Indices ceilings; ///< of all heights
-  pcl::Indices floors;   ///< of all heights
-  pcl::Indices around;   ///< points in its surroundings, with whatever label
-  std::size_t cells = 0; ///< below its ceilings
-};
-
-/** @brief The rooms with their ceilings. */
-std::vector<Room>
-roomsWithCeilings(const ToolCloud& cloud)
-{
-  const pcl::sedr::PointView points(*cloud.points);
-  std::vector<Room> rooms;
-  for (const auto id : ceilingRooms(cloud)) {
-    Room room;
-    room.id = id;
-    for (const auto i : cloud.withLabel(StructureLabel::Ceiling)) {
-      const auto at = static_cast<std::size_t>(i);
-      if ((id == 0 || cloud.room[at] == id) && points.isFinite(at))
-        room.ceilings.push_back(i);
-    }
-    if (room.ceilings.empty())
-      throw ToolError("no ceiling point of room " + std::to_string(id) + " is finite",
-                      NothingFound);
-    rooms.push_back(std::move(room));
-  }
-  return rooms;
-}
-
-/** @brief Shares out all points: each belongs to the room whose ceiling is nearest in
- * plan. */
-void
-shareOut(const Analysis& analysis, const ToolCloud& cloud, std::vector<Room>& rooms)
-{
-  const pcl::sedr::CellGrid grid(analysis.getGridSize());
-  const pcl::sedr::PointView points(*cloud.points);
-  std::vector<pcl::sedr::CellSet> scopes;
-  for (auto& room : rooms) {
-    scopes.emplace_back(grid, points, room.ceilings);
-    room.cells = scopes.back().size();
-  }
-  const pcl::sedr::RoomTerritory territory(grid, scopes);
-  if (!territory.problem().empty())
-    throw ToolError(territory.problem());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::int32_t at = territory.roomAt(points[i]);
-    if (at < 0)
-      continue;
-    Room& room = rooms[static_cast<std::size_t>(at)];
-    room.around.push_back(static_cast<pcl::index_t>(i));
-    if (cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
-      room.floors.push_back(static_cast<pcl::index_t>(i));
-  }
-}
-
-/** @brief Those of the points that lie on a plane. */
+/** @brief The details of one room. */
 pcl::Indices
-onSlab(const pcl::sedr::PointView& points,
-       const pcl::Indices& indices,
-       const pcl::sedr::PlanSlab& slab,
-       double band)
-{
-  pcl::Indices on;
-  for (const auto i : indices)
-    if (std::abs(pcl::sedr::distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
-        band)
-      on.push_back(i);
-  return on;
-}
-
-/** @brief Of the room's ceilings the largest; the others are looked at anew. */
-pcl::Indices
-mainCeiling(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
-{
-  const pcl::sedr::PointView points(*cloud.points);
-  const double band = analysis.getDistanceThreshold();
-  const auto slab = pcl::sedr::findSlab(points, room.ceilings, band,
-                                        pcl::sedr::LevelParameters().maximum_tilt,
-                                        analysis.getSeed());
-  return onSlab(points, room.ceilings, slab, band);
-}
-
-/** @brief Of the room's floors the lowest that is seen below a tenth of its ceilings:
- * higher ones are platforms or table tops. All of them if none is so large. */
-pcl::Indices
-mainFloor(const Analysis& analysis, const ToolCloud& cloud, const Room& room)
-{
-  const pcl::sedr::PointView points(*cloud.points);
-  pcl::sedr::LevelParameters parameters;
-  parameters.tolerance = analysis.getDistanceThreshold();
-  parameters.cell_size = analysis.getGridSize();
-  parameters.seed = analysis.getSeed();
-  parameters.minimum_area = 0.1 * static_cast<double>(room.cells) *
-                            parameters.cell_size * parameters.cell_size;
-  const auto levels = pcl::sedr::findLevels(points, room.floors, parameters);
-  return levels.empty()
-             ? room.floors
-             : onSlab(points, room.floors, levels.front().slab, parameters.tolerance);
-}
-
-/** @brief What was found in one room. */
-struct Found {
-  pcl::Indices ceiling; ///< the main one
-  pcl::Indices floor;   ///< likewise
-  pcl::Indices details;
-};
-
-Found
 analyse(Analysis& analysis,
         const ToolCloud& cloud,
-        const Room& room,
+        const DetailRoom& room,
         double floor_height)
 {
   const auto shared = [](const pcl::Indices& indices) {
     return pcl::make_shared<const pcl::Indices>(indices);
   };
-  Found found;
-  found.ceiling = mainCeiling(analysis, cloud, room);
-  found.floor = mainFloor(analysis, cloud, room);
   analysis.setInputCloud(cloud.points);
   analysis.setIndices(shared(room.around));
-  analysis.setCeilingIndices(shared(found.ceiling));
-  analysis.setFloorIndices(shared(found.floor));
+  analysis.setCeilingIndices(shared(room.ceiling));
+  analysis.setFloorIndices(shared(room.floor));
   analysis.setFloorHeight(floor_height);
   pcl::PointIndices details;
   if (!analysis.segment(details))
     throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
                         analysis.getErrorMessage(),
                     NothingFound);
-  found.details = details.indices;
-  return found;
+  return details.indices;
 }
 
 void
-tell(const Analysis& analysis, const Room& room, const Found& found)
+tell(const Analysis& analysis, const DetailRoom& room, const pcl::Indices& details)
 {
   char text[160];
   const std::size_t regions = analysis.getRegionSizes().size();
-  if (found.details.empty())
+  if (details.empty())
     std::snprintf(text, sizeof text, "room %u: no details", room.id);
   else
     std::snprintf(
         text, sizeof text, "room %u: %zu points of %zu %s, all above %.2f m; %s%d",
-        room.id, found.details.size(), regions, regions == 1 ? "detail" : "details",
+        room.id, details.size(), regions, regions == 1 ? "detail" : "details",
         analysis.getSliceHeight(),
         analysis.getTrial() > 0 ? "enclosed in trial " : "enclosed in no trial, ",
         analysis.getTrial());
@@ -185,9 +70,10 @@ tell(const Analysis& analysis, const Room& room, const Found& found)
 }
 
 /** @brief Labels what was found in a room. What was taken for a ceiling or floor, and
- * is neither the main one nor a detail, is other. */
+ * is neither the main one nor a detail, is other; but of a room that was parted from
+ * the others by its air all other ceilings are details. */
 void
-label(const Room& room, const Found& found, ToolCloud& cloud)
+label(const DetailRoom& room, const pcl::Indices& details, ToolCloud& cloud)
 {
   const auto set = [&](const pcl::Indices& indices, StructureLabel to,
                        std::uint32_t id) {
@@ -196,11 +82,14 @@ label(const Room& room, const Found& found, ToolCloud& cloud)
       cloud.room[static_cast<std::size_t>(i)] = id;
     }
   };
-  set(room.ceilings, StructureLabel::Other, 0);
+  if (room.is_parted)
+    set(room.ceilings, StructureLabel::Detail, room.id);
+  else
+    set(room.ceilings, StructureLabel::Other, 0);
   set(room.floors, StructureLabel::Other, 0);
-  set(found.floor, StructureLabel::Floor, room.id);
-  set(found.ceiling, StructureLabel::Ceiling, room.id);
-  set(found.details, StructureLabel::Detail, room.id);
+  set(room.floor, StructureLabel::Floor, room.id);
+  set(room.ceiling, StructureLabel::Ceiling, room.id);
+  set(details, StructureLabel::Detail, room.id);
 }
 
 int
@@ -212,23 +101,27 @@ run(const Settings& settings, Analysis& analysis)
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Detail),
                static_cast<std::uint32_t>(StructureLabel::Other));
-  std::vector<Room> rooms = roomsWithCeilings(cloud);
+  pcl::sedr::RoomPlaneParameters parameters;
+  parameters.tolerance = analysis.getDistanceThreshold();
+  parameters.seed = analysis.getSeed();
+  parameters.threads = analysis.getNumberOfThreads();
+  std::vector<DetailRoom> rooms;
   // For rooms whose own floor was not seen at all.
   const double height =
       settings.has_floor_height
           ? settings.floor_height
           : meanFloorHeight(cloud, "--floor-height would stand for them");
-  std::vector<Found> found;
+  std::vector<pcl::Indices> found;
   std::vector<RoomSlices> slices;
   {
     const Progress progress("looking at slices");
-    shareOut(analysis, cloud, rooms);
-    for (const Room& room : rooms) {
+    rooms = detailRooms(cloud, analysis.getGridSize(), parameters);
+    for (const DetailRoom& room : rooms) {
       const bool is_known = !settings.has_floor_height && !room.floors.empty();
-      found.push_back(analyse(analysis, cloud, room, is_known ? std::nan("") : height));
+      found.push_back(
+          analyse(analysis, cloud, room, is_known ? room.floor_height : height));
       tell(analysis, room, found.back());
-      slices.push_back(
-          {room.id, analysis.getAnalysis(), room.around, found.back().ceiling});
+      slices.push_back({room.id, analysis.getAnalysis(), room.around, room.ceiling});
     }
   }
   for (std::size_t r = 0; r < rooms.size(); ++r)
@@ -261,15 +154,18 @@ main(int argc, char** argv)
   std::uint64_t seed = analysis.getSeed();
   unsigned threads = analysis.getNumberOfThreads();
 
-  Options options("pcl_grid_slice_detail",
-                  "Labels the details of every room's ceiling, soffits, beams and "
-                  "recesses, label 4.\nUses "
-                  "ceilings, label 1, and floors, label 2; details already labelled "
-                  "are looked for anew.\n"
-                  "Of several ceilings of a room the largest keeps label 1, the others "
-                  "become details or 0; of\n"
-                  "several floors the lowest below a tenth of the ceilings keeps label "
-                  "2, the others become 0.");
+  Options options(
+      "pcl_grid_slice_detail",
+      "Labels the details of every room's ceiling, soffits, beams and "
+      "recesses, label 4.\nUses "
+      "ceilings, label 1, and floors, label 2; details already labelled "
+      "are looked for anew.\n"
+      "Of several ceilings of a room the largest keeps label 1, the others "
+      "become details or 0; of\n"
+      "several floors the lowest below a tenth of the ceilings keeps label "
+      "2, the others become 0.\n"
+      "In a file that pcl_room_segmentation has parted into rooms all other "
+      "ceilings become details.");
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");

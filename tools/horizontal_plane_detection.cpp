@@ -3,6 +3,9 @@
 #include "plan_file.h"
 #include "plane_picture.h"
 #include "progress.h"
+#include "rooms/building_file.h"
+#include "rooms/file_rooms.h"
+#include "rooms/room_plane_rows.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -37,8 +40,10 @@ struct Settings {
   std::string input;
   std::string output;
   std::string planes;
+  std::string building;
   std::string picture;
   bool trust_up = false;
+  bool whole = false;
   bool keep_rooms = false;
   bool compress = false;
 };
@@ -123,6 +128,44 @@ apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
     setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
 }
 
+/** @brief The planes of a file with rooms, ceilings and floors labelled. */
+Planes
+planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cloud)
+{
+  pcl::sedr::RoomPlaneParameters parameters;
+  parameters.tolerance = detection.getDistanceThreshold();
+  parameters.maximum_tilt = detection.getMaximumTilt();
+  parameters.seed = detection.getSeed();
+  parameters.threads = detection.getNumberOfThreads();
+  pcl::sedr::Building building;
+  if (!settings.building.empty())
+    building = loadBuilding(settings.building);
+  return labelPlanesOfRooms(parameters, detection.getGridSize(), building, cloud);
+}
+
+/** @brief The planes of a file without rooms, ceilings and floors labelled. */
+Planes
+planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
+{
+  Planes planes;
+  checkScan(settings, cloud);
+  detection.setInputCloud(cloud.points);
+  if (!detection.segment(planes))
+    throw ToolError(detection.getErrorMessage(), NothingFound);
+  dropSmall(planes, detection.getMinimumArea());
+  const std::string missing =
+      pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
+  if (!missing.empty()) {
+    const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
+    throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
+  }
+  const std::string doubt = settings.trust_up ? "" : doubtOf(planes, cloud);
+  if (!doubt.empty())
+    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
+  apply(settings, planes, cloud);
+  return planes;
+}
+
 void
 savePlanes(const std::string& path, const Planes& planes)
 {
@@ -163,25 +206,16 @@ run(const Settings& settings, Detection& detection)
     checkJsonOutput(settings.planes);
   checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
+  const bool is_by_rooms = !settings.whole && isByRooms(cloud);
+  if (!settings.building.empty() && !is_by_rooms)
+    throw ToolError("--building is of no use without rooms, '" + settings.input +
+                    "' is looked at as a whole");
   Planes planes;
   {
     const Progress progress("finding planes");
-    checkScan(settings, cloud);
-    detection.setInputCloud(cloud.points);
-    if (!detection.segment(planes))
-      throw ToolError(detection.getErrorMessage(), NothingFound);
+    planes = is_by_rooms ? planesByRoom(settings, detection, cloud)
+                         : planesOfAll(settings, detection, cloud);
   }
-  dropSmall(planes, detection.getMinimumArea());
-  const std::string missing =
-      pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
-  if (!missing.empty()) {
-    const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
-    throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
-  }
-  const std::string doubt = settings.trust_up ? "" : doubtOf(planes, cloud);
-  if (!doubt.empty())
-    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
-  apply(settings, planes, cloud);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   if (!settings.planes.empty())
@@ -213,7 +247,9 @@ main(int argc, char** argv)
       "pcl_horizontal_plane_detection",
       "Finds the horizontal planes of a thinned scan, lists them, and labels the "
       "points of "
-      "ceilings 1,\nof floors 2, all others 0; rooms that the file had are set to 0.");
+      "ceilings 1,\nof floors 2, all others 0. A file that pcl_room_segmentation has "
+      "parted into rooms is looked\nat room by room; rooms of another file are set to "
+      "0.");
   options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("distance", distance, "m", "farthest a point is from its plane",
@@ -227,6 +263,11 @@ main(int argc, char** argv)
                  "smallest height of a ceiling above its floor", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   options.number("threads", threads, "", "threads to use, 0 = all processors");
+  options.text("building", settings.building,
+               "JSON file of pcl_room_segmentation: points are added where it says "
+               "that a ceiling was hidden");
+  options.flag("whole", settings.whole,
+               "look at the file as a whole even if it has rooms");
   options.text("planes", settings.planes, "JSON file for the list of planes");
   addPictureOption(options, settings.picture);
   options.flag("z-up", settings.trust_up,

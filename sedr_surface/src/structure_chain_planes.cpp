@@ -5,8 +5,8 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_fill.h>
+#include <pcl/sedr_segmentation/room_planes.h>
 #include <pcl/sedr_segmentation/scan_check.h>
 #include <pcl/sedr_segmentation/scan_lean.h>
 
@@ -44,8 +44,7 @@ StructureChain::partRooms(StageReport& report)
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
     if (building.room_of[i] != 0) {
       ChainRoom& room = regions_[building.room_of[i] - 1];
-      const bool is_ceiling =
-          building.label_of[i] == valueOf(StructureLabel::Ceiling);
+      const bool is_ceiling = building.label_of[i] == valueOf(StructureLabel::Ceiling);
       (is_ceiling ? room.ceiling : room.floor).push_back(static_cast<int>(i));
       ++report.points_out;
     }
@@ -64,21 +63,6 @@ StructureChain::cellSizeThatFills() const
   return cellSizeFor(ceilings, size);
 }
 
-namespace {
-
-/** @brief The points within `band` metres of a height. */
-pcl::Indices
-pointsNear(const PointView& points, const pcl::Indices& indices, double z, double band)
-{
-  pcl::Indices near;
-  std::copy_if(indices.begin(), indices.end(), std::back_inserter(near), [&](int i) {
-    return std::abs(points[static_cast<std::size_t>(i)].z() - z) <= band;
-  });
-  return near;
-}
-
-} // namespace
-
 bool
 StructureChain::findPlanes(StageReport& report)
 {
@@ -94,41 +78,28 @@ StructureChain::findPlanes(StageReport& report)
     warnings.push_back(text);
   }
   const PointView points(*cloud);
-  const double tolerance = plane_detection.getDistanceThreshold();
-  const unsigned threads = room_segmentation.getNumberOfThreads();
-  parallelBlocks(regions_.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    ChainRoom& room = regions_[r];
-    const BuildingRoom& found = getBuilding().rooms[r];
-    const auto slabOf = [&](const pcl::Indices& sheet, double height) {
-      // The level that most of it has, and what leans away from it.
-      constexpr double near = 2; // tolerances
-      pcl::Indices level = pointsNear(points, sheet, height, near * tolerance);
-      if (level.size() < 3)
-        level = sheet;
-      return findLargerSlab(points, level, tolerance, plane_detection.getMaximumTilt(),
-                            plane_detection.getSeed(), threads);
-    };
-    room.ceiling_slab = slabOf(room.ceiling, found.ceiling);
-    room.floor_slab = slabOf(room.floor, found.floor);
-  });
+  RoomPlaneParameters parameters;
+  parameters.tolerance = plane_detection.getDistanceThreshold();
+  parameters.maximum_tilt = plane_detection.getMaximumTilt();
+  parameters.seed = plane_detection.getSeed();
+  parameters.threads = room_segmentation.getNumberOfThreads();
+  parallelBlocks(
+      regions_.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+        ChainRoom& room = regions_[r];
+        const BuildingRoom& found = getBuilding().rooms[r];
+        room.ceiling_slab = mainPlane(points, room.ceiling, found.ceiling, parameters);
+        room.floor_slab = mainPlane(points, room.floor, found.floor, parameters);
+      });
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     ChainRoom& room = regions_[r];
-    for (const int i : room.ceiling) {
+    for (const int i :
+         pointsOn(points, room.ceiling, room.ceiling_slab, parameters.tolerance)) {
       const auto at = static_cast<std::size_t>(i);
-      if (std::abs(distanceAbove(room.ceiling_slab, points[at])) > tolerance)
-        continue;
       labels[at] = valueOf(StructureLabel::Ceiling);
       rooms[at] = static_cast<std::uint32_t>(r + 1);
       ++report.points_out;
     }
-    room.floor.erase(
-        std::remove_if(room.floor.begin(), room.floor.end(),
-                       [&](int i) {
-                         return std::abs(distanceAbove(
-                                    room.floor_slab,
-                                    points[static_cast<std::size_t>(i)])) > tolerance;
-                       }),
-        room.floor.end());
+    room.floor = pointsOn(points, room.floor, room.floor_slab, parameters.tolerance);
     report.points_out += room.floor.size();
   }
   const CellGrid grid(plane_detection.getGridSize());
@@ -149,20 +120,10 @@ StructureChain::listPlanes()
   const CellGrid grid(plane_detection.getGridSize());
   const PointView points(*cloud);
   const auto add = [&](const PlanSlab& slab, LevelKind kind, pcl::Indices inliers) {
-    pcl::HorizontalPlane plane;
-    const CellSet cells(grid, points, inliers);
-    if (cells.empty())
-      return;
-    plane.kind = kind;
-    plane.slab = slab;
-    plane.height = slab.heightAt(grid.centre(cells[cells.size() / 2]));
-    plane.cells = cells.size();
-    plane.area = static_cast<double>(cells.size()) * grid.size() * grid.size();
-    plane.residual = slab.residual;
-    for (int k = 0; k < 4; ++k)
-      plane.coefficients.values.push_back(static_cast<float>(slab.plane[k]));
-    plane.inliers.indices = std::move(inliers);
-    planes.push_back(std::move(plane));
+    pcl::HorizontalPlane plane =
+        listedPlane(kind, slab, std::move(inliers), points, grid);
+    if (plane.cells > 0)
+      planes.push_back(std::move(plane));
   };
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     pcl::Indices of_slab;
@@ -179,34 +140,17 @@ StructureChain::addHiddenCeiling(std::size_t r)
 {
   const Building& building = getBuilding();
   const CellGrid grid(plane_detection.getGridSize());
-  const CellGrid columns(building.cell_size);
   ChainRoom& room = regions_[r];
   const CellSet seen(grid, PointView(*cloud), room.ceiling);
-  const int parts =
-      std::max(1, static_cast<int>(std::lround(building.cell_size / grid.size())));
-  std::size_t added = 0;
-  for (const RoomColumn& column : building.rooms[r].columns) {
-    if (column.ceiling_seen)
-      continue;
-    for (int part = 0; part < parts * parts; ++part) {
-      const Eigen::Vector2d place =
-          columns.centre(column.cell) +
-          grid.size() * Eigen::Vector2d(part % parts - (parts - 1) / 2.0,
-                                        part / parts - (parts - 1) / 2.0);
-      if (seen.contains(grid.at(place.x(), place.y())))
-        continue;
-      const double of_slab = room.ceiling_slab.heightAt(place);
-      constexpr double same = 0.2; // metres
-      const bool is_main = std::abs(of_slab - column.ceiling) < same;
-      room.ceiling.push_back(static_cast<int>(cloud->size()));
-      cloud->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()),
-                        is_main ? static_cast<float>(of_slab) : column.ceiling});
-      labels.push_back(is_main ? valueOf(StructureLabel::Ceiling) : 0);
-      rooms.push_back(is_main ? static_cast<std::uint32_t>(r + 1) : 0);
-      ++added;
-    }
+  const std::vector<HiddenCeiling> hidden = hiddenCeiling(
+      building.rooms[r].columns, building.cell_size, grid, seen, room.ceiling_slab);
+  for (const HiddenCeiling& place : hidden) {
+    room.ceiling.push_back(static_cast<int>(cloud->size()));
+    cloud->push_back({place.at.x(), place.at.y(), place.at.z()});
+    labels.push_back(place.is_main ? valueOf(StructureLabel::Ceiling) : 0);
+    rooms.push_back(place.is_main ? static_cast<std::uint32_t>(r + 1) : 0);
   }
-  return added;
+  return hidden.size();
 }
 
 std::vector<CellSet>

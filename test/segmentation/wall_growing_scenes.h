@@ -89,6 +89,7 @@ inline Growing
 growingOn(const Scene& scene, const pcl::Indices& ceiling)
 {
   Growing growing;
+  growing.setDistanceThreshold(0.1); // a point and a half
   growing.setInputCloud(scene.cloud);
   growing.setCeilingIndices(indexList(ceiling));
   return growing;

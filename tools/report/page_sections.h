@@ -27,6 +27,9 @@ std::string planPart(const ReportData& data);
 /** @brief The rooms, a table a storey. */
 std::string roomsPart(const ReportData& data);
 
+/** @brief How much of the floor that was seen was modelled, and what was left out. */
+std::string coveragePart(const ReportData& data);
+
 /** @brief Histogram and figures of the distances.
  * @param range distance that has the last colour, metres */
 std::string histogramPart(const ReportData& data, double range);

@@ -100,6 +100,28 @@ roomOf(const PlanRoom& plan)
   return room;
 }
 
+std::optional<CoverageFacts>
+coverageOf(const Json& json)
+{
+  if (!json.is_object())
+    return std::nullopt;
+  CoverageFacts coverage;
+  coverage.seen = number(json, "seen");
+  coverage.modelled = number(json, "modelled");
+  coverage.share = number(json, "share");
+  for (const auto& gap : member(json, "left_out")) {
+    const Json& at = member(gap, "at");
+    const bool is_place =
+        at.is_array() && at.size() == 2 && at[0].is_number() && at[1].is_number();
+    coverage.left_out.push_back({text(gap, "reason"), number(gap, "area"),
+                                 number(gap, "floor"), number(gap, "ceiling"),
+                                 is_place ? at[0].get<double>() : 0,
+                                 is_place ? at[1].get<double>() : 0,
+                                 optionalFlag(gap, "inside").value_or(true)});
+  }
+  return coverage;
+}
+
 std::optional<DistanceStatistics>
 distancesOf(const Json& json)
 {
@@ -166,6 +188,7 @@ readReportData(const ResultFolder& folder)
   for (const auto& warning : member(report, "warnings"))
     if (warning.is_string())
       data.warnings.push_back(warning.get<std::string>());
+  data.coverage = coverageOf(member(report, "coverage"));
   const Json& evaluation = member(report, "evaluation");
   data.distances = distancesOf(member(evaluation, "cloud_to_mesh"));
   data.mesh_triangles = count(member(evaluation, "mesh"), "triangles");

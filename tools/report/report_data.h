@@ -41,6 +41,25 @@ struct StageFacts {
   double seconds = 0;
 };
 
+/** @brief A part of what was seen that is not in the plan. */
+struct GapFacts {
+  std::string reason;
+  double area = 0; ///< square metres
+  double floor = 0;
+  double ceiling = 0;
+  double x = 0;
+  double y = 0;
+  bool is_inside = true;
+};
+
+/** @brief How much of the floor was modelled. */
+struct CoverageFacts {
+  double seen = 0;     ///< square metres
+  double modelled = 0; ///< square metres
+  double share = 0;
+  std::vector<GapFacts> left_out;
+};
+
 /** @brief What report.json and floorplan.json say, as far as they are there. */
 struct ReportData {
   std::string scan; ///< path as it was given
@@ -48,6 +67,7 @@ struct ReportData {
   double unit = 1; ///< metres
   std::vector<RoomFacts> rooms;
   std::vector<StageFacts> stages;
+  std::optional<CoverageFacts> coverage;
   std::vector<std::pair<std::string, std::string>> parameters; ///< name, value
   std::vector<std::string> warnings;
   std::optional<DistanceStatistics> distances; ///< of the labelled scan from the mesh

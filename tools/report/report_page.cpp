@@ -178,8 +178,9 @@ makePage(const std::string& path, const PageSettings& settings)
 {
   const ResultFolder folder(path);
   const Contents contents = readContents(folder, settings);
-  std::string body = advicePart(contents.data) + storeysPart(contents.data) +
-                     planPart(contents.data) + roomsPart(contents.data) +
+  std::string body = advicePart(contents.data) + coveragePart(contents.data) +
+                     storeysPart(contents.data) + planPart(contents.data) +
+                     roomsPart(contents.data) +
                      modelPart(contents.mesh, contents.solid, contents.rule, settings);
   const auto outline = contents.outline();
   if (!outline.empty()) {

@@ -62,16 +62,11 @@ ChainPictures::note(const std::string& stage, std::uint32_t room)
 std::vector<std::string>
 ChainPictures::names()
 {
-  return {"01_parallel_voxel_grid.png",
-          "02_room_segmentation.png",
-          "03_horizontal_plane_detection.png",
-          "04_grid_slice_detail.png",
-          "05_floor_projection_recovery.png",
-          "06_ceiling_boundary_wall_growing.png",
-          "07_floorplan_fitting.png",
-          "08_structure_refinement.png",
-          "09_vertical_hole_repair.png",
-          "10_structural_poisson.png"};
+  return {"01_parallel_voxel_grid.png",        "02_room_segmentation.png",
+          "03_horizontal_plane_detection.png", "04_grid_slice_detail.png",
+          "05_floor_projection_recovery.png",  "06_ceiling_boundary_wall_growing.png",
+          "07_floorplan_fitting.png",          "08_structure_refinement.png",
+          "09_vertical_hole_repair.png",       "10_structural_poisson.png"};
 }
 
 std::vector<PictureFile>

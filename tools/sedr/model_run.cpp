@@ -48,17 +48,38 @@ timed(const std::string& name, const std::function<void(StageReport&)>& step)
   return report;
 }
 
+/** @brief How much of the floor that was seen is in the plan. Less than half is no
+ * model of the scan, a ToolError, unless that is what is asked for. */
+Coverage
+checkedCoverage(const Reconstruction& chain, bool takes_partial)
+{
+  constexpr double least = 0.5;
+  const Coverage coverage =
+      coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
+  if (coverage.share() < least && !takes_partial)
+    throw ToolError("less than half of the floor that was seen could be modelled: " +
+                        coverageWarning(coverage) +
+                        "; say --partial for a model of what there is",
+                    NothingFound);
+  return coverage;
+}
+
 /** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
  */
 void
-reconstruct(Reconstruction& chain, bool with_mesh)
+reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& record)
 {
   std::unique_ptr<Progress> progress;
   chain.getChain().on_stage = [&](const std::string& stage) {
     progress.reset(); // one line ends before the next begins
     progress = std::make_unique<Progress>(stage);
   };
-  const bool is_done = chain.findStructure() && (!with_mesh || chain.makeMesh());
+  bool is_done = chain.findStructure();
+  if (is_done) {
+    progress.reset();
+    record.coverage = checkedCoverage(chain, settings.partial);
+    is_done = settings.no_mesh || chain.makeMesh();
+  }
   chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
   progress.reset();
   if (!is_done)
@@ -94,18 +115,22 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
-  saveStructure(folder.file("structure.pcd"), *chain.getStructure());
+  const StructureChain& c = chain.getChain();
+  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame());
+  const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
-      with_mesh ? savePly(folder.file("mesh.ply"), chain.getChain().poisson.getMesh())
-                : std::string();
+      !with_mesh  ? std::string()
+      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame())
+                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh());
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << floorplanToJson(*chain.getFloorplan());
+    stream << floorplanToJson(*chain.getFloorplan(),
+                              c.levelling ? &*c.levelling : nullptr);
   });
-  const auto& extrusion = chain.getChain().extrusion;
+  const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), extrusion.getMesh(), extrusion.getElements());
+    saveSolid(folder.file(name), solid, c.extrusion.getElements());
 }
 
 void
@@ -179,7 +204,10 @@ makeModel(const ModelSettings& settings,
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });
-  reconstruct(chain, !settings.no_mesh);
+  reconstruct(settings, chain, record);
+  const std::string gap = coverageWarning(record.coverage);
+  if (!gap.empty())
+    chain.getChain().warnings.push_back(gap);
   record.stages = chain.getStageReports();
   record.stages.insert(record.stages.begin(), reading);
   if (!settings.no_mesh)

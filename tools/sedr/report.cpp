@@ -46,6 +46,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
   const StructureChain& c = chain.getChain();
   return {{"unit", run.unit},
           {"z_up", c.trust_up},
+          {"levelled", c.keep_levelled},
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
@@ -93,6 +94,22 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"maximum_hole_edges", c.poisson.getMaxHoleEdges()},
           {"support_distance", c.poisson.getSupportDistance()},
           {"solver_threads", c.poisson.getSolverThreads()}};
+}
+
+/** @brief How the scan was made level, or null. */
+Json
+levellingOf(const StructureChain& chain)
+{
+  if (!chain.levelling)
+    return nullptr;
+  const Levelling& l = *chain.levelling;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back({l.rotation(r, 0), l.rotation(r, 1), l.rotation(r, 2)});
+  return {{"angle", pcl::rad2deg(l.angle())},
+          {"direction", pcl::rad2deg(l.direction())},
+          {"rotation", rows},
+          {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
 Json
@@ -182,6 +199,24 @@ storeysOf(const Reconstruction& chain)
   return storeys;
 }
 
+Json
+coverageOf(const Coverage& coverage)
+{
+  Json left_out = Json::array();
+  for (const CoverageGap& gap : coverage.left_out)
+    left_out.push_back({{"reason", gap.reason},
+                        {"area", gap.area},
+                        {"floor", gap.floor},
+                        {"ceiling", gap.ceiling},
+                        {"at", {gap.at.x(), gap.at.y()}},
+                        {"inside", gap.is_inside}});
+  return {{"seen", coverage.seen},
+          {"modelled", coverage.modelled},
+          {"share", coverage.share()},
+          {"outdoors", coverage.outdoors},
+          {"left_out", left_out}};
+}
+
 } // namespace
 
 std::string
@@ -199,7 +234,9 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
+            {"levelling", levellingOf(chain.getChain())},
             {"rooms", roomsOf(chain)},
+            {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);

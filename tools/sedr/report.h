@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_surface/coverage.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 
@@ -17,12 +18,14 @@ namespace tools {
 struct RunRecord {
   std::string path;
   std::size_t points = 0;
-  double unit = 1;                 ///< length of one unit of the file, metres
+  double unit = 1; ///< length of one unit of the file, metres
+  Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
   std::optional<MeshEvaluationResult> figures; ///< none without a mesh
 };
 
-/** @brief report.json: input, parameters, stages, rooms, mesh, distances, warnings.
+/** @brief report.json: input, parameters, stages, rooms, coverage, mesh, distances,
+ * warnings.
  * Real numbers have seven significant digits. The same input and options give the same
  * text, but for the `seconds` of the stages, which differ from run to run. */
 std::string makeReport(const RunRecord& run,

@@ -58,7 +58,9 @@ keepRooms(std::vector<BuildingRoom> parts,
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (BuildingRoom& part : parts) {
     building.seen_area += part.area;
-    const std::string reason = noRoomBecause(part, building.cell_size, parameters);
+    LeftOutKind kind = LeftOutKind::Low;
+    const std::string reason =
+        noRoomBecause(part, building.cell_size, parameters, kind);
     const std::size_t p = part.id - 1;
     if (reason.empty()) {
       part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
@@ -66,7 +68,7 @@ keepRooms(std::vector<BuildingRoom> parts,
     }
     else if (part.area >= worth_telling)
       building.left_out.push_back(
-          {reason, part.area, part.floor, part.ceiling,
+          {kind, reason, part.area, part.floor, part.ceiling,
            CellGrid(building.cell_size)
                .centre(part.columns[part.columns.size() / 2].cell)});
   }
@@ -133,7 +135,8 @@ findBuilding(const PointView& points,
   std::stable_sort(building.left_out.begin(), building.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area > b.area; });
   if (air.voidArea() > 0)
-    building.left_out.push_back({"voids lower than a room: within slabs, below "
+    building.left_out.push_back({LeftOutKind::Void,
+                                 "voids lower than a room: within slabs, below "
                                  "furniture",
                                  air.voidArea(), 0, 0, Eigen::Vector2d::Zero()});
   if (building.rooms.empty()) {

@@ -1,75 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_description.h"
 
+#include "height_counts.h"
+
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Heights in bins: where a level lies in a room. */
-class HeightCounts {
-public:
-  void add(double height) { ++bins_[std::lround(height / bin)]; }
-
-  /** @brief The lowest height around which at least `share` of all lie. */
-  double lowestOf(double share) const
-  {
-    for (const auto& entry : bins_)
-      if (static_cast<double>(around(entry.first)) >= share * total())
-        return middleOf(entry.first);
-    return highestCount();
-  }
-
-  /** @brief The height around which most lie. */
-  double highestCount() const
-  {
-    long best = bins_.empty() ? 0 : bins_.begin()->first;
-    for (const auto& entry : bins_)
-      if (around(entry.first) > around(best))
-        best = entry.first;
-    return middleOf(best);
-  }
-
-private:
-  static constexpr double bin = 0.05; // metres
-
-  double total() const
-  {
-    double sum = 0;
-    for (const auto& entry : bins_)
-      sum += static_cast<double>(entry.second);
-    return sum;
-  }
-
-  std::size_t count(long at) const
-  {
-    const auto found = bins_.find(at);
-    return found == bins_.end() ? 0 : found->second;
-  }
-
-  std::size_t around(long at) const
-  {
-    return count(at - 1) + count(at) + count(at + 1);
-  }
-
-  /** @brief The mean height of a bin and those beside it. */
-  double middleOf(long at) const
-  {
-    double sum = 0;
-    for (long k = at - 1; k <= at + 1; ++k)
-      sum += bin * static_cast<double>(k) * static_cast<double>(count(k));
-    return sum / std::max<double>(1, static_cast<double>(around(at)));
-  }
-
-  std::map<long, std::size_t> bins_;
-};
 
 /** @brief Whether a wall stands beside a gap where its air ends in direction d: in one
  * of the three columns there, or beside them. */
@@ -94,6 +37,67 @@ hasWallBeside(const AirGaps& air, std::size_t g, int d)
   return false;
 }
 
+/** @brief Tells the gaps of a room of whose ceiling the part that hangs together is
+ * level, large enough to be a detail, and no thinner than what columns can show. */
+class LevelParts {
+public:
+  LevelParts(const AirGaps& air, const std::vector<std::int32_t>& room)
+      : air_(air)
+      , room_(room)
+      , is_level_(air.size(), 0)
+      , is_met_(air.size(), 0)
+  {
+    for (std::uint32_t g = 0; g < air.size(); ++g)
+      if (!is_met_[g])
+        meet(g);
+  }
+
+  bool isLevel(std::uint32_t g) const { return is_level_[g] != 0; }
+
+private:
+  void meet(std::uint32_t start)
+  {
+    constexpr int step = 1; // voxels that a level part's noise rises a cell
+    constexpr double largest_rise = 0.2; // metres, of the whole part
+    constexpr double least_area = 0.25;  // square metres
+    constexpr double least_width = 1.5;  // columns
+    std::vector<std::uint32_t> part{start};
+    is_met_[start] = 1;
+    std::int32_t low = air_[start].high;
+    std::int32_t high = low;
+    std::size_t rim = 0;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const std::uint32_t g = part[k];
+      low = std::min(low, air_[g].high);
+      high = std::max(high, air_[g].high);
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air_.link(g, d);
+        if (o == AirGaps::none || room_[o] != room_[g] ||
+            std::abs(air_[o].high - air_[g].high) > step)
+          ++rim;
+        else if (!is_met_[o]) {
+          is_met_[o] = 1;
+          part.push_back(o);
+        }
+      }
+    }
+    const auto n = static_cast<double>(part.size());
+    const double cell = air_.columns().cellSize();
+    const bool is_level = (high - low) * air_.columns().voxelHeight() <=
+                              largest_rise + 0.03 * std::sqrt(n) * cell &&
+                          n * cell * cell >= least_area &&
+                          2 * n >= least_width * static_cast<double>(rim);
+    if (is_level)
+      for (const std::uint32_t g : part)
+        is_level_[g] = 1;
+  }
+
+  const AirGaps& air_;
+  const std::vector<std::int32_t>& room_;
+  std::vector<std::uint8_t> is_level_;
+  std::vector<std::uint8_t> is_met_;
+};
+
 } // namespace
 
 std::vector<BuildingRoom>
@@ -103,8 +107,9 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   const VoxelColumns& columns = air.columns();
   std::vector<std::vector<std::uint32_t>> gaps(parted.rooms);
   for (std::uint32_t g = 0; g < air.size(); ++g)
-    if (parted.room[g] != PartedAir::no_room)
+    if (parted.room[g] != PartedAir::no_room && parted.is_reveal[g] == 0)
       gaps[static_cast<std::size_t>(parted.room[g])].push_back(g);
+  const LevelParts levels(air, parted.room);
   std::vector<BuildingRoom> rooms(parted.rooms);
   parallelBlocks(
       parted.rooms, 1, air.parameters().threads, [&](std::size_t r, std::size_t) {
@@ -120,7 +125,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
           const double high = columns.heightOf(gap.high);
           room.columns.push_back({columns.cellOf(gap.column), static_cast<float>(low),
                                   static_cast<float>(high), gap.floor_seen,
-                                  gap.ceiling_seen});
+                                  gap.ceiling_seen, levels.isLevel(g)});
           lows.add(low);
           highs.add(high);
           for (int d = 0; d < 4; ++d)
@@ -146,7 +151,8 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
 std::string
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
-              const BuildingParameters& parameters)
+              const BuildingParameters& parameters,
+              LeftOutKind& kind)
 {
   std::size_t tall = 0;
   for (const RoomColumn& column : room.columns)
@@ -158,12 +164,14 @@ noRoomBecause(const BuildingRoom& room,
   const double area = static_cast<double>(tall) * cell_size * cell_size;
   char text[120];
   if (area < parameters.minimum_area) {
+    kind = LeftOutKind::Low;
     std::snprintf(text, sizeof text,
                   "less than %.1f square metres with a headroom of %.1f m",
                   parameters.minimum_area, parameters.headroom);
     return text;
   }
   if (room.enclosure < parameters.minimum_enclosure) {
+    kind = LeftOutKind::Open;
     std::snprintf(
         text, sizeof text,
         "walls along %.0f %% of its outline only: seen through an opening, or "

@@ -14,10 +14,12 @@ namespace sedr {
  * enclosure, whether it is one or not; in their order, ids from 1. O(gaps). */
 std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& parted);
 
-/** @brief Why a part of the air is no room, for people; empty if it is one. */
+/** @brief Why a part of the air is no room, for people; empty if it is one.
+ * @param[out] kind what it is instead */
 std::string noRoomBecause(const BuildingRoom& room,
                           double cell_size,
-                          const BuildingParameters& parameters);
+                          const BuildingParameters& parameters,
+                          LeftOutKind& kind);
 
 } // namespace sedr
 } // namespace pcl

@@ -2,6 +2,7 @@
 #include "room_parting.h"
 
 #include "gap_distance.h"
+#include "reveals.h"
 
 #include <algorithm>
 #include <array>
@@ -611,6 +612,7 @@ private:
         opening.b = pair.second;
         parted.openings.push_back(opening);
       }
+    parted.is_reveal = revealsOf(air_, dip_, parameters_.lintel, parted.room);
     return parted;
   }
 

@@ -174,7 +174,6 @@ growWalls(Parts& parts)
   growing.setFloorIndices(parts.floor);
   growing.setDetailIndices(parts.details);
   growing.setSliceHeight(parts.slice_height);
-  growing.setDistanceThreshold(0.15); // two cells and a voxel
   pcl::PointIndices walls_and_details;
   if (!growing.segment(walls_and_details))
     giveUp(growing);

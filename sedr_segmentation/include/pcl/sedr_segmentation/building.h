@@ -35,6 +35,8 @@ struct RoomColumn {
   float ceiling = 0;
   bool floor_seen = true;   ///< else something hid it, and it is that of its neighbours
   bool ceiling_seen = true; ///< likewise
+  bool is_level = true;     ///< of a part of the ceiling that is level and large enough
+                            ///< to be told: not of a vault, a roof or fine ribs
 };
 
 /** @brief A room: what hangs together of the air of a building, a height field. */
@@ -48,8 +50,16 @@ struct BuildingRoom {
   double enclosure = 0; ///< share of its outline at which walls stand, doors left out
 };
 
+/** @brief What is no room although it was seen. */
+enum class LeftOutKind {
+  Low,  ///< nowhere large enough to stand in
+  Open, ///< without walls around it: outdoors, or seen through an opening
+  Void  ///< within slabs, below furniture
+};
+
 /** @brief Something that was seen and is no room. */
 struct LeftOut {
+  LeftOutKind kind = LeftOutKind::Low;
   std::string reason; ///< for people: "no walls around it"
   double area = 0;    ///< in plan, square metres
   double floor = 0;   ///< metres
@@ -86,6 +96,10 @@ Building findBuilding(const PointView& points,
                       const std::vector<int>& indices,
                       const BuildingParameters& parameters,
                       std::string& problem);
+
+/** @brief Gives a plan the storeys, doorways and stairs of a building, those of rooms
+ * that the plan has: its rooms have the ids of the building's. */
+void giveStoreys(const Building& building, Floorplan& plan);
 
 } // namespace sedr
 } // namespace pcl

@@ -73,7 +73,7 @@ public:
   float getAngleThreshold() const { return boundary_.angle; }
 
   /** @brief Farthest a wall point may be from a seed in plan, metres, > 0. Default
-   * 0.10: the edge of a voxel of 0.05 m, and noise of 2 cm on either side. */
+   * 0.15: two cells of 0.05 m from the outermost point of the ceiling, and a voxel. */
   void setDistanceThreshold(double distance) { growing_.distance = distance; }
   double getDistanceThreshold() const { return growing_.distance; }
 

@@ -17,7 +17,7 @@ namespace sedr {
 
 /** @brief How walls grow from their seeds (paper, section 2.3.2). */
 struct WallGrowingOptions {
-  double distance = 0.10; ///< in plan, seed to wall point, metres
+  double distance = 0.15; ///< in plan, seed to wall point, metres
   /** From this height up the seeds above it count, below it the others; NaN: no
    * division. */
   double slice_height = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/building.h>
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+// The planes of one room: its ceiling and its floor are sheets of any shape, and the
+// largest level part of each is its main plane.
+
+/** @brief How the main planes of a room are looked for. */
+struct RoomPlaneParameters {
+  double tolerance = 0.07; ///< farthest a point is from its plane, metres
+  double maximum_tilt = 3 * M_PI / 180.0; ///< radians
+  std::uint64_t seed = 1;                 ///< of the random samples
+  unsigned threads = 1;
+};
+
+/** @brief The height that most of a ceiling has, metres; 0 where there is no point.
+ * @param sheet points of the ceiling of one room. O(n). */
+double ceilingLevel(const PointView& points, const std::vector<int>& sheet);
+
+/** @brief The lowest height that a tenth of a floor has, metres: platforms are higher.
+ * 0 where there is no point.
+ * @param sheet points of the floor of one room. O(n). */
+double floorLevel(const PointView& points, const std::vector<int>& sheet);
+
+/** @brief The plane of the level part of a sheet around a height.
+ *
+ * Points within two tolerances of it count, and all where those are fewer than three.
+ * @param sheet points of the ceiling or of the floor of one room
+ * @param height metres, see ceilingLevel() and floorLevel() */
+PlanSlab mainPlane(const PointView& points,
+                   const std::vector<int>& sheet,
+                   double height,
+                   const RoomPlaneParameters& parameters);
+
+/** @brief Those of the points that lie within `tolerance` metres of a plane. */
+std::vector<int> pointsOn(const PointView& points,
+                          const std::vector<int>& indices,
+                          const PlanSlab& plane,
+                          double tolerance);
+
+/** @brief A place of a ceiling that something hid. */
+struct HiddenCeiling {
+  Eigen::Vector3f at; ///< metres
+  bool is_main;       ///< on the main plane; else on a lower or higher part
+};
+
+/** @brief Where the ceiling of a room was hidden, a place for each cell of `grid` in
+ * which nothing of it was seen. Where it may go on in the main plane it does.
+ * @param columns of the room; of those whose ceiling was hidden the places are
+ * @param column_size edge of the columns, metres, see Building::cell_size
+ * @param seen cells of the ceiling that was seen */
+std::vector<HiddenCeiling> hiddenCeiling(const std::vector<RoomColumn>& columns,
+                                         double column_size,
+                                         const CellGrid& grid,
+                                         const CellSet& seen,
+                                         const PlanSlab& plane);
+
+/** @brief A plane of a room as HorizontalPlaneDetection lists it.
+ * @param inliers points on it, increasing; none: an area of 0 */
+pcl::HorizontalPlane listedPlane(LevelKind kind,
+                                 const PlanSlab& plane,
+                                 std::vector<int> inliers,
+                                 const PointView& points,
+                                 const CellGrid& grid);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_segmentation/building.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace pcl {
+namespace sedr {
+
+void
+giveStoreys(const Building& building, Floorplan& plan)
+{
+  const auto isInPlan = [&](std::uint32_t id) {
+    return std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                       [&](const PlanRoom& room) { return room.id == id; });
+  };
+  const auto isKept = [&](const auto& link) {
+    return isInPlan(link.rooms[0]) && isInPlan(link.rooms[1]);
+  };
+  plan.storeys = building.storeys;
+  plan.storeys = storeysOf(plan); // without the rooms that have no plan
+  plan.doorways.clear();
+  plan.stairs.clear();
+  std::copy_if(building.doorways.begin(), building.doorways.end(),
+               std::back_inserter(plan.doorways), isKept);
+  std::copy_if(building.stairs.begin(), building.stairs.end(),
+               std::back_inserter(plan.stairs), isKept);
+}
+
+} // namespace sedr
+} // namespace pcl

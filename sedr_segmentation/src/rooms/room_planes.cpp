@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_counts.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/room_planes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+HeightCounts
+heightsOf(const PointView& points, const std::vector<int>& sheet)
+{
+  HeightCounts heights;
+  for (const int i : sheet)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      heights.add(points[static_cast<std::size_t>(i)].z());
+  return heights;
+}
+
+} // namespace
+
+double
+ceilingLevel(const PointView& points, const std::vector<int>& sheet)
+{
+  return heightsOf(points, sheet).highestCount();
+}
+
+double
+floorLevel(const PointView& points, const std::vector<int>& sheet)
+{
+  constexpr double share = 0.1; // of the floor: what is smaller is a hole in it
+  return heightsOf(points, sheet).lowestOf(share);
+}
+
+PlanSlab
+mainPlane(const PointView& points,
+          const std::vector<int>& sheet,
+          double height,
+          const RoomPlaneParameters& parameters)
+{
+  const double band = 2 * parameters.tolerance; // what is level, and what leans from it
+  std::vector<int> level;
+  std::copy_if(sheet.begin(), sheet.end(), std::back_inserter(level), [&](int i) {
+    return std::abs(points[static_cast<std::size_t>(i)].z() - height) <= band;
+  });
+  return findLargerSlab(points, level.size() < 3 ? sheet : level, parameters.tolerance,
+                        parameters.maximum_tilt, parameters.seed, parameters.threads);
+}
+
+std::vector<int>
+pointsOn(const PointView& points,
+         const std::vector<int>& indices,
+         const PlanSlab& plane,
+         double tolerance)
+{
+  std::vector<int> on;
+  std::copy_if(indices.begin(), indices.end(), std::back_inserter(on), [&](int i) {
+    return std::abs(distanceAbove(plane, points[static_cast<std::size_t>(i)])) <=
+           tolerance;
+  });
+  return on;
+}
+
+std::vector<HiddenCeiling>
+hiddenCeiling(const std::vector<RoomColumn>& columns,
+              double column_size,
+              const CellGrid& grid,
+              const CellSet& seen,
+              const PlanSlab& plane)
+{
+  constexpr double same = 0.2; // metres between the main plane and the height inferred
+  const CellGrid coarse(column_size);
+  const int parts =
+      std::max(1, static_cast<int>(std::lround(column_size / grid.size())));
+  std::vector<HiddenCeiling> hidden;
+  for (const RoomColumn& column : columns) {
+    if (column.ceiling_seen)
+      continue;
+    for (int part = 0; part < parts * parts; ++part) {
+      const Eigen::Vector2d place =
+          coarse.centre(column.cell) +
+          grid.size() * Eigen::Vector2d(part % parts - (parts - 1) / 2.0,
+                                        part / parts - (parts - 1) / 2.0);
+      if (seen.contains(grid.at(place.x(), place.y())))
+        continue;
+      const double of_plane = plane.heightAt(place);
+      const bool is_main = std::abs(of_plane - column.ceiling) < same;
+      hidden.push_back({{static_cast<float>(place.x()), static_cast<float>(place.y()),
+                         is_main ? static_cast<float>(of_plane) : column.ceiling},
+                        is_main});
+    }
+  }
+  return hidden;
+}
+
+pcl::HorizontalPlane
+listedPlane(LevelKind kind,
+            const PlanSlab& plane,
+            std::vector<int> inliers,
+            const PointView& points,
+            const CellGrid& grid)
+{
+  pcl::HorizontalPlane listed;
+  listed.kind = kind;
+  listed.slab = plane;
+  listed.residual = plane.residual;
+  for (int k = 0; k < 4; ++k)
+    listed.coefficients.values.push_back(static_cast<float>(plane.plane[k]));
+  const CellSet cells(grid, points, inliers);
+  listed.cells = cells.size();
+  listed.area = static_cast<double>(cells.size()) * grid.size() * grid.size();
+  if (!cells.empty())
+    listed.height = plane.heightAt(grid.centre(cells[cells.size() / 2]));
+  listed.inliers.indices = std::move(inliers);
+  return listed;
+}
+
+} // namespace sedr
+} // namespace pcl

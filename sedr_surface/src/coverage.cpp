@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/coverage.h>
+
+#include <pcl/sedr_filters/cell_grid.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief What is smaller is the edge of a room, square metres. */
+constexpr double worth_telling = 0.5;
+
+const PlanRoom*
+planOf(const BuildingRoom& room, const Floorplan& plan)
+{
+  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                  [&](const PlanRoom& p) { return p.id == room.id; });
+  return found == plan.rooms.end() ? nullptr : &*found;
+}
+
+Eigen::Vector2d
+middleOf(const std::vector<Eigen::Vector2d>& places)
+{
+  return places.empty() ? Eigen::Vector2d(0, 0) : places[places.size() / 2];
+}
+
+/** @brief The columns of a room that lie outside its plan, farther than noise and cells
+ * explain; all of them where it has none. */
+std::vector<Eigen::Vector2d>
+placesLeftOut(const BuildingRoom& room, const PlanRoom* plan, const CellGrid& grid)
+{
+  const double edge = 2 * grid.size();
+  std::vector<Eigen::Vector2d> places;
+  for (const RoomColumn& column : room.columns) {
+    const Eigen::Vector2d at = grid.centre(column.cell);
+    if (!plan || (!plan->boundary.contains(at) && plan->nicheAt(at) < 0 &&
+                  plan->boundary.distance(at) > edge))
+      places.push_back(at);
+  }
+  return places;
+}
+
+void
+addRoom(const BuildingRoom& room,
+        const Building& building,
+        const Floorplan& plan,
+        Coverage& coverage)
+{
+  const CellGrid grid(building.cell_size);
+  const PlanRoom* const own = planOf(room, plan);
+  const std::vector<Eigen::Vector2d> places = placesLeftOut(room, own, grid);
+  const double area = static_cast<double>(places.size()) * grid.size() * grid.size();
+  if (own && area < worth_telling)
+    return;
+  const std::string name = "room " + std::to_string(room.id) + ": ";
+  coverage.left_out.push_back(
+      {name + (own ? "its plan does not reach as far" : "no plan could be fitted"),
+       area, room.floor, room.ceiling, middleOf(places), true});
+}
+
+} // namespace
+
+const CoverageGap*
+Coverage::largest() const
+{
+  return left_out.empty() || !left_out.front().is_inside ? nullptr : &left_out.front();
+}
+
+Coverage
+coverageOf(const Building& building, const Floorplan& plan)
+{
+  Coverage coverage;
+  double largest_room = 0;
+  for (const PlanRoom& room : plan.rooms) {
+    coverage.modelled += room.area();
+    largest_room = std::max(largest_room, room.area());
+  }
+  if (building.cell_size > 0)
+    for (const BuildingRoom& room : building.rooms)
+      addRoom(room, building, plan, coverage);
+  for (const LeftOut& thing : building.left_out)
+    if (thing.kind != LeftOutKind::Void)
+      coverage.left_out.push_back(
+          {thing.reason, thing.area, thing.floor, thing.ceiling, thing.at,
+           thing.kind == LeftOutKind::Open && thing.area > largest_room});
+  std::stable_sort(coverage.left_out.begin(), coverage.left_out.end(),
+                   [](const CoverageGap& a, const CoverageGap& b) {
+                     return a.is_inside != b.is_inside ? a.is_inside : a.area > b.area;
+                   });
+  coverage.seen = coverage.modelled;
+  for (const CoverageGap& gap : coverage.left_out)
+    (gap.is_inside ? coverage.seen : coverage.outdoors) += gap.area;
+  return coverage;
+}
+
+std::string
+coverageWarning(const Coverage& coverage)
+{
+  constexpr double enough = 0.9;
+  const CoverageGap* const gap = coverage.largest();
+  if (coverage.share() >= enough || !gap)
+    return "";
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "%.0f of %.0f square metres of floor were modelled, %.0f %%; the largest "
+      "of what is missing, %.0f square metres around (%.1f, %.1f), z %.1f to "
+      "%.1f: ",
+      coverage.modelled, coverage.seen, 100 * coverage.share(), gap->area, gap->at.x(),
+      gap->at.y(), gap->floor, gap->ceiling);
+  return text + gap->reason;
+}
+
+} // namespace sedr
+} // namespace pcl
