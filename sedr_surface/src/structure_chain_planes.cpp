@@ -66,6 +66,14 @@ StructureChain::cellSizeThatFills() const
 bool
 StructureChain::findPlanes(StageReport& report)
 {
+  const double tolerance = plane_detection.getDistanceThreshold();
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    return fail("the distance threshold must be above 0 m, it is " +
+                std::to_string(tolerance));
+  const double tilt = plane_detection.getMaximumTilt();
+  if (!(tilt >= 0 && tilt <= M_PI / 4))
+    return fail("the maximum tilt must be within 0 and pi/4 radians, it is " +
+                std::to_string(tilt));
   const double size = plane_detection.getGridSize();
   const double wanted = adapts_grid ? cellSizeThatFills() : size;
   if (wanted > size) {
@@ -79,8 +87,8 @@ StructureChain::findPlanes(StageReport& report)
   }
   const PointView points(*cloud);
   RoomPlaneParameters parameters;
-  parameters.tolerance = plane_detection.getDistanceThreshold();
-  parameters.maximum_tilt = plane_detection.getMaximumTilt();
+  parameters.tolerance = tolerance;
+  parameters.maximum_tilt = tilt;
   parameters.seed = plane_detection.getSeed();
   parameters.threads = room_segmentation.getNumberOfThreads();
   parallelBlocks(

@@ -170,7 +170,7 @@ TEST(Chain, names_the_stage_that_found_nothing)
   pcl::PolygonMesh output;
   chain.reconstruct(output);
   EXPECT_TRUE(output.polygons.empty());
-  EXPECT_EQ(chain.getFailedStage(), "HorizontalPlaneDetection");
+  EXPECT_EQ(chain.getFailedStage(), "RoomSegmentation");
   EXPECT_NE(chain.getErrorMessage().find("ceiling"), std::string::npos);
 }
 

@@ -133,7 +133,7 @@ TEST(StructureChain, LabelsTheCeilingOfEachRoomAsItsOwn)
   std::map<int, std::map<std::uint32_t, std::size_t>> rooms_of; // by place
   std::size_t elsewhere = 0;
   chain.on_result = [&](const std::string& stage, std::uint32_t) {
-    if (stage != "RoomSegmentation")
+    if (stage != "HorizontalPlaneDetection")
       return;
     for (std::size_t i = 0; i < chain.cloud->size(); ++i) {
       const auto& p = (*chain.cloud)[i];

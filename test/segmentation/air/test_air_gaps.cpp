@@ -232,6 +232,40 @@ TEST(AirGaps, AtTheEdgeOfAGalleryDrop)
   EXPECT_TRUE(air.gaps.isDrop(hall, 0) || air.gaps.link(hall, 0) == none);
 }
 
+TEST(AirGaps, AreLinkedMutually)
+{
+  // A hall of 5.5 m overlaps both the room below a gallery and the air on it.
+  AirScene scene;
+  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
+  scene.slab(4.05, 0.05, 8.05, 4.05, 2.51);
+  scene.slab(4.05, 0.05, 8.05, 4.05, 2.81);
+  const SceneAir air(scene);
+  ASSERT_NE(air.at(6, 2, 1), air.at(6, 2, 4));
+  std::size_t links = 0;
+  for (std::uint32_t g = 0; g < air.gaps.size(); ++g)
+    for (int d = 0; d < 4; ++d)
+      if (const std::uint32_t o = air.gaps.link(g, d); o != none) {
+        ++links;
+        ASSERT_EQ(air.gaps.link(o, (d + 2) % 4), g);
+      }
+  EXPECT_GT(links, 10000u);
+}
+
+TEST(AirGaps, AreLinkedWhereTheyOverlapByHalfOfTheLower)
+{
+  for (const double floor : {1.01, 2.01}) {
+    AirScene scene;
+    scene.slab(0.05, 0.05, 4, 4.05, 0.01);
+    scene.slab(0.05, 0.05, 4, 4.05, 2.51);
+    scene.slab(4, 0.05, 8.05, 4.05, floor);
+    scene.slab(4, 0.05, 8.05, 4.05, floor + 2.5);
+    const SceneAir air(scene);
+    EXPECT_EQ(air.gaps.link(air.at(3.95, 2, 1), 0),
+              floor < 1.25 ? air.at(4.05, 2, 3) : none)
+        << floor;
+  }
+}
+
 TEST(AirGaps, AreTheSameForAnyNumberOfThreads)
 {
   AirScene scene;

@@ -98,6 +98,28 @@ TEST(PartRooms, ADoorAsHighAsTheCeilingPartsThemByItsJambs)
   });
 }
 
+TEST(PartRooms, AsHighADoorPartsASmallRoomFromAHallWhoseOutlineItKeeps)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.slab(0.05, 0.05, 6.05, 6.05, 0.01);
+    scene.slab(0.05, 0.05, 6.05, 6.05, 2.51);
+    scene.slab(6.15, 0.05, 9.15, 3.05, 0.01);
+    scene.slab(6.15, 0.05, 9.15, 3.05, 2.51);
+    scene.wall(0.05, 0.05, 9.15, 0.05, 0.01, 2.51);
+    scene.wall(6.15, 3.05, 9.15, 3.05, 0.01, 2.51);
+    scene.wall(9.15, 0.05, 9.15, 3.05, 0.01, 2.51);
+    scene.wall(0.05, 0.05, 0.05, 6.05, 0.01, 2.51);
+    scene.wall(0.05, 6.05, 6.05, 6.05, 0.01, 2.51);
+    scene.wall(6.05, 3.05, 6.05, 6.05, 0.01, 2.51);
+    scene.partition(6.05, 0.05, 3.05, 0.01, 2.51, {1.05, 1.95, 2.51});
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    for (const auto& [x, y] : {std::pair(7.0, 0.4), std::pair(8.8, 0.4),
+                               std::pair(8.8, 2.7), std::pair(7.0, 2.7)})
+      EXPECT_EQ(air.roomAt(x, y), 1) << x << ' ' << y;
+  });
+}
+
 TEST(PartRooms, AWallOfWhichLittleIsLeftJoins)
 {
   forBothTurns([](AirScene& scene) {
