@@ -128,11 +128,13 @@ partedRooms(const ToolCloud& cloud,
     room.ceiling =
         pointsOn(points, of_file.ceiling, ceilingOf(of_file, cloud, parameters),
                  parameters.tolerance);
-    room.floors = room.floor = of_file.floor;
+    room.floors = of_file.floor;
     const CellSet scope(grid, points, of_file.ceiling);
-    if (!room.floors.empty())
-      room.floor_height = floorOf(of_file, cloud, parameters)
-                              .heightAt(grid.centre(scope[scope.size() / 2]));
+    if (!room.floors.empty()) {
+      const PlanSlab plane = floorOf(of_file, cloud, parameters);
+      room.floor = pointsOn(points, room.floors, plane, parameters.tolerance);
+      room.floor_height = plane.heightAt(grid.centre(scope[scope.size() / 2]));
+    }
     rooms.push_back(std::move(room));
   }
   const auto at =
