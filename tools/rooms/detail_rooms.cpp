@@ -139,9 +139,16 @@ partedRooms(const ToolCloud& cloud,
   }
   const auto at =
       territoryOf(known, cloud, grid.size()).roomsAt(points, parameters.threads);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (at[i] >= 0)
-      rooms[static_cast<std::size_t>(at[i])].around.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (at[i] < 0)
+      continue;
+    DetailRoom& room = rooms[static_cast<std::size_t>(at[i])];
+    room.around.push_back(static_cast<int>(i));
+    if (cloud.room[i] == 0 &&
+        cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
+      room.floors.push_back(
+          static_cast<int>(i)); // of no room: something that stands there
+  }
   return rooms;
 }
 
