@@ -85,6 +85,20 @@ wallsToJson(const Floorplan& plan, std::size_t room)
 }
 
 Json
+toJson(const Levelling& levelling)
+{
+  constexpr double degrees = 180 / M_PI;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back(
+        {levelling.rotation(r, 0), levelling.rotation(r, 1), levelling.rotation(r, 2)});
+  return {{"angle", levelling.angle() * degrees},
+          {"direction", levelling.direction() * degrees},
+          {"rotation", rows},
+          {"about", {levelling.about.x(), levelling.about.y(), levelling.about.z()}}};
+}
+
+Json
 toJson(const Floorplan& plan, std::size_t number)
 {
   const PlanRoom& room = plan.rooms[number];
@@ -117,18 +131,20 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan)
+floorplanToJson(const Floorplan& plan, const Levelling* levelling)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
-  const Json json{{"format", floorplan_format_name},
+  Json json{{"format", floorplan_format_name},
                   {"version", floorplan_format_version},
                   {"unit", "m"},
                   {"rooms", rooms},
                   {"storeys", storeysToJson(plan)},
                   {"doorways", doorwaysToJson(plan)},
                   {"stairs", stairsToJson(plan)}};
+  if (levelling)
+    json["levelling"] = toJson(*levelling);
   return json.dump(1) + "\n";
 }
 

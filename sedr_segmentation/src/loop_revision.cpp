@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <unordered_set>
 
 namespace pcl {
 namespace sedr {
@@ -88,6 +90,32 @@ alignShortLinks(LoopChain& chain)
   }
 }
 
+namespace {
+
+/** @brief A number for the shape of a chain in a window and beside it: where its
+ * elements start. Equal shapes have equal numbers. */
+std::size_t
+shapeOf(const LoopChain& chain, const Window& window)
+{
+  std::size_t shape = window.inner.size();
+  const auto add = [&](std::size_t link) {
+    const Eigen::Vector2d start = chain.element(link).start;
+    for (const double value : {start.x(), start.y()})
+      shape = shape * 1099511628211u ^ std::hash<double>()(value);
+  };
+  const std::size_t n = chain.size();
+  add((window.before + n - 1) % n);
+  add(window.before);
+  for (const std::size_t link : window.inner)
+    add(link);
+  add(window.after);
+  add((window.after + 1) % n);
+  add((window.after + 2) % n);
+  return shape;
+}
+
+} // namespace
+
 void
 reviseChain(LoopChain& chain,
             const PathCost& cost,
@@ -104,6 +132,8 @@ reviseChain(LoopChain& chain,
   std::size_t changes = 0;
   const std::size_t most_changes = 16 + chain.size() / 2;
   FusionMemo memo;
+  // What was tried in vain need not be tried again while the chain is the same there.
+  std::unordered_set<std::size_t> tried;
   // Once all windows of a chain have been tried in vain, it stays as it is.
   std::size_t in_vain = 0;
   const auto isDone = [&] {
@@ -117,6 +147,10 @@ reviseChain(LoopChain& chain,
       for (std::size_t i = 0;
            i < chain.size() && chain.size() >= inner + 3 && !isDone(); ++i) {
         const Window window = windowOf(chain, i, inner);
+        if (!tried.insert(shapeOf(chain, window)).second) {
+          ++in_vain;
+          continue;
+        }
         double length = 0;
         for (const std::size_t k : window.inner)
           length += chain.element(k).length();

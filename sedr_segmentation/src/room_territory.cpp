@@ -16,7 +16,8 @@ namespace sedr {
 namespace {
 
 /** @brief Rooms by layers, lowest first: a room that would lie above one of a layer
- * starts the next. */
+ * starts the next. A room beside several layers, a hall of two storeys, is in each of
+ * them, so that it ends where its neighbours begin. */
 std::vector<std::vector<std::size_t>>
 layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
 {
@@ -28,13 +29,22 @@ layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
     return heights[a].low < heights[b].low;
   });
   std::vector<std::vector<std::size_t>> layers;
+  const auto fits = [&](const std::vector<std::size_t>& layer, std::size_t r) {
+    return std::all_of(layer.begin(), layer.end(), [&](std::size_t member) {
+      return shareHeights(heights[member], heights[r]);
+    });
+  };
   for (const std::size_t r : order) {
-    if (layers.empty() || !shareHeights(heights[layers.back().front()], heights[r]))
+    if (layers.empty() || !fits(layers.back(), r))
       layers.emplace_back();
     layers.back().push_back(r);
   }
-  for (auto& layer : layers)
+  for (auto& layer : layers) {
+    for (const std::size_t r : order)
+      if (std::find(layer.begin(), layer.end(), r) == layer.end() && fits(layer, r))
+        layer.push_back(r);
     std::sort(layer.begin(), layer.end());
+  }
   return layers;
 }
 

@@ -77,6 +77,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   planes.clear();
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
+  levelling.reset();
   refined_.clear();
   repaired_shares_.clear();
   unseen_.clear();
@@ -136,9 +137,11 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +
         std::to_string(stray_limit) + " points were left out");
+  if (!checkScan())
+    return false;
+  levelScan();
   const std::size_t n = cloud->size();
-  return checkScan() &&
-         runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
+  return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
                   [&](auto& r) { return findPlanes(r); }) &&
          runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&

@@ -73,7 +73,13 @@ StructureChain::findDetails(StageReport& report)
       warn(room, slice_detail.getErrorMessage());
     tellResult("GridSliceDetail", room);
     slice_height_.push_back(slice_detail.getSliceHeight());
+    // Of a vault or a roof, slices tell nothing.
+    const CellGrid columns(getBuilding().cell_size);
+    const CellSet level = levelColumns(r);
     for (const int i : details[r].indices) {
+      const pcl::PointXYZ& p = (*cloud)[static_cast<std::size_t>(i)];
+      if (!anyAround(level, columns.at(p.x, p.y), 1, [](std::size_t) { return true; }))
+        continue;
       labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
       rooms[static_cast<std::size_t>(i)] = room;
     }
@@ -82,18 +88,34 @@ StructureChain::findDetails(StageReport& report)
   return true;
 }
 
+CellSet
+StructureChain::levelColumns(std::size_t region) const
+{
+  std::vector<CellKey> keys;
+  for (const RoomColumn& column : getBuilding().rooms[region].columns)
+    if (column.is_level)
+      keys.push_back(keyOf(column.cell));
+  return CellSet(std::move(keys));
+}
+
 std::size_t
 StructureChain::labelLowerCeilings(std::size_t region)
 {
   const PointView points(*cloud);
+  const CellGrid columns(getBuilding().cell_size);
+  const CellSet level = levelColumns(region);
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (const int i : regions_[region].ceiling) {
     const auto at = static_cast<std::size_t>(i);
     if (labels[at] != 0)
       continue;
-    labels[at] = valueOf(StructureLabel::Detail);
     rooms[at] = static_cast<std::uint32_t>(region + 1);
+    if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
+      labels[at] = valueOf(StructureLabel::Ceiling); // of a vault or a roof
+      continue;
+    }
+    labels[at] = valueOf(StructureLabel::Detail);
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }

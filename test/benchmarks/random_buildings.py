@@ -85,8 +85,8 @@ def one_building(seed, folder, options):
         kept = options.keep_failures / f"{row['kind']}_{seed}"
         shutil.rmtree(kept, ignore_errors=True)
         shutil.copytree(folder, kept)
-        title = f"{row['kind']} {seed}: " + ", ".join(
-            f"{k} {row[k]}" for k in ("rooms", "matched_0.7", "missed", "merged", "split", "shape", "extra", "storeys", "storeys_found"))
+        shown = ("rooms", "matched_0.7", "missed", "merged", "split", "shape", "extra", "storeys", "storeys_found")
+        title = f"{row['kind']} {seed}: " + ", ".join(f"{k} {row[k]}" for k in shown)
         pictures.draw(kept / "rooms.png", title, graded, grades.read_points(folder / "scan.pcd"))
     return row
 
@@ -95,7 +95,8 @@ def summary(rows):
     """Shares and sums over all buildings, and of each kind those that are all right."""
     def total(key):
         return sum(r[key] for r in rows)
-    lines = [f"{len(rows)} buildings, all rooms right in {total('all_right')} ({100 * total('all_right') / len(rows):.0f} %)",
+    share = 100 * total("all_right") / len(rows)
+    lines = [f"{len(rows)} buildings, all rooms right in {total('all_right')} ({share:.0f} %)",
              f"storeys right in {sum(r['storeys'] == r['storeys_found'] for r in rows)}",
              "rooms: " + f"{total('rooms')} true, {total('rooms_found')} found, matched " +
              ", ".join(f"{total(f'matched_{s}')} at {s}" for s in grades.STEPS) +

@@ -23,7 +23,8 @@ SEEDS = (1, 2)
 
 def simulate(scene, folder, rays):
     (folder / "scene.json").write_text(json.dumps(scene), encoding="utf-8")
-    return subprocess.run([SIMULATOR, folder / "scene.json", folder, "--rays", str(rays)], capture_output=True, text=True, check=False)
+    command = [SIMULATOR, folder / "scene.json", folder, "--rays", str(rays)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 class Geometry(unittest.TestCase):

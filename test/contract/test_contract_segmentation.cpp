@@ -3,6 +3,7 @@
 #include "contract/adaptors/floorplan_fitting.h"
 #include "contract/adaptors/grid_slice_detail.h"
 #include "contract/adaptors/horizontal_plane_detection.h"
+#include "contract/adaptors/room_segmentation.h"
 #include "contract/contract_suite.h"
 
 namespace contract {
@@ -10,6 +11,7 @@ namespace contract {
 using SegmentationAdaptors = ::testing::Types<CeilingBoundaryWallGrowingAdaptor,
                                               SlicedCeilingBoundaryWallGrowingAdaptor,
                                               HorizontalPlaneDetectionAdaptor,
+                                              RoomSegmentationAdaptor,
                                               GridSliceDetailAdaptor,
                                               FloorplanFittingAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Segmentation, Contract, SegmentationAdaptors);

@@ -63,7 +63,7 @@ TEST(RoomTerritory, ReachesAsFarAsAskedButNotIntoOthers)
 {
   const RoomTerritory territory(
       CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, 1.5);
+      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(4.1, 0, 7, 3))}, {}, 1.5);
   EXPECT_EQ(territory.roomAt({-1.48f, 1.5f, 1}), 0);
   EXPECT_EQ(territory.roomAt({-1.52f, 1.5f, 1}), -1);
   EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
@@ -107,6 +107,48 @@ TEST(RoomTerritory, IsAsWideInMetresForAnyCellSize)
     EXPECT_EQ(territory.roomAt({4.6f, 1.5f, 1}), 0) << size;
     EXPECT_EQ(territory.roomAt({4.8f, 1.5f, 1}), -1) << size;
   }
+}
+
+TEST(RoomTerritory, OfRoomsAboveEachOtherThePointTellsByItsHeight)
+{
+  const CellSet cells = cellsOf(rectangle(0, 0, 4, 3));
+  const RoomTerritory territory(CellGrid(0.05), {cells, cells}, {{2.8, 5.2}, {0, 2.5}});
+  EXPECT_EQ(territory.roomAt({2, 1, 1}), 1);
+  EXPECT_EQ(territory.roomAt({2, 1, 4}), 0);
+  EXPECT_EQ(territory.roomAt({2, 1, 2.52f}), 1) << "noise of its ceiling";
+  EXPECT_EQ(territory.roomAt({2, 1, 2.78f}), 0) << "of its floor";
+  EXPECT_EQ(territory.roomAt({2, 1, 5.6f}), -1);
+  EXPECT_EQ(territory.roomAt({2, 1, -0.4f}), -1);
+  EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1) << "as far as walls can be";
+  EXPECT_EQ(territory.roomAt({4.5f, 1, 4}), 0);
+}
+
+TEST(RoomTerritory, AHallOfTwoStoreysEndsAtTheRoomsOfBoth)
+{
+  const CellSet beside = cellsOf(rectangle(0, 0, 4, 3));
+  const RoomTerritory territory(CellGrid(0.05),
+                                {cellsOf(rectangle(4.1, 0, 9, 3)), beside, beside},
+                                {{0, 5.2}, {0, 2.5}, {2.8, 5.2}});
+  EXPECT_EQ(territory.roomAt({6, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({6, 1, 4}), 0);
+  EXPECT_EQ(territory.roomAt({2, 1, 1}), 1);
+  EXPECT_EQ(territory.roomAt({2, 1, 4}), 2);
+  // The faces of the partition.
+  EXPECT_EQ(territory.roomAt({4.01f, 1, 1}), 1);
+  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({4.01f, 1, 4}), 2);
+  EXPECT_EQ(territory.roomAt({4.09f, 1, 4}), 0);
+}
+
+TEST(RoomTerritory, AWallSharedInPlanGoesToTheRoomBehindIt)
+{
+  // The upper room ends a metre before the lower one.
+  const RoomTerritory territory(
+      CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(0, 0, 3, 3))},
+      {{0, 2.5}, {2.8, 5.2}});
+  EXPECT_EQ(territory.roomAt({3.3f, 1, 4}), 1);
+  EXPECT_EQ(territory.roomAt({3.3f, 1, 1}), 0);
+  EXPECT_EQ(territory.roomAt({3.3f, 1, 2.6f}), 0) << "the lower room's ceiling";
 }
 
 TEST(RoomTerritory, WithoutRoomsOrOfOneTooLargeThereIsNone)

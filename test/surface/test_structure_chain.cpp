@@ -29,11 +29,11 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
   std::size_t repaired = 0;
   chain.on_result = [&](const std::string& stage, std::uint32_t room) {
     told.emplace_back(stage, room);
-    if (stage == "GridRegionOutlierRemoval") {
-      EXPECT_EQ(chain.outlier_removal.getRegionMap().regions.sizes.size(), 2u);
-    }
     if (stage == "RoomSegmentation") {
-      EXPECT_EQ(chain.getRoomRegions().size(), 2u);
+      EXPECT_EQ(chain.getBuilding().rooms.size(), 2u);
+    }
+    if (stage == "HorizontalPlaneDetection") {
+      EXPECT_EQ(chain.planes.size(), 4u) << "a ceiling and a floor a room";
     }
     if (stage == "GridSliceDetail") {
       EXPECT_FALSE(chain.slice_detail.getAnalysis().trials.empty());
@@ -45,9 +45,8 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
   };
   ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
   const std::vector<std::pair<std::string, std::uint32_t>> expected{
-      {"HorizontalPlaneDetection", 0},
-      {"GridRegionOutlierRemoval", 0},
       {"RoomSegmentation", 0},
+      {"HorizontalPlaneDetection", 0},
       {"GridSliceDetail", 1},
       {"GridSliceDetail", 2},
       {"FloorProjectionRecovery", 1},
@@ -85,33 +84,12 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
             std::string::npos);
   ASSERT_EQ(chain.plan->rooms.size(), 1u);
   EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
-  const double size = chain.outlier_removal.getGridSize();
-  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(),
-            std::lround(1 / (size * size)))
-      << "a square metre, as before";
 
   ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
   EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
   EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
-  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 400U);
   EXPECT_TRUE(chain.warnings.empty());
-}
-
-TEST(StructureChain, CountsTheCellsBelowACeilingAsTheyWereSetAfterASparseScan)
-{
-  StructureChain chain;
-  chain.outlier_removal.setMinimumSupportedCells(200);
-  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
-  ASSERT_LT(chain.outlier_removal.getMinimumSupportedCells(), 60U);
-  chain.setGridSize(0.06);
-  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 200U);
-
-  chain.setGridSize(0.05);
-  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
-  chain.outlier_removal.setMinimumSupportedCells(77); // set in between: it stays
-  chain.setGridSize(0.06);
-  EXPECT_EQ(chain.outlier_removal.getMinimumSupportedCells(), 77U);
 }
 
 TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
@@ -296,7 +274,7 @@ TEST(StructureChain, ARoomThatIsNotInThePlanKeepsNoPoints)
               [](const Eigen::Vector3d& p) { return p.x() > 4.16; });
   StructureChain chain;
   ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.getRoomRegions().size(), 2u) << "both have a ceiling and a floor";
+  ASSERT_EQ(chain.getBuilding().rooms.size(), 2u) << "both have a ceiling and a floor";
   ASSERT_EQ(chain.plan->rooms.size(), 1u);
   for (std::size_t i = 0; i < chain.cloud->size(); ++i) {
     EXPECT_TRUE(chain.rooms[i] == 0 || chain.rooms[i] == chain.plan->rooms[0].id);

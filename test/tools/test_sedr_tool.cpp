@@ -113,6 +113,7 @@ TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
       pictures[entry.path().filename()] = bytesOf(entry.path());
     ASSERT_EQ(pictures.size(), 10u);
     EXPECT_EQ(pictures.count("01_parallel_voxel_grid.png"), 1u);
+    EXPECT_EQ(pictures.count("02_room_segmentation.png"), 1u);
     EXPECT_EQ(pictures.count("04_grid_slice_detail.png"), 1u);
     EXPECT_EQ(pictures.count("10_structural_poisson.png"), 1u);
     for (const auto& [name, bytes] : pictures)

@@ -337,17 +337,44 @@ TEST(RepairPicture, BreaksWallsIntoLinesThatDoNotOverlap)
   }
 }
 
-TEST(RoomPicture, ShowsRoomsAndWhatBelongsToNone)
+/** Columns of a room whose air reaches from the floor to `ceiling`. */
+void
+addColumns(BuildingRoom& room, const CellSet& cells, float ceiling, bool is_seen)
 {
-  std::vector<RoomRegion> rooms(2);
-  rooms[0].scope = block(0, 29, 0, 29);
-  rooms[1].scope = block(32, 59, 0, 29);
-  const CellSet ceilings =
-      unite(unite(rooms[0].scope, rooms[1].scope), block(70, 79, 0, 9));
-  const Picture picture = drawRooms(rooms, ceilings, cell);
-  EXPECT_EQ(colourAt(picture, 0, at(75, 5)), colours::ceiling);
-  EXPECT_EQ(colourAt(picture, 1, at(75, 5)), colours::removed);
-  EXPECT_NE(colourAt(picture, 1, at(2, 2)), colourAt(picture, 1, at(40, 2)));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    room.columns.push_back({cells[i], 0, ceiling, is_seen, true});
+}
+
+TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
+{
+  Building building;
+  building.cell_size = cell;
+  building.rooms.resize(3);
+  addColumns(building.rooms[0], block(0, 29, 0, 29), 2.5, true);
+  addColumns(building.rooms[1], block(32, 59, 0, 19), 4, true);
+  addColumns(building.rooms[1], block(32, 59, 20, 29), 4, false);
+  addColumns(building.rooms[2], block(0, 59, 0, 29), 2.5, true);
+  const std::uint32_t storeys[] = {1, 1, 2};
+  for (std::uint32_t r = 0; r < 3; ++r) {
+    building.rooms[r].id = r + 1;
+    building.rooms[r].storey = storeys[r];
+  }
+  for (const std::uint32_t number : {1u, 2u}) {
+    PlanStorey storey;
+    storey.number = number;
+    building.storeys.push_back(storey);
+  }
+  const Picture picture = drawRooms(building);
+  const Colour one = colourAt(picture, 0, at(2, 2));
+  const Colour other = colourAt(picture, 0, at(40, 2));
+  const Colour hidden = colourAt(picture, 0, at(55, 26));
+  EXPECT_NE(one, other);
+  EXPECT_LT(hidden.red + hidden.green + hidden.blue,
+            other.red + other.green + other.blue);
+  EXPECT_EQ(colourAt(picture, 0, at(30, 2)), colours::paper);
+  EXPECT_NE(colourAt(picture, 2, at(30, 2)), colours::paper) << "of the upper storey";
+  EXPECT_LT(colourAt(picture, 1, at(2, 2)).green, colourAt(picture, 1, at(40, 2)).green)
+      << "the lower ceiling is darker";
 }
 
 TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)

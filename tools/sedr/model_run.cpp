@@ -115,18 +115,22 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
-  saveStructure(folder.file("structure.pcd"), *chain.getStructure());
+  const StructureChain& c = chain.getChain();
+  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame());
+  const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
-      with_mesh ? savePly(folder.file("mesh.ply"), chain.getChain().poisson.getMesh())
-                : std::string();
+      !with_mesh  ? std::string()
+      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame())
+                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh());
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << floorplanToJson(*chain.getFloorplan());
+    stream << floorplanToJson(*chain.getFloorplan(),
+                              c.levelling ? &*c.levelling : nullptr);
   });
-  const auto& extrusion = chain.getChain().extrusion;
+  const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), extrusion.getMesh(), extrusion.getElements());
+    saveSolid(folder.file(name), solid, c.extrusion.getElements());
 }
 
 void

@@ -19,6 +19,7 @@ ModelSettings::ModelSettings(const Reconstruction& chain)
     , threads(chain.getNumberOfThreads())
     , seed(chain.getSeed())
     , z_up(chain.getChain().trust_up)
+    , levelled(chain.getChain().keep_levelled)
     , mesh_from_plan(chain.getChain().mesh_from_plan)
 {}
 
@@ -59,6 +60,8 @@ addModelOptions(Options& options, ModelSettings& s)
                  Range::between(1e-6, 1e6));
   options.flag("z-up", s.z_up,
                "take z as up even if another axis seems to be, or the scan leans");
+  options.flag("levelled", s.levelled,
+               "of a scan tilted by 0.3 to 3 degrees, write all results level");
   options.flag("mesh-from-plan", s.mesh_from_plan,
                "sample the floor plan for mesh.ply, not the points");
   options.flag("no-mesh", s.no_mesh,
@@ -88,6 +91,7 @@ apply(const ModelSettings& s, Reconstruction& chain)
   chain.setNumberOfThreads(s.threads);
   chain.setSeed(s.seed);
   chain.getChain().trust_up = s.z_up;
+  chain.getChain().keep_levelled = s.levelled;
   chain.getChain().mesh_from_plan = s.mesh_from_plan;
 }
 

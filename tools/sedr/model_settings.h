@@ -37,6 +37,7 @@ struct ModelSettings {
   std::uint64_t seed;
   double unit = 1; ///< metres
   bool z_up;
+  bool levelled;
   bool fixed_grid = false;
   bool mesh_from_plan;
   bool no_mesh = false;

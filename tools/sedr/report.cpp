@@ -46,6 +46,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
   const StructureChain& c = chain.getChain();
   return {{"unit", run.unit},
           {"z_up", c.trust_up},
+          {"levelled", c.keep_levelled},
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
@@ -93,6 +94,22 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"maximum_hole_edges", c.poisson.getMaxHoleEdges()},
           {"support_distance", c.poisson.getSupportDistance()},
           {"solver_threads", c.poisson.getSolverThreads()}};
+}
+
+/** @brief How the scan was made level, or null. */
+Json
+levellingOf(const StructureChain& chain)
+{
+  if (!chain.levelling)
+    return nullptr;
+  const Levelling& l = *chain.levelling;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back({l.rotation(r, 0), l.rotation(r, 1), l.rotation(r, 2)});
+  return {{"angle", pcl::rad2deg(l.angle())},
+          {"direction", pcl::rad2deg(l.direction())},
+          {"rotation", rows},
+          {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
 Json
@@ -217,6 +234,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
+            {"levelling", levellingOf(chain.getChain())},
             {"rooms", roomsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},

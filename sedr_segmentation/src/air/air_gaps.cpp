@@ -95,6 +95,18 @@ AirGaps::overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) 
   return best;
 }
 
+double
+AirGaps::occupiedShare(std::uint32_t column, std::int32_t low, std::int32_t high) const
+{
+  const std::int32_t step = std::max(1, voxels(columns_.cellSize() / 2));
+  int occupied = 0;
+  int steps = 0;
+  for (std::int32_t at = low; at < high; at += step, ++steps)
+    occupied +=
+        columns_.countBetween(column, at, std::min(at + step, high)) > 0 ? 1 : 0;
+  return steps == 0 ? 0 : static_cast<double>(occupied) / steps;
+}
+
 void
 AirGaps::linkGaps()
 {

@@ -81,6 +81,11 @@ public:
   std::uint32_t
   overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) const;
 
+  /** @brief Share of the heights [low, high) of a column at which something is. Heights
+   * are counted in voxels, in taller steps where the columns are larger because the
+   * scan is sparse. 0 for no heights. */
+  double occupiedShare(std::uint32_t column, std::int32_t low, std::int32_t high) const;
+
   /** @brief Floor area of gaps that are no air: within slabs, above suspended
    * ceilings; square metres. */
   double voidArea() const { return void_area_; }

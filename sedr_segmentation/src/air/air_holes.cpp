@@ -32,10 +32,7 @@ isWalled(const AirGaps& air, std::uint32_t column, std::int32_t low, std::int32_
 {
   const AirParameters& parameters = air.parameters();
   const int skin = air.voxels(parameters.same_surface) / 2;
-  const std::int32_t from = low + skin;
-  const std::int32_t to = high - skin;
-  return to > from && air.columns().countBetween(column, from, to) >
-                          parameters.walled_share * (to - from);
+  return air.occupiedShare(column, low + skin, high - skin) > parameters.walled_share;
 }
 
 /** @brief The voxel of a surface of a column nearest to `at`, no farther than the same
@@ -55,6 +52,21 @@ surfaceNear(const AirGaps& air,
         return true;
       }
   return false;
+}
+
+/** @brief A gap whose ends were taken from its neighbours, with those that were seen in
+ * its own column. */
+AirGap
+withSeenEnds(const AirGaps& air, AirGap gap)
+{
+  std::int32_t at = 0;
+  gap.floor_seen = surfaceNear(air, gap.column, gap.low - 1, at);
+  if (gap.floor_seen)
+    gap.low = at + 1;
+  gap.ceiling_seen = surfaceNear(air, gap.column, gap.high, at);
+  if (gap.ceiling_seen)
+    gap.high = at;
+  return gap;
 }
 
 std::int32_t
@@ -155,7 +167,8 @@ pocketsOf(const AirGaps& air)
         }
         if (lows.size() < most_neighbours)
           continue;
-        AirGap pocket{column, medianOf(lows), medianOf(highs), false, false};
+        const AirGap pocket =
+            withSeenEnds(air, {column, medianOf(lows), medianOf(highs), false, false});
         if (!isTall(air, pocket) || isWalled(air, column, pocket.low, pocket.high))
           continue;
         next.push_back(pocket);
@@ -189,16 +202,8 @@ enclosedHolesOf(const AirGaps& air)
             added.find(column, gap.low, gap.high) >= 0 ||
             isWalled(air, column, gap.low, gap.high))
           continue;
-        AirGap hole{column, gap.low, gap.high, false, false};
-        std::int32_t at = 0;
-        if (surfaceNear(air, column, gap.low - 1, at)) {
-          hole.low = at + 1;
-          hole.floor_seen = true;
-        }
-        if (surfaceNear(air, column, gap.high, at)) {
-          hole.high = at;
-          hole.ceiling_seen = true;
-        }
+        const AirGap hole =
+            withSeenEnds(air, {column, gap.low, gap.high, false, false});
         if ((!hole.floor_seen && !hole.ceiling_seen) || !isTall(air, hole))
           continue;
         added.add(hole);

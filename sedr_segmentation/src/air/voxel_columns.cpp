@@ -33,15 +33,43 @@ struct PlacedPoint {
   bool is_valid = false;
 };
 
+/** @brief Where points are placed. */
+struct Frame {
+  CellGrid grid;
+  double voxel_height;
+  double middle; ///< height of the scan, metres
+};
+
 PlacedPoint
-placeOf(const Eigen::Vector3f& p, const CellGrid& grid, double voxel_height)
+placeOf(const Eigen::Vector3f& p, const Frame& frame)
 {
-  constexpr double most = 1e9; // voxels from z = 0
-  const double height = p.z() / voxel_height;
-  if (!(std::abs(height) < most) || !std::isfinite(p.x()) || !std::isfinite(p.y()) ||
-      !grid.holds(p.x(), p.y()))
+  constexpr double reach = 500; // metres above and below: a stray's column costs memory
+  if (!(std::abs(p.z() - frame.middle) < reach) || !std::isfinite(p.x()) ||
+      !std::isfinite(p.y()) || !frame.grid.holds(p.x(), p.y()))
     return {};
-  return {grid.at(p.x(), p.y()), static_cast<std::int32_t>(std::floor(height)), true};
+  return {frame.grid.at(p.x(), p.y()),
+          static_cast<std::int32_t>(std::floor(p.z() / frame.voxel_height)), true};
+}
+
+/** @brief The median height of some thousands of points; 0 where none is finite. */
+double
+middleHeight(const PointView& points, const std::vector<int>& indices)
+{
+  constexpr std::size_t most = 4096;
+  constexpr float highest = 1e6f; // metres
+  const std::size_t n = indices.empty() ? points.size() : indices.size();
+  std::vector<float> heights;
+  for (std::size_t k = 0; k < n; k += n / most + 1) {
+    const float z =
+        points[indices.empty() ? k : static_cast<std::size_t>(indices[k])].z();
+    if (std::abs(z) < highest)
+      heights.push_back(z);
+  }
+  if (heights.empty())
+    return 0;
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return *middle;
 }
 
 constexpr std::size_t points_a_block = std::size_t{1} << 16;
@@ -57,9 +85,10 @@ VoxelColumns::VoxelColumns(const PointView& points,
     , voxel_height_(voxel_height)
 {
   const std::size_t n = indices.empty() ? points.size() : indices.size();
+  const Frame frame{grid_, voxel_height_, middleHeight(points, indices)};
   const auto pointAt = [&](std::size_t k) {
     return placeOf(points[indices.empty() ? k : static_cast<std::size_t>(indices[k])],
-                   grid_, voxel_height_);
+                   frame);
   };
   using Heights = std::unordered_map<CellKey, TileHeights>;
   std::vector<Heights> met((n + points_a_block - 1) / points_a_block);

@@ -34,7 +34,8 @@ public:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
   /** @brief Fills the voxels that hold at least one finite point of
-   * `points[indices]`. O(n).
+   * `points[indices]`; those half a kilometre above or below the scan's middle are
+   * strays and left out. O(n).
    * @param cell edge of a column, metres
    * @param voxel_height metres
    * @param indices empty: all points

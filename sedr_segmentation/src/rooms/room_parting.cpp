@@ -2,6 +2,7 @@
 #include "room_parting.h"
 
 #include "gap_distance.h"
+#include "reveals.h"
 
 #include <algorithm>
 #include <array>
@@ -71,21 +72,25 @@ basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_bas
   DisjointSets sets(order.size());
   for (const std::uint32_t g : order) {
     std::vector<std::uint32_t> met;
+    std::uint32_t uphill = none; // towards its own middle, not into what is larger
     for (int d = 0; d < 4; ++d)
       for (const std::uint32_t o :
            {air.isDrop(g, d) ? none : air.link(g, d), air.diagonal(g, d)})
-        if (o != none && basin[o] != no_room && !isLevelApart(air, g, o))
+        if (o != none && basin[o] != no_room && !isLevelApart(air, g, o)) {
           met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
+          if (uphill == none || distance[o] > distance[uphill])
+            uphill = o;
+        }
     if (met.empty()) {
       basin[g] = static_cast<std::int32_t>(peak.size());
       peak.push_back(distance[g]);
       continue;
     }
+    basin[g] = basin[uphill];
     const auto highest = *std::max_element(
         met.begin(), met.end(), [&](std::uint32_t a, std::uint32_t b) {
           return std::pair(peak[a], b) < std::pair(peak[b], a);
         });
-    basin[g] = static_cast<std::int32_t>(highest);
     for (const std::uint32_t other : met)
       if (sets.find(other) != sets.find(highest) &&
           distance[g] >= same_basin * std::min(peak[other], peak[highest]))
@@ -607,6 +612,7 @@ private:
         opening.b = pair.second;
         parted.openings.push_back(opening);
       }
+    parted.is_reveal = revealsOf(air_, dip_, parameters_.lintel, parted.room);
     return parted;
   }
 

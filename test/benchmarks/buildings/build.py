@@ -9,6 +9,7 @@ from .model import Building, Room
 TRIES = 40          # layouts that are tried until every room has a door
 RAYS = (1.5e6, 3.2e6)  # of all stations
 FEWEST_RAYS, MOST_RAYS = 130_000, 400_000  # of one
+LARGEST_SCAN = 4.5e6  # rays
 
 
 class Unfit(Exception):
@@ -42,7 +43,7 @@ def attempt_to_build(rng, kind, name):
     join_storeys(rng, building, count)
     if lines.has_attic:
         put_attic_on(rng, building.on_storey(count), heights[-1])
-    hang_ceilings(rng, building, style, heights)
+    hang_ceilings(rng, building, style)
     doors = "full" if rng.random() < style.full_doors else "usual"
     for storey in range(1, count + 1):
         if not walls.connect(rng, building.on_storey(storey), style, doors):
@@ -50,7 +51,7 @@ def attempt_to_build(rng, kind, name):
     for room in tall:
         walls.add_galleries(rng, room, building.rooms)
     fill(rng, building, style, lines.outer)
-    return scan(rng, building, count)
+    return scan(rng, building)
 
 
 def storey_heights(rng, style, count):
@@ -65,6 +66,7 @@ def storey_heights(rng, style, count):
 
 def add_rooms(building, storey, spaces, lines, heights):
     floor, ceiling = heights[storey]
+    rng = building.rng
     for k, space in enumerate(s for s in spaces if s.role != HIDDEN):
         outline = g.union_outline(space.rects)
         if outline is None:
@@ -73,8 +75,9 @@ def add_rooms(building, storey, spaces, lines, heights):
         x0, y0, x1, y1 = g.bounds(outline)
         if g.area(outline) < 1.2 or min(x1 - x0, y1 - y0) < 0.9:
             raise Unfit
-        step = round(building.rng.uniform(0.08, 0.18), 3) if space.role == "room" and building.rng.random() < 0.03 else 0.0
-        building.rooms.append(Room(f"{space.role} {storey + 1}.{k + 1}", space.role, outline, round(floor + step, 4), ceiling, storey + 1))
+        step = rng.uniform(0.08, 0.18) if space.role == "room" and rng.random() < 0.03 else 0.0
+        name = f"{space.role} {storey + 1}.{k + 1}"
+        building.rooms.append(Room(name, space.role, outline, round(floor + step, 3), ceiling, storey + 1))
 
 
 def raise_halls(rng, building, heights, kind):
@@ -120,10 +123,12 @@ def put_attic_on(rng, rooms, heights):
     ceilings.attic(rng, rooms, around, max(2.3, heights[1] - heights[0]))
 
 
-def hang_ceilings(rng, building, style, heights):
+def hang_ceilings(rng, building, style):
     for room in building.rooms:
         if room.facets or room.role == "stairs":
             continue
+        if room.role == "open" and rng.random() < 0.3:
+            ceilings.shaft(rng, room)
         is_large = room.area > 45 and room.role in ("open", "hall", "room")
         if is_large and not room.bulges and rng.random() < style.ribs:
             ceilings.deck(rng, room)
@@ -150,7 +155,7 @@ def fill(rng, building, style, thickness):
         furnish.furnish(rng, room)
 
 
-def scan(rng, building, count):
+def scan(rng, building):
     """Stations in every room but some closets and one room in thirty, which are seen through their doors."""
     for room in building.rooms:
         is_seen_by_door = rng.random() < {"closet": 0.35, "room": 0.03}.get(room.role, 0.0)
@@ -163,11 +168,11 @@ def scan(rng, building, count):
         if room.role in ("corridor", "open", "hall") and rng.random() < 0.5:
             near_a_door(rng, room)
     number = sum(len(r.stations) for r in building.rooms)
-    rays = int(min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number)))
+    rays = min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number), LARGEST_SCAN / number)
     noise = round(rng.choice((rng.uniform(0.002, 0.006), rng.uniform(0.002, 0.015))), 4)
     placement = {"yaw": round(rng.uniform(-180, 180), 2) if rng.random() < 0.75 else 0.0,
-                 "shift": [round(rng.uniform(-50, 50), 3), round(rng.uniform(-50, 50), 3), round(rng.uniform(-5, 100), 3)]}
-    return building.to_json(rays, noise, placement)
+                 "shift": [round(rng.uniform(*span), 3) for span in ((-50, 50), (-50, 50), (-5, 100))]}
+    return building.to_json(int(rays), noise, placement)
 
 
 def door_places(room, building):

@@ -15,11 +15,12 @@ def suspend(rng, room):
     if rng.random() > 0.6:
         return
     x0, y0, x1, y1 = g.bounds(room.outline)
+    swell = max([-b * g.frame(room.edges[k])[3] / 2 for k, b in room.bulges.items()] + [0.0])  # of walls that curve inwards
     for _ in range(rng.randint(1, 6)):
         x, y = round(rng.uniform(x0, x1 - 0.6), 3), round(rng.uniform(y0, y1 - 0.6), 3)
         tile = g.rectangle(x, y, round(x + 0.6, 4), round(y + 0.6, 4))
         others = [v["outline"] for v in room.voids] + room.columns
-        if all(g.inside(room.outline, p) and g.wall_distance(room.outline, p) > 0.05 for p in tile) and \
+        if all(g.inside(room.outline, p) and g.wall_distance(room.outline, p) > 0.05 + swell for p in tile) and \
                 not any(g.inside(tile, p) for p in room.outline) and not any(g.meet(tile, o) for o in others):
             room.voids.append({"loop": [list(p) for p in tile], "outline": tile})
 
@@ -29,19 +30,20 @@ def deck(rng, room):
     x0, y0, x1, y1 = g.bounds(room.outline)
     long_axis = 0 if x1 - x0 > y1 - y0 else 1
     spare = room.ceiling - room.floor - 2.3
-    if spare < 0.15 or room.voids:
+    if spare < 0.15 or room.voids or room.columns:
         return
     beam_way = 90 if long_axis == 0 else 0  # beams span the short way
     kind = rng.random()
     if kind < 0.75:
         spacing, width = round(rng.uniform(2.4, 5.0), 2), round(rng.uniform(0.2, 0.45), 3)
-        beams = {"direction": beam_way, "spacing": spacing, "width": width, "depth": round(min(spare, rng.uniform(0.2, 0.6)), 3)}
+        depth = round(min(spare, rng.uniform(0.2, 0.6)), 3)
+        beams = {"direction": beam_way, "spacing": spacing, "width": width, "depth": depth}
     else:
         beams = None
     if kind > 0.45 and room.area < 450:
         way = 90 - beam_way
-        room.ribs.append({"direction": way, "spacing": rng.choice((0.3, 0.45, 0.6, 0.75)), "width": rng.choice((0.1, 0.12, 0.15)),
-                          "depth": round(min(spare, rng.uniform(0.12, 0.35)), 3)})
+        room.ribs.append({"direction": way, "spacing": rng.choice((0.3, 0.45, 0.6, 0.75)),
+                          "width": rng.choice((0.1, 0.12, 0.15)), "depth": round(min(spare, rng.uniform(0.12, 0.35)), 3)})
     if beams:
         if room.ribs:
             beams["depth"] = round(min(spare, max(beams["depth"], room.ribs[0]["depth"] + 0.05)), 3)
@@ -50,6 +52,20 @@ def deck(rng, room):
         room.ribs.append(beams)
         if rng.random() < 0.7:
             columns_under(rng, room, beams, long_axis)
+
+
+def shaft(rng, room):
+    """A closed shaft of lifts that stands free in the room: to the scanner, a large column."""
+    x0, y0, x1, y1 = g.bounds(room.outline)
+    w, d = rng.uniform(1.6, 4.5), rng.uniform(1.6, 3.0)
+    for _ in range(20):
+        p = rng.uniform(x0, x1), rng.uniform(y0, y1)
+        outline = [(round(x, 4), round(y, 4)) for x, y in g.turned_rectangle(p, w, d, 0.0)]
+        holes = [v["outline"] for v in room.voids] + room.floor_voids
+        if room.fits(outline, 1.6) and not any(g.meet(outline, h) for h in holes):
+            room.columns.append(outline)
+            room.taken.append(g.turned_rectangle(p, w + 0.1, d + 0.1, 0.0))
+            return
 
 
 def columns_under(rng, room, beams, long_axis):
@@ -121,7 +137,7 @@ def facet(room, axis, profile):
 
 
 def attic(rng, rooms, bounds, clear):
-    """One roof over all rooms of a storey: a gable along the longer side, capped by a flat ceiling, or a single slope."""
+    """One roof over all rooms of a storey: a gable along the longer side, capped by a flat ceiling."""
     x0, y0, x1, y1 = bounds
     axis = 1 if x1 - x0 > y1 - y0 else 0
     low, high = ((x0, x1), (y0, y1))[axis]

@@ -39,12 +39,12 @@ def before_wall(rng, room, tall, low):
     a, u, n, size = g.frame(room.edges[i])
     kind = rng.random()
     if kind < 0.35 and tall:
-        things = ("block", [round(rng.uniform(0.6, 1.6), 2), round(rng.uniform(0.4, 0.62), 2), round(rng.uniform(1.8, min(2.3, low - 0.1)), 2)])
+        name, spans = "block", ((0.6, 1.6), (0.4, 0.62), (1.8, min(2.3, low - 0.1)))
     elif kind < 0.6 and tall:
-        things = ("shelf", [round(rng.uniform(0.7, 1.1), 2), round(rng.uniform(0.25, 0.4), 2), round(rng.uniform(1.4, min(2.1, low - 0.1)), 2)])
+        name, spans = "shelf", ((0.7, 1.1), (0.25, 0.4), (1.4, min(2.1, low - 0.1)))
     else:
-        things = ("block", [round(rng.uniform(0.6, 2.0), 2), round(rng.uniform(0.4, 0.9), 2), round(rng.uniform(0.4, min(1.1, low - 0.2)), 2)])
-    name, (width, depth, height) = things
+        name, spans = "block", ((0.6, 2.0), (0.4, 0.9), (0.4, min(1.1, low - 0.2)))
+    width, depth, height = (round(rng.uniform(*span), 2) for span in spans)
     count = rng.randint(2, 5) if rng.random() < 0.25 and width < 1.2 else 1
     whole = count * width
     if size < whole + 0.3:
@@ -54,7 +54,7 @@ def before_wall(rng, room, tall, low):
     p = g.along(g.along(a, u, start), n, -gap)
     q = g.along(p, u, whole)
     outline = [p, q, g.along(q, n, -depth), g.along(p, n, -depth)]
-    if any(not (start + whole < s or start > e) for s, e in room.used.get(i, []) if height > 0.9) or not room.fits(outline, 0.015):
+    if height > 0.9 and not room.is_free(i, start, start + whole) or not room.fits(outline, 0.015):
         return
     thing = {"wall": i, "s": round(start + width / 2, 4), "size": [width, depth, height]}
     if count > 1:
@@ -93,7 +93,8 @@ def screen(rng, room):
     yaw = rng.choice((0, 90))
     spot = spot_in(rng, room, width + 0.6, 0.7, math.radians(yaw), 0.2)
     if spot:
-        room.furniture.append({"block": {"name": "screen", "at": list(spot[0]), "yaw": yaw, "size": [width, 0.06, height]}})
+        room.furniture.append({"block": {"name": "screen", "at": list(spot[0]), "yaw": yaw,
+                                         "size": [width, 0.06, height]}})
         room.taken.append(spot[1])
 
 
@@ -110,7 +111,8 @@ def stations(rng, room):
     if not places:
         return []
     reach = 6.0
-    seen_from = {p: {k for k, q in enumerate(probes) if g.length(g.sub(p, q)) < reach and g.sees(p, q, loops)} for p in places}
+    seen_from = {p: {k for k, q in enumerate(probes) if g.length(g.sub(p, q)) < reach and g.sees(p, q, loops)}
+                 for p in places}
     chosen, seen = [], set()
     while len(seen) < 0.98 * len(probes) and len(chosen) < 14:
         best = max(places, key=lambda p: len(seen_from[p] - seen) + 0.02 * min(2.0, g.wall_distance(room.outline, p)))

@@ -153,16 +153,3 @@ def inset(outline, thickness):
         before = moved[k - 1][1]
         points.append((round(value, 4), round(before, 4)) if axis == 0 else (round(before, 4), round(value, 4)))
     return points
-
-
-def clip(outline, normal, limit):
-    """The part of a convex outline where normal times the point is at most limit."""
-    kept = []
-    for a, b in edges(outline):
-        da, db = dot(a, normal) - limit, dot(b, normal) - limit
-        if da <= SAME:
-            kept.append(a)
-        if (da < -SAME and db > SAME) or (da > SAME and db < -SAME):
-            t = da / (da - db)
-            kept.append((a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))
-    return kept

@@ -71,8 +71,8 @@ def true_places(truth, points):
     for room in truth["rooms"]:
         plan = polygon(room["boundary"], room["columns"])
         ignored = unary_union([polygon(v) for v in room["voids"] + room["floor_voids"]] or [Polygon()])
-        places.append(Place(room["name"], plan, room["floor"], room["floor"] + room["height"], storey=room["storey"], ids=[room["id"]],
-                            seen=(seen_share(room, points, 2, "floor_voids"), seen_share(room, points, 1, "voids")),
+        places.append(Place(room["name"], plan, room["floor"], room["floor"] + room["height"],
+                            storey=room["storey"], ids=[room["id"]], seen=(seen_share(room, points, 2, "floor_voids"), seen_share(room, points, 1, "voids")),
                             ignored=ignored))
     return places
 
@@ -159,8 +159,8 @@ def read_openings(places, links, found):
             continue
         for f in found:
             if min(overlap(a, f) / a.area, overlap(b, f) / b.area) > 0.5:
-                joined = Place(f"{a.name} + {b.name}", unary_union([a.plan, b.plan]).buffer(0.25, join_style=2).buffer(-0.25, join_style=2),
-                               min(a.low, b.low), max(a.high, b.high), storey=a.storey, seen=tuple(map(min, a.seen, b.seen)),
+                both = unary_union([a.plan, b.plan]).buffer(0.25, join_style=2).buffer(-0.25, join_style=2)
+                joined = Place(f"{a.name} + {b.name}", both, min(a.low, b.low), max(a.high, b.high), storey=a.storey, seen=tuple(map(min, a.seen, b.seen)),
                                ids=a.ids + b.ids, ignored=a.ignored.union(b.ignored))
                 places = [p for p in places if p is not a and p is not b] + [joined]
                 break
@@ -216,5 +216,6 @@ def grade(folder, output):
     figures["area_error_max"] = round(max(errors), 4) if errors else ""
     figures["storeys"] = len({p.storey for p in wanted})
     figures["storeys_found"] = len(plan.get("storeys", [None] if found else []))
-    figures["all_right"] = int(all(f == "right" for f in fates) and not extra and figures["storeys"] == figures["storeys_found"])
+    has_storeys = figures["storeys"] == figures["storeys_found"]
+    figures["all_right"] = int(all(f == "right" for f in fates) and not extra and has_storeys)
     return figures, {"wanted": wanted, "rest": rest, "found": found, "extra": extra, "fates": fates, "best": best}

@@ -113,7 +113,8 @@ def openplan(rng, storeys, flight):
     small = row(rng, (round(x + wide, 2), 0.0, round(x + wide + side, 2), deep), 1, 1.8, 3.2)
     plans = []
     for _ in range(storeys):
-        spaces = [Space("stairs" if storeys > 1 else "room", core[0])] + [Space("closet" if (r[3] - r[1]) * side < 5 else "room", r) for r in small]
+        spaces = [Space("stairs" if storeys > 1 else "room", core[0])]
+        spaces += [Space("closet" if (r[3] - r[1]) * side < 5 else "room", r) for r in small]
         rest = without(rect, (x, 0.0, round(x + wide + side, 2), deep))
         if rng.random() < 0.5:  # a row of small rooms at one end
             depth = snapped(rng.uniform(3.5, 5))

@@ -80,13 +80,15 @@ def bounds(places):
 def draw_svg(path, title, truth, found, storeys):
     box = bounds([t for t, _, _ in truth])
     pitch, high = box[2] - box[0] + 2, box[3] - box[1] + 3
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {pitch * len(storeys):.1f} {high:.1f}" width="{400 * len(storeys)}">',
+    view = f'viewBox="0 0 {pitch * len(storeys):.1f} {high:.1f}" width="{400 * len(storeys)}"'
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>',
              f'<text x="0.2" y="0.8" font-size="0.6">{title}</text>']
 
     def outline(plan, storey, style):
         shift = storeys.index(storey) * pitch + 1 - box[0]
         for part in rings(plan):
-            way = " ".join("M" + " L".join(f"{x + shift:.2f} {box[3] + 2 - y:.2f}" for x, y in ring) + "Z" for ring in part)
+            way = " ".join("M" + " L".join(f"{x + shift:.2f} {box[3] + 2 - y:.2f}" for x, y in ring) + "Z"
+                           for ring in part)
             lines.append(f'<path d="{way}" fill-rule="evenodd" {style}/>')
     for t, fate, _ in truth:
         outline(t.plan, t.storey, f'fill="{COLOURS.get(fate, NOT_COUNTED)}" stroke="black" stroke-width="0.03"')

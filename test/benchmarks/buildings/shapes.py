@@ -11,7 +11,8 @@ def chamfer(rng, room):
     k = rng.randrange(len(room.outline))
     p, before, after = room.outline[k], room.outline[k - 1], room.outline[(k + 1) % len(room.outline)]
     cut = round(rng.uniform(0.4, 1.2), 3)
-    if g.cross(g.sub(p, before), g.sub(after, p)) <= 0 or min(g.length(g.sub(p, before)), g.length(g.sub(after, p))) < cut + 1.8:
+    shortest = min(g.length(g.sub(p, before)), g.length(g.sub(after, p)))
+    if g.cross(g.sub(p, before), g.sub(after, p)) <= 0 or shortest < cut + 1.8:
         return
     _, u, _, n = g.frame((before, p))
     _, v, _, _ = g.frame((p, after))
@@ -57,7 +58,8 @@ def curve_facade(rng, room, rooms):
     rise = rng.uniform(0.08, 0.2) * size
     if rng.random() < 0.3:
         rise = -min(rise, 0.8)
-        if g.bounds(room.outline)[2] - g.bounds(room.outline)[0] < 4 or g.bounds(room.outline)[3] - g.bounds(room.outline)[1] < 4:
+        x0, y0, x1, y1 = g.bounds(room.outline)
+        if min(x1 - x0, y1 - y0) < 4:
             return
     room.bulges[i] = round(max(-1.5, min(rise, 1.5)) / (size / 2), 6)
     room.used.setdefault(i, []).append((0.0, size))

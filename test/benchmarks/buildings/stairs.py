@@ -55,7 +55,8 @@ def add(lower, upper, lane):
     lower.taken.append(whole)
     lower.obstacles.append(body)
     upper.obstacles.append([tuple(p) for p in loop])
-    upper.taken.append(rect(axis, a - (0.75 if not forward else 0.1), b + (0.75 if forward else 0.1), across - half, across + half))
+    before, behind = (0.1, 0.75) if forward else (0.75, 0.1)  # where the flight arrives there is a landing
+    upper.taken.append(rect(axis, a - before, b + behind, across - half, across + half))
     balustrade(upper, axis, a, b, across, half, forward)
     return True
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/levelling.h>
 
 #include <string>
 
@@ -13,8 +14,11 @@ namespace sedr {
  * [...]}. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers,
  * residual), boundary, columns and details. A loop is a list of elements: start and
  * end, for arcs centre, radius and counter_clockwise, inliers and residual. Numbers are
- * written so that they read back exactly. */
-std::string floorplanToJson(const Floorplan& plan);
+ * written so that they read back exactly.
+ * @param levelling how the scan was made level for the plan, if it was: `levelling`
+ * with angle and direction in degrees, `rotation` by rows, and `about` */
+std::string floorplanToJson(const Floorplan& plan,
+                            const Levelling* levelling = nullptr);
 
 /** @brief Reads what floorplanToJson() wrote.
  *

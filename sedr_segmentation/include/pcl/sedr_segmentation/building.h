@@ -35,6 +35,8 @@ struct RoomColumn {
   float ceiling = 0;
   bool floor_seen = true;   ///< else something hid it, and it is that of its neighbours
   bool ceiling_seen = true; ///< likewise
+  bool is_level = true;     ///< of a part of the ceiling that is level and large enough
+                            ///< to be told: not of a vault, a roof or fine ribs
 };
 
 /** @brief A room: what hangs together of the air of a building, a height field. */

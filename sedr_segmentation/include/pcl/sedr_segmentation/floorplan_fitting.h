@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/levelling.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_segmentation/plan_fit.h>
 
@@ -83,6 +84,10 @@ public:
       };
     raw_indices_ = nullptr;
   }
+
+  /** @brief Takes the raw points as a levelling turns them: a copy of no more of them
+   * than the fit looks at. */
+  void levelRawPoints(const sedr::Levelling& levelling);
 
   /** @brief Number of threads; 0 (default): all processors.
    */

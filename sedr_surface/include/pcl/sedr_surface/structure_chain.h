@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/levelling.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -20,6 +21,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,10 @@ public:
    * is. */
   bool trust_up = false;
 
+  /** @brief Whether what is made of a tilted scan stays in the level frame that it was
+   * fitted in, see `levelling`. */
+  bool keep_levelled = false;
+
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);
 
@@ -104,6 +110,9 @@ public:
   void reset(const Cloud::ConstPtr& thinned);
 
   // What the last run left.
+  /** @brief How a scan tilted by 0.3 to 3 degrees was made level; none for others. All
+   * that the chain holds is level. */
+  std::optional<Levelling> levelling;
   Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
@@ -117,6 +126,16 @@ public:
 
   /** @brief The building as room segmentation found it: room r + 1 is the r-th. */
   const Building& getBuilding() const { return room_segmentation.getBuilding(); }
+
+  /** @brief A mesh or solid that the chain holds, in the frame of the scan, unless
+   * keep_levelled. */
+  TriangleMesh inScanFrame(TriangleMesh mesh) const;
+
+  /** @brief The mesh in that frame. */
+  TriangleMesh meshInScanFrame() const;
+
+  /** @brief The refined and repaired points in that frame. */
+  StructureCloud::Ptr structureInScanFrame() const;
 
   /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
    * points less reflections. What was recovered comes after them. */
@@ -142,6 +161,10 @@ private:
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
+
+  /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
+   * tilted. */
+  void levelScan();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
@@ -207,6 +230,10 @@ private:
 
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories() const;
+
+  /** @brief The columns of a room, of the building's size, below level parts of its
+   * ceiling. */
+  CellSet levelColumns(std::size_t room) const;
 
   /** @brief Labels what is not yet labelled of a room's ceiling: soffits that the
    * slices did not tell from the head of a window, and what no slab is.

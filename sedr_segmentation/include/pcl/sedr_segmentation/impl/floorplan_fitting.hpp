@@ -89,6 +89,27 @@ FloorplanFitting<PointT>::fitToRaw(sedr::Floorplan& plan)
 }
 
 template <typename PointT>
+void
+FloorplanFitting<PointT>::levelRawPoints(const sedr::Levelling& levelling)
+{
+  if (!raw_)
+    return;
+  const sedr::PointView raw = raw_();
+  const std::size_t size = raw_indices_ ? raw_indices_->size() : raw.size();
+  const std::size_t step = sedr::rawStep(size, sedr::RefitParameters().most_points);
+  const auto level = std::make_shared<std::vector<Eigen::Vector3f>>();
+  level->reserve(size / step + 1);
+  for (std::size_t k = 0; k < size; k += step) {
+    const std::size_t i =
+        raw_indices_ ? static_cast<std::size_t>((*raw_indices_)[k]) : k;
+    if (i < raw.size())
+      level->push_back(
+          levelling.level(raw[i].template cast<double>()).template cast<float>());
+  }
+  setRawPoints(level);
+}
+
+template <typename PointT>
 bool
 FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
 {

@@ -254,7 +254,8 @@ void
 IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
 {
   if (makeMesh())
-    sedr::toPolygonMesh(chain_.poisson.getMesh(), output);
+    sedr::toPolygonMesh(
+        chain_.levelling ? chain_.meshInScanFrame() : chain_.poisson.getMesh(), output);
 }
 
 template <typename PointT>

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "patch_normals.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The points of a patch: their sums. */
+struct PatchMoments {
+  double count = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+
+  void add(const Eigen::Vector3d& p)
+  {
+    count += 1;
+    sum += p;
+    squares.noalias() += p * p.transpose();
+  }
+
+  void add(const PatchMoments& other)
+  {
+    count += other.count;
+    sum += other.sum;
+    squares += other.squares;
+  }
+};
+
+/** @brief Where a patch is, in patches from the origin. */
+struct PatchKey {
+  std::int64_t x;
+  std::int64_t y;
+  std::int64_t z;
+
+  friend bool operator==(const PatchKey& a, const PatchKey& b)
+  {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
+
+  friend bool operator<(const PatchKey& a, const PatchKey& b)
+  {
+    if (a.x != b.x)
+      return a.x < b.x;
+    return a.y != b.y ? a.y < b.y : a.z < b.z;
+  }
+
+  /** @brief In patches, too. */
+  Eigen::Vector3d corner() const
+  {
+    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  }
+};
+
+using Patches = std::map<PatchKey, PatchMoments>;
+
+/** @brief The turned points indices[begin, end) by patches, about whose corners they
+ * are summed: squares of large coordinates leave no digits. */
+Patches
+patchesOf(const PointView& points,
+          const std::vector<int>& indices,
+          std::size_t begin,
+          std::size_t end,
+          const Eigen::Matrix3d& turn,
+          double patch,
+          double offset)
+{
+  constexpr double farthest = 1e5;
+  Patches patches;
+  auto last = patches.end(); // where most of the next points are too
+  for (std::size_t n = begin; n < end; ++n) {
+    const Eigen::Vector3d p =
+        turn * points[static_cast<std::size_t>(indices[n])].cast<double>() +
+        Eigen::Vector3d::Constant(offset * patch);
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
+      continue;
+    const auto alongAxis = [&](double v) { // rounds down, without a call
+      const auto whole = static_cast<std::int64_t>(v / patch);
+      return whole - (v / patch < static_cast<double>(whole) ? 1 : 0);
+    };
+    const PatchKey key{alongAxis(p.x()), alongAxis(p.y()), alongAxis(p.z())};
+    if (last == patches.end() || !(last->first == key))
+      last = patches.try_emplace(key).first;
+    last->second.add(p - patch * key.corner());
+  }
+  return patches;
+}
+
+/** @brief The normal of a patch that is a plane, z not below 0. */
+std::optional<Eigen::Vector3d>
+normalOf(const PatchMoments& patch)
+{
+  constexpr double fewest = 20;
+  constexpr double most_scatter = 0.02; // across a plane, metres
+  constexpr double least_spread = 0.08; // along it
+  if (patch.count < fewest)
+    return {};
+  const Eigen::Vector3d mean = patch.sum / patch.count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      patch.squares / patch.count - mean * mean.transpose());
+  if (solver.eigenvalues()[0] > most_scatter * most_scatter ||
+      solver.eigenvalues()[1] < least_spread * least_spread)
+    return {};
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  return normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d>
+normalsOf(const PointView& points,
+          const std::vector<int>& indices,
+          const Eigen::Matrix3d& turn,
+          double patch,
+          unsigned threads,
+          double offset)
+{
+  constexpr std::size_t block = std::size_t{1} << 15;
+  constexpr std::size_t patches_a_block = 512;
+  std::vector<Patches> parts(indices.size() / block + 1);
+  parallelBlocks(indices.size(), block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   parts[begin / block] =
+                       patchesOf(points, indices, begin, end, turn, patch, offset);
+                 });
+  Patches patches;
+  for (const Patches& part : parts)
+    for (const auto& [key, moments] : part)
+      patches[key].add(moments);
+  std::vector<const PatchMoments*> moments;
+  for (const auto& [key, patch_moments] : patches)
+    moments.push_back(&patch_moments);
+  std::vector<std::optional<Eigen::Vector3d>> normal_of(moments.size());
+  parallelBlocks(moments.size(), patches_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     normal_of[k] = normalOf(*moments[k]);
+                 });
+  std::vector<Eigen::Vector3d> normals;
+  for (const auto& normal : normal_of)
+    if (normal)
+      normals.push_back(*normal);
+  return normals;
+}
+
+} // namespace sedr
+} // namespace pcl

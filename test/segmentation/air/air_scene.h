@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../sedr_segmentation/src/air/air_gaps.h"
+
+#include "room_points.h"
+
+#include <cstdint>
+
+namespace sedr_test {
+
+/** Where a wall is open, along it and up to a height. */
+struct Hole {
+  double from = 0;
+  double to = 0;
+  double head = 0;
+};
+
+/** Surfaces of a building, a point every 5 cm, its plan turned about the origin. Faces
+ * at 0.05 m, 0.15 m, ... lie in the middle of columns of 10 cm. */
+class AirScene {
+public:
+  explicit AirScene(double degrees = 0)
+      : degrees_(degrees)
+  {}
+
+  pcl::sedr::PlanLoop loop(double x0, double y0, double x1, double y1) const
+  {
+    return placed(rectangle(x0, y0, x1, y1), degrees_, {0, 0});
+  }
+
+  void slab(double x0, double y0, double x1, double y1, double z)
+  {
+    points.slab(loop(x0, y0, x1, y1), z);
+  }
+
+  void wall(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    points.wall(edge({x0, y0}, {x1, y1}), low, high);
+  }
+
+  /** Floor, ceiling and walls of a room without doors. */
+  void room(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    slab(x0, y0, x1, y1, low);
+    slab(x0, y0, x1, y1, high);
+    sides(x0, y0, x1, y1, low, high);
+  }
+
+  /** The four upright faces of a box. */
+  void sides(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    for (const auto& e : loop(x0, y0, x1, y1).elements)
+      points.wall(e, low, high);
+  }
+
+  /** What is seen of a box that hangs from above: underside and sides. */
+  void hanging(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    slab(x0, y0, x1, y1, low);
+    sides(x0, y0, x1, y1, low, high);
+  }
+
+  /** Both faces of a wall of 10 cm along y, at x and x + 0.1, with a hole in it, whose
+   * head is seen where it is below `high`; its threshold is. */
+  void partition(double x, double y0, double y1, double low, double high, Hole hole)
+  {
+    const auto isWall = [&](double s, double z) {
+      return y0 + s < hole.from || y0 + s > hole.to || z > hole.head;
+    };
+    for (const double face : {x, x + 0.1})
+      points.wall(edge({face, y0}, {face, y1}), low, high, isWall);
+    for (const double side : {hole.from, hole.to})
+      wall(x, side, x + 0.1, side, low, hole.head);
+    slab(x, hole.from, x + 0.1, hole.to, low);
+    slab(x, hole.from, x + 0.1, hole.to, hole.head);
+  }
+
+  /** A place of the scene after the turn. */
+  Eigen::Vector2d place(double x, double y) const
+  {
+    return Eigen::Rotation2Dd(degrees_ * M_PI / 180) * Eigen::Vector2d(x, y);
+  }
+
+  RoomPoints points{0.05};
+
+private:
+  pcl::sedr::PlanElement edge(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
+  {
+    return segment(place(a.x(), a.y()), place(b.x(), b.y()));
+  }
+
+  double degrees_;
+};
+
+/** The air of a scene, with what is asked of it by places of the scene. */
+struct SceneAir {
+  explicit SceneAir(const AirScene& of, unsigned threads = 1)
+      : scene(of)
+      , columns(of.points.view(), {}, 0.1, 0.05, threads)
+      , gaps(columns, parametersFor(threads))
+  {}
+
+  static pcl::sedr::AirParameters parametersFor(unsigned threads)
+  {
+    pcl::sedr::AirParameters parameters;
+    parameters.threads = threads;
+    return parameters;
+  }
+
+  /** The gap at a place, `none` where it is no air. */
+  std::uint32_t at(double x, double y, double z) const
+  {
+    const Eigen::Vector2d p = scene.place(x, y);
+    const std::uint32_t c = columns.columnAt(columns.grid().at(p.x(), p.y()));
+    if (c == pcl::sedr::VoxelColumns::none)
+      return pcl::sedr::AirGaps::none;
+    const std::int32_t k = columns.voxelAt(z);
+    for (auto g = static_cast<std::uint32_t>(gaps.first(c)); g < gaps.first(c + 1); ++g)
+      if (gaps[g].low <= k && k < gaps[g].high)
+        return g;
+    return pcl::sedr::AirGaps::none;
+  }
+
+  const AirScene& scene;
+  pcl::sedr::VoxelColumns columns;
+  pcl::sedr::AirGaps gaps;
+};
+
+} // namespace sedr_test

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "air_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr std::uint32_t none = AirGaps::none;
+
+/** A room of 4 m x 3 m, 2.5 m high: 39 x 29 columns of air. */
+AirScene
+box()
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  return scene;
+}
+
+constexpr std::size_t columns_of_box = std::size_t{39} * 29;
+
+TEST(AirGaps, OfARoomAreItsColumnsEachLinkedToThoseBesideIt)
+{
+  const AirScene scene = box();
+  const SceneAir air(scene);
+  ASSERT_EQ(air.gaps.size(), columns_of_box);
+  std::size_t ends = 0;
+  for (std::uint32_t g = 0; g < air.gaps.size(); ++g) {
+    EXPECT_EQ(air.gaps[g].low, 1) << "above the voxel of the floor";
+    EXPECT_EQ(air.gaps[g].high, 50) << "up to that of the ceiling";
+    EXPECT_TRUE(air.gaps[g].floor_seen && air.gaps[g].ceiling_seen);
+    EXPECT_NEAR(air.gaps.height(g), 2.45, 1e-9);
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t o = air.gaps.link(g, d);
+      ends += o == none ? 1 : 0;
+      if (o != none) {
+        EXPECT_EQ(air.gaps.link(o, (d + 2) % 4), g);
+        EXPECT_EQ(air.columns.neighbour(air.gaps[g].column, d), air.gaps[o].column);
+        EXPECT_FALSE(air.gaps.isDrop(g, d));
+      }
+    }
+  }
+  EXPECT_EQ(ends, 2u * (39 + 29));
+  EXPECT_EQ(air.gaps.voidArea(), 0);
+}
+
+TEST(AirGaps, ReachACornerBothWaysRound)
+{
+  const AirScene scene = box();
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps.diagonal(air.at(1, 1, 1), 0), air.at(1.1, 1.1, 1));
+  EXPECT_EQ(air.gaps.diagonal(air.at(1, 1, 1), 2), air.at(0.9, 0.9, 1));
+  EXPECT_EQ(air.gaps.diagonal(air.at(3.95, 1, 1), 0), none) << "at a wall";
+}
+
+TEST(AirGaps, AboveATableAreAirAndBelowItAreNot)
+{
+  AirScene scene = box();
+  scene.slab(1, 1, 2, 2, 0.76);
+  const SceneAir air(scene);
+  const std::uint32_t above = air.at(1.5, 1.5, 1.5);
+  ASSERT_NE(above, none);
+  EXPECT_EQ(air.gaps[above].low, 16);
+  EXPECT_EQ(air.gaps[above].high, 50);
+  EXPECT_EQ(air.at(1.5, 1.5, 0.4), none);
+  EXPECT_EQ(air.gaps.size(), columns_of_box);
+  EXPECT_NEAR(air.gaps.voidArea(), 1, 1e-9);
+  EXPECT_EQ(air.gaps.link(air.at(0.95, 1.5, 1), 0), air.at(1.05, 1.5, 1.5));
+}
+
+TEST(AirGaps, AboveAWardrobeAreAir)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 2.45, 0.01); // none below it
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.wall(0.05, 2.45, 4.05, 2.45, 0.01, 2.11);
+  scene.slab(0.05, 2.45, 4.05, 3.05, 2.11);
+  const SceneAir air(scene);
+  const std::uint32_t above = air.at(2, 2.75, 2.3);
+  ASSERT_NE(above, none);
+  EXPECT_EQ(air.gaps[above].low, 43);
+  EXPECT_TRUE(air.gaps[above].floor_seen);
+  EXPECT_EQ(air.at(2, 2.75, 1), none) << "nothing was seen in it";
+  EXPECT_EQ(air.gaps.size(), columns_of_box);
+}
+
+TEST(AirGaps, OfTwoStoreysAreNotLinkedAndTheSlabBetweenIsNoAir)
+{
+  AirScene scene = box();
+  scene.room(0.05, 0.05, 4.05, 3.05, 2.81, 5.31);
+  const SceneAir air(scene);
+  ASSERT_EQ(air.gaps.size(), 2 * columns_of_box);
+  EXPECT_EQ(air.at(2, 2, 2.65), none);
+  EXPECT_NEAR(air.gaps.voidArea(), 0.01 * 41 * 31, 1e-9) << "over the walls, too";
+  for (std::uint32_t g = 0; g < air.gaps.size(); ++g)
+    for (int d = 0; d < 4; ++d)
+      if (const std::uint32_t o = air.gaps.link(g, d); o != none) {
+        EXPECT_EQ(air.gaps[g].low, air.gaps[o].low);
+      }
+}
+
+TEST(AirGaps, AboveASuspendedCeilingAreNoneThoughATileIsMissing)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  scene.slab(0.05, 0.05, 4.05, 3.05, 3.31); // the slab above, seen through the hole
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 3.31);
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 2.51, [](double x, double y) {
+    return x < 1.8 || x > 2.4 || y < 1.2 || y > 1.8;
+  });
+  const SceneAir air(scene);
+  const std::uint32_t hole = air.at(2.1, 1.5, 1);
+  ASSERT_NE(hole, none);
+  EXPECT_EQ(air.gaps[hole].high, 66);
+  EXPECT_EQ(air.at(1, 1.5, 3), none) << "0.8 m between the ceilings";
+  const std::uint32_t beside = air.at(1.75, 1.5, 1);
+  EXPECT_EQ(air.gaps[beside].high, 50);
+  EXPECT_EQ(air.gaps.link(beside, 0), air.at(1.85, 1.5, 1));
+}
+
+TEST(AirGaps, TakeAFloorThatWasHiddenFromTheirNeighboursAndTellIt)
+{
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01, [](double x, double y) {
+    return x < 1 || x > 3 || y > 1.5; // nothing up to a wall
+  });
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  const SceneAir air(scene);
+  ASSERT_EQ(air.gaps.size(), columns_of_box);
+  for (std::uint32_t g = 0; g < air.gaps.size(); ++g) {
+    const Eigen::Vector2d p =
+        air.columns.grid().centre(air.columns.cellOf(air.gaps[g].column));
+    const bool is_hidden = p.x() > 1 && p.x() < 3 && p.y() < 1.5;
+    EXPECT_EQ(air.gaps[g].floor_seen, !is_hidden) << p.transpose();
+    EXPECT_TRUE(air.gaps[g].ceiling_seen);
+    EXPECT_EQ(air.gaps[g].low, 1);
+    EXPECT_EQ(air.gaps[g].high, 50);
+  }
+}
+
+TEST(AirGaps, TakeACeilingThatWasHiddenFromTheirNeighboursAndTellIt)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 2.51,
+                    [](double x, double y) { return x < 1 || x > 3 || y > 1.5; });
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  const SceneAir air(scene);
+  ASSERT_EQ(air.gaps.size(), columns_of_box);
+  const AirGap& hidden = air.gaps[air.at(2, 1, 1)];
+  EXPECT_FALSE(hidden.ceiling_seen);
+  EXPECT_TRUE(hidden.floor_seen);
+  EXPECT_EQ(hidden.high, 50);
+  EXPECT_TRUE(air.gaps[air.at(2, 2, 1)].ceiling_seen);
+}
+
+TEST(AirGaps, FillAPocketOfWhichNeitherFloorNorCeilingWasSeen)
+{
+  AirScene scene;
+  const auto isSeen = [](double x, double y) {
+    return x < 2 || x > 2.3 || y < 1 || y > 1.3;
+  };
+  for (const double z : {0.01, 2.51})
+    scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), z, isSeen);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  const SceneAir air(scene);
+  ASSERT_EQ(air.gaps.size(), columns_of_box);
+  const AirGap& pocket = air.gaps[air.at(2.15, 1.15, 1)];
+  EXPECT_FALSE(pocket.floor_seen || pocket.ceiling_seen);
+  EXPECT_EQ(pocket.low, 1);
+  EXPECT_EQ(pocket.high, 50);
+}
+
+TEST(AirGaps, LeaveAColumnOfTheBuildingEmptyThoughAirIsAroundIt)
+{
+  AirScene scene = box();
+  scene.sides(2.05, 1.05, 2.35, 1.35, 0.01, 2.51);
+  // Floor and ceiling under and over it were not seen.
+  AirScene seen;
+  for (const int i : scene.points.all()) {
+    const Eigen::Vector3f& p = scene.points[i];
+    const bool is_within = p.x() > 2.06 && p.x() < 2.34 && p.y() > 1.06 && p.y() < 1.34;
+    if (!is_within)
+      seen.points.point(p.x(), p.y(), p.z());
+  }
+  const SceneAir air(seen);
+  EXPECT_EQ(air.at(2.05, 1.2, 1), none);
+  EXPECT_EQ(air.at(2.2, 1.2, 1), none);
+  EXPECT_EQ(air.gaps.size(), columns_of_box - 16);
+}
+
+TEST(AirGaps, AreNoneOfATerraceThatWasSeenThroughADoor)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  AirScene with_door;
+  for (const int i : scene.points.all()) {
+    const Eigen::Vector3f& p = scene.points[i];
+    if (!(p.y() > 3.04 && p.x() > 1.5 && p.x() < 2.4 && p.z() > 0.02 && p.z() < 2.1))
+      with_door.points.point(p.x(), p.y(), p.z());
+  }
+  with_door.slab(1.5, 3.05, 2.4, 3.15, 2.11); // the head of the door
+  with_door.slab(0.5, 3.05, 3.5, 5.05, 0.01); // the ground outside
+  const SceneAir air(with_door);
+  EXPECT_NE(air.at(2, 3.05, 1), none) << "in the door";
+  for (double y = 3.35; y < 5; y += 0.1)
+    EXPECT_EQ(air.at(2, y, 1), none) << y;
+}
+
+TEST(AirGaps, AtTheEdgeOfAGalleryDrop)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
+  scene.slab(4.05, 0.05, 8.05, 4.05, 2.51);
+  scene.slab(4.05, 0.05, 8.05, 4.05, 2.81);
+  scene.wall(4.05, 0.05, 4.05, 4.05, 2.51, 2.81); // its edge
+  const SceneAir air(scene);
+  const std::uint32_t gallery = air.at(4.15, 2, 4);
+  ASSERT_NE(gallery, none);
+  ASSERT_NE(air.at(4.15, 2, 1), none);
+  const std::uint32_t edge = air.gaps.link(gallery, 2);
+  ASSERT_NE(edge, none);
+  const std::uint32_t hall = air.at(3.95, 2, 4);
+  EXPECT_EQ(hall, air.at(3.95, 2, 1));
+  // The column of the edge itself has air above it or is the hall's.
+  EXPECT_TRUE(air.gaps.isDrop(gallery, 2) || air.gaps.isDrop(edge, 2));
+  EXPECT_FALSE(air.gaps.isDrop(hall, 2));
+  EXPECT_TRUE(air.gaps.isDrop(hall, 0) || air.gaps.link(hall, 0) == none);
+}
+
+TEST(AirGaps, AreTheSameForAnyNumberOfThreads)
+{
+  AirScene scene;
+  scene.room(-10.05, 0.05, 8.05, 12.05, 0.01, 2.51);
+  scene.slab(1, 1, 5, 5, 0.76);
+  scene.hanging(-5, 2, 3, 2.4, 2.21, 2.51);
+  const SceneAir one(scene, 1);
+  const SceneAir three(scene, 3);
+  ASSERT_GT(one.gaps.size(), 16384u) << "several blocks";
+  ASSERT_EQ(one.gaps.size(), three.gaps.size());
+  for (std::uint32_t g = 0; g < one.gaps.size(); ++g) {
+    ASSERT_EQ(one.gaps[g].column, three.gaps[g].column);
+    ASSERT_EQ(one.gaps[g].low, three.gaps[g].low);
+    ASSERT_EQ(one.gaps[g].high, three.gaps[g].high);
+    for (int d = 0; d < 4; ++d)
+      ASSERT_EQ(one.gaps.link(g, d), three.gaps.link(g, d));
+  }
+}
+
+TEST(AirGaps, AreNoneOfNothing)
+{
+  AirScene scene;
+  EXPECT_EQ(SceneAir(scene).gaps.size(), 0u);
+  scene.slab(0, 0, 4, 3, 0.01);
+  EXPECT_EQ(SceneAir(scene).gaps.size(), 0u) << "a floor without a ceiling";
+}
+
+} // namespace

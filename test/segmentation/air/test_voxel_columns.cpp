@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../sedr_segmentation/src/air/voxel_columns.h"
+
+#include "room_points.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double cell = 0.1;
+constexpr double voxel_height = 0.05;
+
+/** A voxel by the cell of its column and its height. */
+using Voxel = std::tuple<std::int32_t, std::int32_t, std::int32_t>;
+using Voxels = std::set<Voxel>;
+
+VoxelColumns
+columnsOf(const RoomPoints& points, unsigned threads = 1)
+{
+  return VoxelColumns(points.view(), {}, cell, voxel_height, threads);
+}
+
+/** A point in the middle of each voxel. */
+RoomPoints
+pointsIn(const Voxels& voxels)
+{
+  RoomPoints points;
+  for (const auto& [x, y, k] : voxels)
+    points.point((x + 0.5) * cell, (y + 0.5) * cell, (k + 0.5) * voxel_height);
+  return points;
+}
+
+/** All that is occupied, read by runs. */
+Voxels
+voxelsOf(const VoxelColumns& columns)
+{
+  Voxels voxels;
+  for (std::uint32_t c = 0; c < columns.size(); ++c)
+    columns.forEachRun(c, [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t k = begin; k < end; ++k)
+        voxels.emplace(columns.cellOf(c).x, columns.cellOf(c).y, k);
+    });
+  return voxels;
+}
+
+/** Voxels at random around the corner of four tiles and of their words. */
+Voxels
+cloudOfVoxels(int n)
+{
+  std::mt19937 random(7);
+  const auto within = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+  };
+  Voxels voxels;
+  for (int i = 0; i < n; ++i)
+    voxels.emplace(within(-6, 6), within(-6, 6), within(-6, 6));
+  return voxels;
+}
+
+TEST(VoxelColumns, HoldThePointsOfTheirVoxelsOnBothSidesOfTheOrigin)
+{
+  RoomPoints points;
+  points.point(-0.01, -0.01, -0.01);
+  points.point(0.01, 0.09, 0.04);
+  points.point(-6.41, 12.81, 0.06);
+  const VoxelColumns columns = columnsOf(points);
+  EXPECT_EQ(voxelsOf(columns), (Voxels{{-1, -1, -1}, {0, 0, 0}, {-65, 128, 1}}));
+  EXPECT_TRUE(columns.isOccupied(columns.columnAt({-1, -1}), -1));
+  EXPECT_FALSE(columns.isOccupied(columns.columnAt({-1, -1}), 0));
+  EXPECT_EQ(columns.voxelAt(-0.01), -1);
+  EXPECT_EQ(columns.heightOf(-1), -0.05);
+}
+
+TEST(VoxelColumns, AreFoundByTheirCellsAndThoseBesideThem)
+{
+  // Four tiles that meet at the origin, and none beyond.
+  const VoxelColumns columns =
+      columnsOf(pointsIn({{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {-1, -1, 0}}));
+  ASSERT_EQ(columns.tiles(), 4u);
+  for (const Cell c : {Cell{0, 0}, Cell{-1, 63}, Cell{-64, -64}, Cell{63, -1}}) {
+    EXPECT_EQ(columns.cellOf(columns.columnAt(c)), c);
+    for (int d = 0; d < 4; ++d) {
+      const Cell step = plan_directions[static_cast<std::size_t>(d)];
+      EXPECT_EQ(columns.neighbour(columns.columnAt(c), d),
+                columns.columnAt({c.x + step.x, c.y + step.y}))
+          << c.x << ' ' << c.y << ' ' << d;
+    }
+  }
+  EXPECT_EQ(columns.columnAt({64, 0}), VoxelColumns::none);
+  EXPECT_EQ(columns.columnAt({0, -65}), VoxelColumns::none);
+}
+
+TEST(VoxelColumns, CountWhatIsBetweenTwoHeightsAcrossWords)
+{
+  Voxels voxels;
+  for (std::int32_t k = -70; k < 200; k += 3)
+    voxels.emplace(0, 0, k);
+  const VoxelColumns columns = columnsOf(pointsIn(voxels));
+  const std::uint32_t c = columns.columnAt({0, 0});
+  for (std::int32_t begin = -300; begin < 300; begin += 7)
+    for (std::int32_t end = begin - 5; end < 400; end += 11) {
+      int count = 0;
+      for (const auto& voxel : voxels)
+        count += std::get<2>(voxel) >= begin && std::get<2>(voxel) < end ? 1 : 0;
+      ASSERT_EQ(columns.countBetween(c, begin, end), count) << begin << ' ' << end;
+    }
+  EXPECT_EQ(columns.countBetween(columns.columnAt({1, 0}), -300, 300), 0);
+}
+
+TEST(VoxelColumns, TellRunsFromBelow)
+{
+  const VoxelColumns columns = columnsOf(pointsIn(
+      {{0, 0, 127}, {0, 0, 63}, {0, 0, 64}, {0, 0, 65}, {0, 0, -70}, {0, 0, -69}}));
+  std::vector<std::pair<int, int>> runs;
+  columns.forEachRun(columns.columnAt({0, 0}),
+                     [&](int begin, int end) { runs.emplace_back(begin, end); });
+  EXPECT_EQ(runs, (std::vector<std::pair<int, int>>{{-70, -68}, {63, 66}, {127, 128}}));
+}
+
+TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
+{
+  const Voxels voxels = cloudOfVoxels(60);
+  Voxels expected;
+  for (const auto& [x, y, k] : voxels)
+    expected.emplace(x >> 1, y >> 1, k); // floors below 0, too
+  for (const unsigned threads : {1u, 3u}) {
+    const VoxelColumns half = columnsOf(pointsIn(voxels)).halved(threads);
+    EXPECT_EQ(half.cellSize(), 2 * cell);
+    EXPECT_EQ(voxelsOf(half), expected);
+  }
+  // Tiles of other heights in one, and two of another row.
+  const Voxels apart{{0, 0, 500}, {64, 0, -500}, {0, 127, 3}, {-1, -129, 0}};
+  EXPECT_EQ(voxelsOf(columnsOf(pointsIn(apart)).halved(1)),
+            (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
+}
+
+TEST(VoxelColumns, DropThoseWithFewAround)
+{
+  const Voxels voxels = cloudOfVoxels(500);
+  const auto companyOf = [&](const Voxel& v) {
+    int company = -1;
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dk = -1; dk <= 1; ++dk)
+          company += voxels.count(
+              {std::get<0>(v) + dx, std::get<1>(v) + dy, std::get<2>(v) + dk});
+    return company;
+  };
+  for (const int least : {0, 1, 4, 7, 8, 11, 15})
+    for (const unsigned threads : {1u, 3u}) {
+      Voxels expected;
+      for (const Voxel& v : voxels)
+        if (companyOf(v) >= least)
+          expected.insert(v);
+      VoxelColumns columns = columnsOf(pointsIn(voxels));
+      columns.dropStrays(least, threads);
+      EXPECT_EQ(voxelsOf(columns), expected) << least;
+    }
+}
+
+TEST(VoxelColumns, TellWhetherAScanFillsThem)
+{
+  RoomPoints plane(0.05);
+  plane.slab(rectangle(-3, -3, 3, 3), 0.01);
+  EXPECT_EQ(columnsOf(plane).usualCompany(1), 8);
+  RoomPoints sparse(0.2);
+  sparse.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01);
+  EXPECT_EQ(columnsOf(sparse).usualCompany(1), 0);
+  EXPECT_EQ(columnsOf(sparse).halved(1).usualCompany(3), 8);
+  EXPECT_EQ(columnsOf(RoomPoints()).usualCompany(1), 0);
+}
+
+TEST(VoxelColumns, TakeNoPointsThatAreNotFiniteNorThoseWithoutAnIndex)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  RoomPoints points;
+  const int kept = points.point(0.05, 0.05, 0.01);
+  points.point(nan, 0, 0);
+  points.point(0, -inf, 0);
+  points.point(0, 0, nan);
+  points.point(0, 0, inf);
+  points.point(1e30, 0, 0);
+  points.point(0, 0, -1e30);
+  EXPECT_EQ(voxelsOf(columnsOf(points)), (Voxels{{0, 0, 0}}));
+  points.point(5, 5, 5);
+  const VoxelColumns columns(points.view(), {kept}, cell, voxel_height, 1);
+  EXPECT_EQ(voxelsOf(columns), (Voxels{{0, 0, 0}}));
+  EXPECT_EQ(columnsOf(RoomPoints()).size(), 0u);
+}
+
+TEST(VoxelColumns, StraysAHundredKilometresOffAreNoBurden)
+{
+  RoomPoints points;
+  points.slab(rectangle(0, 0, 4, 3), 0.01);
+  for (const double far : {-1e5, 1e5}) {
+    points.point(far, 1, 1);
+    points.point(1, far, 1);
+    points.point(1, 1, far); // a column up to it would fill a gigabyte
+  }
+  const VoxelColumns columns = columnsOf(points);
+  EXPECT_EQ(columns.tiles(), 5u);
+  EXPECT_EQ(columns.halved(1).tiles(), 5u);
+  for (const double off : {-1e5, 1e5}) {
+    RoomPoints high;
+    high.slab(rectangle(0, 0, 1, 1), off);
+    high.point(0.5, 0.5, 0);
+    EXPECT_EQ(voxelsOf(columnsOf(high)).size(), 100u) << "a scan of a mountain's height";
+  }
+}
+
+TEST(VoxelColumns, AreTheSameForAnyNumberOfThreads)
+{
+  RoomPoints points(0.02, 0.01);
+  points.room(rectangle(-4, -3, 5, 6), -0.1, 2.5);
+  ASSERT_GT(points.size(), 200000u) << "several blocks";
+  const Voxels one = voxelsOf(columnsOf(points, 1));
+  EXPECT_EQ(voxelsOf(columnsOf(points, 3)), one);
+  for (const int i : points.all())
+    ASSERT_EQ(one.count({static_cast<int>(std::floor(points[i].x() / cell)),
+                         static_cast<int>(std::floor(points[i].y() / cell)),
+                         static_cast<int>(std::floor(points[i].z() / voxel_height))}),
+              1u);
+}
+
+} // namespace

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/building.h>
+
+#include "segmentation/air/air_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** What is found of a scene. */
+struct Found {
+  explicit Found(const AirScene& of, const BuildingParameters& parameters = {})
+      : scene(of)
+      , building(findBuilding(of.points.view(), {}, parameters, problem))
+  {}
+
+  /** The room above a place, 0 for none. */
+  std::uint32_t roomAt(double x, double y, double z = 1) const
+  {
+    const Eigen::Vector2d p = scene.place(x, y);
+    const Cell cell = CellGrid(building.cell_size).at(p.x(), p.y());
+    for (const BuildingRoom& room : building.rooms)
+      for (const RoomColumn& column : room.columns)
+        if (column.cell == cell && column.floor < z && z < column.ceiling)
+          return room.id;
+    return 0;
+  }
+
+  const AirScene& scene;
+  std::string problem;
+  Building building;
+};
+
+/** Two rooms of 4 m x 3 m and 3 m x 3 m with a door of 0.9 m x 2.1 m between. */
+AirScene
+flat(double degrees)
+{
+  AirScene scene(degrees);
+  for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.15, 7.15)}) {
+    scene.slab(x0, 0.05, x1, 3.05, 0.01);
+    scene.slab(x0, 0.05, x1, 3.05, 2.51);
+    for (const double y : {0.05, 3.05})
+      scene.wall(x0, y, x1, y, 0.01, 2.51);
+  }
+  for (const double x : {0.05, 7.15})
+    scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
+  scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, {1.05, 1.95, 2.11});
+  return scene;
+}
+
+TEST(FindBuilding, TellsRoomsTheirStoreyAndTheDoorBetweenThem)
+{
+  for (const double degrees : {0.0, 30.0}) {
+    SCOPED_TRACE(degrees);
+    const AirScene scene = flat(degrees);
+    const Found found(scene);
+    const Building& b = found.building;
+    EXPECT_EQ(found.problem, "");
+    ASSERT_EQ(b.rooms.size(), 2u);
+    EXPECT_NEAR(b.rooms[0].area, 12, 1.2) << "but for half a column along walls";
+    EXPECT_NEAR(b.rooms[1].area, 9, 1);
+    EXPECT_EQ(found.roomAt(2, 1.5), 1u);
+    EXPECT_EQ(found.roomAt(5.5, 1.5), 2u);
+    ASSERT_EQ(b.storeys.size(), 1u);
+    EXPECT_EQ(b.storeys[0].rooms, (std::vector<std::uint32_t>{1, 2}));
+    for (const BuildingRoom& room : b.rooms) {
+      EXPECT_EQ(room.storey, 1u);
+      EXPECT_NEAR(room.floor, 0.01, 0.051);
+      EXPECT_NEAR(room.ceiling, 2.51, 0.051);
+      EXPECT_GT(room.enclosure, 0.95);
+    }
+    ASSERT_EQ(b.doorways.size(), 1u);
+    const PlanDoorway& door = b.doorways[0];
+    EXPECT_EQ(door.rooms, (std::array<std::uint32_t, 2>{1, 2}));
+    EXPECT_NEAR(((door.start + door.end) / 2 - scene.place(4.1, 1.5)).norm(), 0, 0.2);
+    EXPECT_NEAR(door.width(), 0.9, 0.25);
+    EXPECT_NEAR(door.bottom, 0.01, 0.11);
+    EXPECT_NEAR(door.top, 2.11, 0.16);
+    EXPECT_TRUE(b.stairs.empty());
+    EXPECT_TRUE(b.left_out.empty());
+    EXPECT_NEAR(b.seen_area, b.rooms[0].area + b.rooms[1].area, 0.05);
+  }
+}
+
+TEST(FindBuilding, LabelsThePointsOfCeilingsAndFloorsAndNoneOfWalls)
+{
+  for (const double degrees : {0.0, 30.0})
+    for (const double noise : {0.0, 0.01}) {
+      SCOPED_TRACE(std::to_string(degrees) + " " + std::to_string(noise));
+      AirScene scene(degrees);
+      scene.points = RoomPoints(0.03, noise);
+      const RoomParts parts =
+          scene.points.room(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01, 2.51);
+      const Found found(scene);
+      ASSERT_EQ(found.building.rooms.size(), 1u);
+      ASSERT_EQ(found.building.label_of.size(), scene.points.size());
+      const auto labelled = [&](const std::vector<int>& part, std::uint32_t label) {
+        double n = 0;
+        for (const int i : part) {
+          const auto at = static_cast<std::size_t>(i);
+          EXPECT_EQ(found.building.room_of[at] != 0, found.building.label_of[at] != 0);
+          n += found.building.label_of[at] == label ? 1 : 0;
+        }
+        return n / static_cast<double>(part.size());
+      };
+      // Those in the columns of walls may be either.
+      EXPECT_GT(labelled(parts.ceiling, 1), 0.92);
+      EXPECT_GT(labelled(parts.floor, 2), 0.92);
+      EXPECT_EQ(labelled(parts.ceiling, 2) + labelled(parts.floor, 1), 0);
+      std::size_t on_walls = 0;
+      for (const int i : parts.walls)
+        if (const float z = scene.points[i].z(); z > 0.2f && z < 2.3f)
+          on_walls += found.building.label_of[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+      EXPECT_LE(static_cast<double>(on_walls),
+                noise == 0 ? 0 : 0.002 * parts.walls.size());
+    }
+}
+
+TEST(FindBuilding, OfPointsWithoutAnIndexNothingIsTold)
+{
+  const AirScene scene = flat(0);
+  std::vector<int> left; // the points of the first room
+  for (const int i : scene.points.all())
+    if (scene.points[i].x() < 4.1f)
+      left.push_back(i);
+  std::string problem;
+  const Building building =
+      findBuilding(scene.points.view(), left, BuildingParameters(), problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_EQ(building.rooms.size(), 1u);
+  ASSERT_EQ(building.room_of.size(), scene.points.size());
+  for (const int i : scene.points.all())
+    if (scene.points[i].x() > 4.1f) {
+      EXPECT_EQ(building.room_of[static_cast<std::size_t>(i)], 0u);
+    }
+}
+
+TEST(FindBuilding, RoomsAboveRoomsAreOfTwoStoreysAndAHallBesideThemOfTheLower)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.room(0.05, 0.05, 4.05, 3.05, 2.81, 5.31);
+  scene.room(4.25, 0.05, 12.05, 3.05, 0.01, 5.31);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 3u);
+  ASSERT_EQ(found.building.storeys.size(), 2u);
+  EXPECT_EQ(found.building.storeys[0].rooms.size(), 2u);
+  EXPECT_EQ(found.building.storeys[1].rooms.size(), 1u);
+  EXPECT_EQ(found.roomAt(8, 1.5), 1u);
+  EXPECT_EQ(found.building.rooms[0].storey, 1u);
+  EXPECT_NE(found.roomAt(2, 1.5, 1), found.roomAt(2, 1.5, 4));
+  // Points of the slab between are told apart by their height.
+  for (const int i : scene.points.all()) {
+    const Eigen::Vector3f& p = scene.points[i];
+    if (p.x() < 0.3f || p.x() > 3.8f || p.y() < 0.3f || p.y() > 2.8f)
+      continue;
+    const std::uint32_t upper = found.roomAt(2, 1.5, 4);
+    EXPECT_EQ(found.building.room_of[static_cast<std::size_t>(i)] == upper,
+              p.z() > 2.7f)
+        << p.transpose();
+  }
+}
+
+TEST(FindBuilding, ASplitLevelOfHalfAMetreIsOneStorey)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.room(4.25, 0.05, 9.05, 3.05, 0.51, 3.01);
+  const Found found(scene);
+  EXPECT_EQ(found.building.rooms.size(), 2u);
+  EXPECT_EQ(found.building.storeys.size(), 1u);
+}
+
+TEST(FindBuilding, WhereOneClimbsToARoomThereAreStairs)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 6.05, 4.05, 0.01, 4.51);
+  AirScene open;
+  for (const int i : scene.points.all()) { // the wall at 6.05 m but for a doorway
+    const Eigen::Vector3f& p = scene.points[i];
+    if (!(p.x() > 6.04f && p.y() > 1.5f && p.y() < 2.5f && p.z() > 2.0f &&
+          p.z() < 4.1f))
+      open.points.point(p.x(), p.y(), p.z());
+  }
+  for (int k = 1; k <= 10; ++k) { // steps of 20 cm up to it
+    const double x = 6.05 - 0.3 * (11 - k);
+    open.slab(x, 1.5, x + 0.3, 2.5, 0.01 + 0.2 * k);
+    open.wall(x, 1.5, x, 2.5, 0.01 + 0.2 * (k - 1), 0.01 + 0.2 * k);
+  }
+  open.slab(6.05, 1.5, 6.25, 2.5, 2.01);
+  open.slab(6.05, 1.5, 6.25, 2.5, 4.11);
+  for (const double y : {1.5, 2.5})
+    open.wall(6.05, y, 6.25, y, 2.01, 4.11);
+  open.slab(6.25, 0.05, 10.05, 4.05, 2.01);
+  open.slab(6.25, 0.05, 10.05, 4.05, 4.51);
+  for (const double y : {0.05, 4.05})
+    open.wall(6.25, y, 10.05, y, 2.01, 4.51);
+  open.wall(10.05, 0.05, 10.05, 4.05, 2.01, 4.51);
+  open.points.wall(segment({6.25, 0.05}, {6.25, 4.05}), 2.01, 4.51,
+                   [](double s, double z) { return s < 1.45 || s > 2.45 || z > 4.1; });
+  const Found found(open);
+  ASSERT_EQ(found.building.rooms.size(), 2u);
+  ASSERT_EQ(found.building.storeys.size(), 2u);
+  ASSERT_EQ(found.building.stairs.size(), 1u);
+  const PlanStair& stair = found.building.stairs[0];
+  EXPECT_EQ(stair.rooms[0], found.roomAt(2, 3));
+  EXPECT_EQ(stair.rooms[1], found.roomAt(8, 3, 3));
+  EXPECT_NEAR(stair.bottom, 0.01, 0.051);
+  EXPECT_NEAR(stair.top, 2.01, 0.051);
+  EXPECT_NEAR((stair.at - Eigen::Vector2d(6.15, 2)).norm(), 0, 0.4);
+  EXPECT_TRUE(found.building.doorways.empty());
+}
+
+TEST(FindBuilding, WhateverTheShapeOfItsCeilingOrWallsARoomIsOne)
+{
+  const PlanLoop loop = rectangle(0.05, 0.05, 6.05, 4.05);
+  AirScene attic;
+  attic.points.slab(loop, 0.01);
+  attic.points.slab(loop, slabAt(1.0, 0, 1.0),
+                    [](double, double y) { return y < 2.05; });
+  attic.points.slab(loop, slabAt(5.1, 0, -1.0),
+                    [](double, double y) { return y >= 2.05; });
+  attic.sides(0.05, 0.05, 6.05, 4.05, 0.01, 1.05);
+  for (const double x : {0.05, 6.05})
+    attic.points.wall(segment({x, 0.05}, {x, 4.05}), 0.01, 3.05,
+                      [](double s, double z) { return z < 3.05 - std::abs(s - 2); });
+  EXPECT_EQ(Found(attic).building.rooms.size(), 1u) << "an attic";
+
+  AirScene vault;
+  vault.points.slab(loop, 0.01);
+  vault.sides(0.05, 0.05, 6.05, 4.05, 0.01, 2.01);
+  for (double angle = 0; angle <= M_PI; angle += 0.02)
+    for (double x = 0.05; x < 6.05; x += 0.04)
+      vault.points.point(x, 2.05 - 2 * std::cos(angle), 2.01 + 2 * std::sin(angle));
+  EXPECT_EQ(Found(vault).building.rooms.size(), 1u) << "a barrel vault";
+
+  AirScene leaning;
+  leaning.points.slab(loop, 0.01);
+  leaning.points.slab(rectangle(0.05, 0.05, 7.05, 4.05), 2.51);
+  leaning.wall(0.05, 0.05, 0.05, 4.05, 0.01, 2.51);
+  for (const double y : {0.05, 4.05})
+    leaning.wall(0.05, y, 7.05, y, 0.01, 2.51);
+  for (double z = 0; z < 2.5; z += 0.04) // outwards by a metre
+    for (double y = 0.05; y < 4.05; y += 0.04)
+      leaning.points.point(6.05 + 0.4 * z, y, z);
+  EXPECT_EQ(Found(leaning).building.rooms.size(), 1u) << "a leaning wall";
+}
+
+TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.slab(10.05, 0.05, 14.05, 4.05, 0.01); // a roof without walls
+  scene.slab(10.05, 0.05, 14.05, 4.05, 2.51);
+  scene.room(0.05, 5.05, 0.85, 5.85, 0.01, 2.51); // a shaft of 0.5 square metres
+  scene.room(5.05, 5.05, 8.05, 8.05, 0.01, 1.01); // a crawl space
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  ASSERT_EQ(found.building.left_out.size(), 3u);
+  const LeftOut& roof = found.building.left_out[0];
+  EXPECT_NE(roof.reason.find("walls along 0 %"), std::string::npos) << roof.reason;
+  EXPECT_NEAR(roof.area, 16, 1);
+  EXPECT_NEAR((roof.at - Eigen::Vector2d(12, 2)).norm(), 0, 2);
+  EXPECT_NE(found.building.left_out[1].reason.find("square metres"), std::string::npos);
+  EXPECT_NEAR(found.building.left_out[1].area, 0.5, 0.1);
+  EXPECT_NE(found.building.left_out[2].reason.find("voids"), std::string::npos);
+  EXPECT_NEAR(found.building.left_out[2].area, 9, 0.6);
+}
+
+TEST(FindBuilding, OfAScanWithoutRoomsTellsWhatWasLookedFor)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  BuildingParameters parameters;
+  parameters.headroom = 1.9;
+  const Found found(scene, parameters);
+  EXPECT_TRUE(found.building.rooms.empty());
+  EXPECT_NE(found.problem.find("1.9 m"), std::string::npos) << found.problem;
+  EXPECT_NE(found.problem.find(std::to_string(scene.points.size())), std::string::npos);
+  EXPECT_NE(Found(AirScene()).problem, "");
+}
+
+TEST(FindBuilding, ASparseScanGetsLargerColumns)
+{
+  for (const double spacing : {0.05, 0.15, 0.3}) {
+    AirScene scene(30);
+    scene.points = RoomPoints(spacing);
+    scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 2.51);
+    const Found found(scene);
+    ASSERT_EQ(found.building.rooms.size(), 1u) << spacing;
+    EXPECT_NEAR(found.building.rooms[0].area, 48, 28 * found.building.cell_size);
+    EXPECT_EQ(found.building.cell_size > 0.15, spacing > 0.1) << spacing;
+  }
+}
+
+TEST(FindBuilding, StraysFarOffChangeNothing)
+{
+  constexpr double far = 1e5;
+  AirScene scene = flat(0);
+  const Found without(scene);
+  AirScene with = flat(0);
+  for (const double sign : {-1.0, 1.0}) {
+    with.points.point(sign * far, 1, 1);
+    with.points.point(1, sign * far, 1);
+    with.points.point(1, 1, sign * far);
+  }
+  with.points.point(std::nan(""), 1, 1);
+  const Found found(with);
+  ASSERT_EQ(found.building.rooms.size(), 2u);
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(found.building.rooms[r].area, without.building.rooms[r].area);
+    EXPECT_EQ(found.building.rooms[r].ceiling, without.building.rooms[r].ceiling);
+  }
+}
+
+TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
+{
+  AirScene scene = flat(30);
+  scene.room(10, 10, 20, 22, 0.01, 3.01);
+  BuildingParameters parameters;
+  parameters.threads = 1;
+  const Found one(scene, parameters);
+  parameters.threads = 3;
+  const Found three(scene, parameters);
+  EXPECT_EQ(one.building.room_of, three.building.room_of);
+  EXPECT_EQ(one.building.label_of, three.building.label_of);
+  ASSERT_EQ(one.building.rooms.size(), three.building.rooms.size());
+  for (std::size_t r = 0; r < one.building.rooms.size(); ++r)
+    EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
+}
+
+} // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../sedr_segmentation/src/rooms/room_description.h"
+
+#include "segmentation/air/air_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** All air of a scene as one room. */
+BuildingRoom
+describe(const AirScene& scene)
+{
+  const SceneAir air(scene);
+  PartedAir all;
+  all.room.assign(air.gaps.size(), 0);
+  all.rooms = 1;
+  return describeRooms(air.gaps, all).at(0);
+}
+
+/** Columns in a row, `n` of them. */
+void
+addColumns(BuildingRoom& room, int n, float floor, float ceiling)
+{
+  for (int k = 0; k < n; ++k)
+    room.columns.push_back({{static_cast<std::int32_t>(room.columns.size()), 0},
+                            floor,
+                            ceiling,
+                            true,
+                            true});
+}
+
+std::string
+reasonOf(const BuildingRoom& room)
+{
+  return noRoomBecause(room, 0.1, BuildingParameters());
+}
+
+TEST(DescribeRooms, TellsHeightsAreaAndWhatIsWalled)
+{
+  AirScene scene(0);
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  const BuildingRoom room = describe(scene);
+  EXPECT_EQ(room.id, 1u);
+  EXPECT_EQ(room.columns.size(), 39u * 29u);
+  EXPECT_NEAR(room.area, 3.9 * 2.9, 1e-9);
+  EXPECT_NEAR(room.floor, 0.01, 0.051) << "a voxel";
+  EXPECT_NEAR(room.ceiling, 2.51, 0.051);
+  EXPECT_EQ(room.enclosure, 1);
+  EXPECT_TRUE(std::is_sorted(room.columns.begin(), room.columns.end(),
+                             [](const RoomColumn& a, const RoomColumn& b) {
+                               return keyOf(a.cell) < keyOf(b.cell);
+                             }));
+}
+
+TEST(DescribeRooms, TellsWhatWasHidden)
+{
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
+                    [](double x, double y) { return x < 1 || x > 3 || y > 1.5; });
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  for (const RoomColumn& column : describe(scene).columns) {
+    const bool is_hidden =
+        column.cell.x >= 10 && column.cell.x < 30 && column.cell.y < 15;
+    EXPECT_EQ(column.floor_seen, !is_hidden) << column.cell.x << ' ' << column.cell.y;
+    EXPECT_TRUE(column.ceiling_seen);
+  }
+}
+
+TEST(DescribeRooms, TheFloorIsTheLowestThatATenthHas)
+{
+  for (const double platform : {0.3, 0.7}) { // of the room
+    AirScene scene;
+    const double edge = 0.05 + 4 * (1 - platform);
+    scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+    scene.slab(edge, 0.05, 4.05, 3.05, 0.41);
+    EXPECT_NEAR(describe(scene).floor, 0.01, 0.051) << platform;
+  }
+  AirScene pit;
+  pit.points.slab(pit.loop(0.05, 0.05, 4.05, 3.05), 0.01,
+                  [](double x, double y) { return x > 0.8 || y > 0.8; });
+  pit.slab(0.05, 0.05, 0.8, 0.8, -0.49);
+  pit.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  pit.sides(0.05, 0.05, 4.05, 3.05, -0.49, 2.51);
+  EXPECT_NEAR(describe(pit).floor, 0.01, 0.051) << "a twentieth lies lower";
+}
+
+TEST(DescribeRooms, TheCeilingIsWhatMostOfItHas)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.91);
+  scene.hanging(0.05, 0.05, 1.5, 3.05, 2.51, 2.91);
+  EXPECT_NEAR(describe(scene).ceiling, 2.91, 0.051);
+}
+
+TEST(DescribeRooms, BelowARoofOnThreeWallsAsMuchIsOpenAsTheFourthIsLong)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  scene.wall(0.05, 0.05, 0.05, 3.05, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 4.05, 0.05, 0.01, 2.51);
+  scene.wall(0.05, 3.05, 4.05, 3.05, 0.01, 2.51);
+  const BuildingRoom room = describe(scene);
+  EXPECT_NEAR(room.enclosure, 11.0 / 14, 0.04);
+  EXPECT_EQ(reasonOf(room), "");
+}
+
+TEST(NoRoomBecause, OnlyPostsAreAroundIt)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 4.05, 4.05, 0.01);
+  scene.slab(0.05, 0.05, 4.05, 4.05, 2.51);
+  for (const double x : {0.05, 3.85})
+    for (const double y : {0.05, 3.85})
+      scene.sides(x, y, x + 0.2, y + 0.2, 0.01, 2.51);
+  const BuildingRoom room = describe(scene);
+  EXPECT_LT(room.enclosure, 0.35);
+  EXPECT_NE(reasonOf(room).find("% of its outline"), std::string::npos)
+      << reasonOf(room);
+}
+
+TEST(NoRoomBecause, ItIsSmallerThanASquareMetre)
+{
+  BuildingRoom room;
+  room.enclosure = 1;
+  addColumns(room, 99, 0, 2.5);
+  EXPECT_EQ(reasonOf(room), "less than 1.0 square metres with a headroom of 1.8 m");
+  addColumns(room, 2, 0, 2.5);
+  EXPECT_EQ(reasonOf(room), "");
+}
+
+TEST(NoRoomBecause, ItIsNowhereHighEnough)
+{
+  BuildingRoom room;
+  room.enclosure = 1;
+  addColumns(room, 500, 0, 1.7f);
+  addColumns(room, 90, 0, 2);
+  EXPECT_NE(reasonOf(room).find("headroom of 1.8 m"), std::string::npos);
+  addColumns(room, 20, 0.8f, 2.5f); // above a table one could stand without it
+  EXPECT_EQ(reasonOf(room), "");
+}
+
+TEST(NoRoomBecause, TooLittleOfItsOutlineIsWalled)
+{
+  BuildingRoom room;
+  addColumns(room, 500, 0, 2.5);
+  room.enclosure = 0.41;
+  EXPECT_EQ(reasonOf(room), "");
+  room.enclosure = 0.39;
+  EXPECT_NE(reasonOf(room).find("39 %"), std::string::npos) << reasonOf(room);
+}
+
+} // namespace
