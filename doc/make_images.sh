@@ -26,9 +26,7 @@ mkdir -p "$output"
 # The pictures that the pages show: stage, scene, name of the file.
 shown="
 parallel_voxel_grid           bls_room parallel_voxel_grid
-horizontal_plane_detection    bls_room horizontal_plane_detection
-grid_region_outlier_removal   bls_room grid_region_outlier_removal
-grid_region_outlier_removal   syn_flat grid_region_outlier_removal_flat
+room_segmentation             syn_flat room_segmentation
 grid_slice_detail             bls_room grid_slice_detail
 grid_slice_detail             syn_flat grid_slice_detail_flat
 floor_projection_recovery     syn_flat floor_projection_recovery
@@ -53,18 +51,29 @@ for scene in bls_room hls_hall syn_flat; do
   d=$data/$scene
   "$bin/pcl_simulate_indoor_scan" "$scene" "$d"
   stage parallel_voxel_grid           $scene "$d/scan.pcd"    "$d/thinned.pcd"
-  stage horizontal_plane_detection    $scene "$d/thinned.pcd" "$d/planes.pcd"
-  stage grid_region_outlier_removal   $scene "$d/planes.pcd"  "$d/rooms.pcd"
-  stage grid_slice_detail             $scene "$d/rooms.pcd"   "$d/details.pcd"
+  stage room_segmentation             $scene "$d/thinned.pcd" "$d/rooms.pcd" --building "$d/building.json"
+  stage horizontal_plane_detection    $scene "$d/rooms.pcd"   "$d/planes.pcd" --building "$d/building.json"
+  stage grid_slice_detail             $scene "$d/planes.pcd"  "$d/details.pcd"
   stage floor_projection_recovery     $scene "$d/details.pcd" "$d/floor.pcd"
   stage ceiling_boundary_wall_growing $scene "$d/floor.pcd"   "$d/walls.pcd"
-  stage floorplan_fitting             $scene "$d/walls.pcd"   "$d/plan.json"
+  stage floorplan_fitting             $scene "$d/walls.pcd"   "$d/plan.json" --building "$d/building.json"
   stage structure_refinement          $scene "$d/walls.pcd"   "$d/plan.json" "$d/refined.pcd"
   stage vertical_hole_repair          $scene "$d/refined.pcd" "$d/plan.json" "$d/repaired.pcd"
   if grep -q "structural_poisson *$scene" <<<"$shown"; then
     stage structural_poisson $scene "$d/repaired.pcd" "$d/mesh.ply"
   fi
 done
+
+# What the chain does not go through: planes of a whole scan, and regions of its ceilings.
+for scene in bls_room syn_flat; do
+  d=$data/$scene
+  flat=$([ $scene = syn_flat ] && echo _flat || true)
+  "$bin/pcl_horizontal_plane_detection" --whole "$d/thinned.pcd" "$d/levels.pcd" \
+    --picture "$output/horizontal_plane_detection$flat.png" >/dev/null
+  "$bin/pcl_grid_region_outlier_removal" "$d/levels.pcd" "$d/regions.pcd" \
+    --picture "$output/grid_region_outlier_removal$flat.png" >/dev/null
+done
+rm "$output/horizontal_plane_detection_flat.png"
 
 echo "== comparison"
 for state in before after; do

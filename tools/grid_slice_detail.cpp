@@ -117,7 +117,7 @@ run(const Settings& settings, Analysis& analysis)
     const Progress progress("looking at slices");
     rooms = detailRooms(cloud, analysis.getGridSize(), parameters);
     for (const DetailRoom& room : rooms) {
-      const bool is_known = !settings.has_floor_height && !room.floors.empty();
+      const bool is_known = !settings.has_floor_height && !room.floor.empty();
       found.push_back(
           analyse(analysis, cloud, room, is_known ? room.floor_height : height));
       tell(analysis, room, found.back());

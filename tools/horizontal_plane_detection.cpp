@@ -263,9 +263,10 @@ main(int argc, char** argv)
                  "smallest height of a ceiling above its floor", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
   options.number("threads", threads, "", "threads to use, 0 = all processors");
-  options.text("building", settings.building,
-               "JSON file of pcl_room_segmentation: points are added where it says "
-               "that a ceiling was hidden");
+  options.text(
+      "building", settings.building,
+      "JSON file of pcl_room_segmentation: at which heights to look, and where "
+      "a ceiling was hidden, points are added");
   options.flag("whole", settings.whole,
                "look at the file as a whole even if it has rooms");
   options.text("planes", settings.planes, "JSON file for the list of planes");

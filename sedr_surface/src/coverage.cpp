@@ -67,7 +67,7 @@ addRoom(const BuildingRoom& room,
 const CoverageGap*
 Coverage::largest() const
 {
-  return left_out.empty() || !left_out.front().is_inside ? nullptr : &left_out.front();
+  return left_out.empty() || !left_out.front().counts ? nullptr : &left_out.front();
 }
 
 Coverage
@@ -89,11 +89,11 @@ coverageOf(const Building& building, const Floorplan& plan)
            thing.kind == LeftOutKind::Open && thing.area > largest_room});
   std::stable_sort(coverage.left_out.begin(), coverage.left_out.end(),
                    [](const CoverageGap& a, const CoverageGap& b) {
-                     return a.is_inside != b.is_inside ? a.is_inside : a.area > b.area;
+                     return a.counts != b.counts ? a.counts : a.area > b.area;
                    });
   coverage.seen = coverage.modelled;
   for (const CoverageGap& gap : coverage.left_out)
-    (gap.is_inside ? coverage.seen : coverage.outdoors) += gap.area;
+    (gap.counts ? coverage.seen : coverage.not_counted) += gap.area;
   return coverage;
 }
 

@@ -5,6 +5,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_fill.h>
 #include <pcl/sedr_segmentation/room_planes.h>
 #include <pcl/sedr_segmentation/scan_check.h>
@@ -117,9 +118,42 @@ StructureChain::findPlanes(StageReport& report)
     room.scope = CellSet(grid, PointView(*cloud), room.ceiling);
   }
   territory_ = territories();
+  findPlatforms();
   listPlanes();
   tellResult("HorizontalPlaneDetection");
   return true;
+}
+
+void
+StructureChain::findPlatforms()
+{
+  constexpr double highest = 1;   // metres above the floor
+  constexpr double largest = 200; // square metres: in halls it takes too long
+  const PointView points(*cloud);
+  parallelBlocks(
+      regions_.size(), 1, room_segmentation.getNumberOfThreads(),
+      [&](std::size_t r, std::size_t) {
+        ChainRoom& room = regions_[r];
+        if (getBuilding().rooms[r].area > largest || room.floor.empty())
+          return;
+        pcl::IndicesPtr near(new pcl::Indices);
+        for (const int i : *territory_[r]) {
+          const auto at = static_cast<std::size_t>(i);
+          const bool is_ceiling =
+              labels[at] == valueOf(StructureLabel::Ceiling) && rooms[at] == r + 1;
+          if (is_ceiling || distanceAbove(room.floor_slab, points[at]) < highest)
+            near->push_back(i);
+        }
+        pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection = plane_detection;
+        detection.setInputCloud(cloud);
+        detection.setIndices(near);
+        std::vector<pcl::HorizontalPlane> found;
+        if (!detection.segment(found))
+          return;
+        for (const pcl::HorizontalPlane& plane : found)
+          if (plane.kind == LevelKind::Floor)
+            room.floor = unite(room.floor, plane.inliers.indices);
+      });
 }
 
 void

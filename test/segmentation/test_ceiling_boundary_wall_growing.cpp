@@ -230,6 +230,7 @@ TEST(CeilingBoundaryWallGrowing, CustomPointTypeNeedsOnlyCoordinates)
   pcl::CeilingBoundaryWallGrowing<pcl::PointStructure> growing;
   growing.setInputCloud(cloud);
   growing.setCeilingIndices(indexList(room.ceiling));
+  growing.setDistanceThreshold(0.1);
   pcl::PointIndices walls;
   ASSERT_TRUE(growing.segment(walls));
   Growing reference = growingOn(room, room.ceiling);

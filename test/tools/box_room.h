@@ -114,6 +114,16 @@ public:
     return bytes;
   }
 
+  /** Adds another scan, raised by `height`, its rooms numbered on from `rooms`. */
+  void addRaised(const RoomScan& other, double height, std::uint32_t rooms)
+  {
+    for (RoomPoint p : other.points) {
+      p.z += static_cast<float>(height);
+      p.room += p.room > 0 ? rooms : 0;
+      points.push_back(p);
+    }
+  }
+
   /** The scan without the points for which `test` holds. */
   template <typename Test>
   RoomScan without(Test test) const

@@ -64,9 +64,11 @@ TEST_F(HorizontalPlaneDetectionTool, ListsThePlanes)
 TEST_F(HorizontalPlaneDetectionTool, ForgetsRoomsUnlessTheyAreToStay)
 {
   const std::string bytes = scanOf().pcd(true);
-  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd").exit_code, 0);
+  EXPECT_EQ(
+      runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--whole"}).exit_code, 0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 0u);
-  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--keep-rooms"})
+  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd",
+                  {"--whole", "--keep-rooms"})
                 .exit_code,
             0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 1u);

@@ -90,6 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
     Stages,
     PictureOption,
     ::testing::Values(Stage{PARALLEL_VOXEL_GRID, "output.pcd", false},
+                      Stage{ROOM_SEGMENTATION, "output.pcd", false},
                       Stage{HORIZONTAL_PLANE_DETECTION, "output.pcd", false},
                       Stage{GRID_REGION_OUTLIER_REMOVAL, "output.pcd", false},
                       Stage{GRID_SLICE_DETAIL, "output.pcd", false},

@@ -323,6 +323,22 @@ TEST_F(ReportFacts, OfStoreysAreToldAStoreyAtATime)
   EXPECT_NE(figuresPart(data).find("storeys</dt><dd>2"), std::string::npos);
 }
 
+TEST_F(ReportFacts, OfTheCoverageAreASection)
+{
+  const std::string report = R"({"format": "sedr-report", "coverage": {
+      "seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
+        {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5,
+         "at": [10, -2.25], "counts": true},
+        {"reason": "outdoors", "area": 3, "at": 7, "counts": false}]}})";
+  const std::string part = coveragePart(read(report));
+  EXPECT_NE(part.find("12.1&nbsp;m² of 60.5&nbsp;m²"), std::string::npos) << part;
+  EXPECT_NE(part.find("20&nbsp;%"), std::string::npos);
+  EXPECT_NE(part.find("room 3: &lt;no&gt; plan"), std::string::npos);
+  EXPECT_NE(part.find("−0.5 to 2.5"), std::string::npos);
+  EXPECT_EQ(countOf("<tr>", part), 3u);
+  EXPECT_EQ(coveragePart(read(R"({"format": "sedr-report"})")), "") << "not told";
+}
+
 TEST_F(ReportFacts, OfOneStoreyAreToldAsEver)
 {
   writeFile((folder_.path() / "floorplan.json").string(),

@@ -114,6 +114,7 @@ TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
     ASSERT_EQ(pictures.size(), 10u);
     EXPECT_EQ(pictures.count("01_parallel_voxel_grid.png"), 1u);
     EXPECT_EQ(pictures.count("02_room_segmentation.png"), 1u);
+    EXPECT_EQ(pictures.count("04_grid_slice_detail.png"), 1u);
     EXPECT_EQ(pictures.count("10_structural_poisson.png"), 1u);
     for (const auto& [name, bytes] : pictures)
       EXPECT_GT(imageOf(bytes).width, 400) << name;
@@ -347,11 +348,50 @@ TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
   expectFailure(onFile(only(Label::Floor)), 2, "RoomSegmentation");
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
   expectFailure(onFile(only(Label::Wall)), 2, "RoomSegmentation");
-  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2,
-                "between a floor and a ceiling");
-  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2,
-                "between a floor and a ceiling");
+  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2, "no air");
+  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2, "no air");
   expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
+}
+
+/** A room of 12 m2, and beside it 48 m2 of floor and ceiling without a wall. */
+RoomScan
+roomBesideOpenHall()
+{
+  RoomScan scan = scanOf();
+  scan.addPiece({6, -1, 0}, {14, 5, 0}, Label::Floor, 0);
+  scan.addPiece({6, -1, 2.5}, {14, 5, 2.5}, Label::Ceiling, 0);
+  return scan;
+}
+
+TEST_F(SedrTool, ReportsHowMuchOfTheFloorWasModelled)
+{
+  ASSERT_EQ(onFile(scanOf().pcd(false), {"--no-mesh"}).exit_code, 0);
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  const auto& coverage = report.at("coverage");
+  EXPECT_NEAR(coverage.at("modelled").get<double>(), 12, 0.05);
+  EXPECT_NEAR(coverage.at("seen").get<double>(), 12, 0.05);
+  EXPECT_EQ(coverage.at("share"), 1);
+  EXPECT_TRUE(coverage.at("left_out").is_array());
+}
+
+TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
+{
+  const std::string scan = roomBesideOpenHall().pcd(false);
+  const ProgramRun refused = onFile(scan, {"--no-mesh"});
+  expectFailure(refused, 2, "--partial");
+  EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
+
+  const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
+  EXPECT_EQ(partial.exit_code, 0) << partial.err;
+  EXPECT_NE(partial.err.find("warning"), std::string::npos) << partial.err;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  const auto& gap = report.at("coverage").at("left_out").at(0);
+  EXPECT_NEAR(gap.at("area").get<double>(), 48, 3);
+  EXPECT_NEAR(gap.at("ceiling").get<double>(), 2.5, 0.1);
+  EXPECT_EQ(gap.at("counts"), true);
+  EXPECT_LT(report.at("coverage").at("share").get<double>(), 0.3);
+  EXPECT_TRUE(std::filesystem::exists(in("model/floorplan.json")));
 }
 
 } // namespace

@@ -20,8 +20,9 @@ using pcl::sedr::tools::floatField;
 using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
 
-/** The programs of all stages, one after the other, with their defaults. */
-TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
+/** A room of 4 m x 3 m with a soffit, and one of 3 m x 3 m beside it. */
+RoomScan
+twoRooms()
 {
   RoomScan scan;
   for (const std::uint32_t id : {1u, 2u}) {
@@ -32,34 +33,101 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
     room.x += id == 1 ? 0 : 4.1; // a partition of 10 cm
     scan.addRoom(room);
   }
-  const TemporaryFolder folder;
-  const auto in = [&](const char* name) { return (folder.path() / name).string(); };
-  const auto stage = [&](const char* tool, std::vector<const char*> files) {
+  return scan;
+}
+
+/** The programs of the stages, with their defaults. */
+class StageByStage : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  void stage(const char* tool, const std::vector<std::string>& files)
+  {
     std::vector<std::string> arguments;
-    for (const std::string file : files)
-      arguments.push_back(file.front() == '-' ? file : in(file.c_str()));
+    for (const std::string& file : files)
+      arguments.push_back(file.front() == '-' ? file : in(file));
     const ProgramRun result = run(tool, arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "") << tool;
-  };
-  writeFile(in("scan.pcd"), scan.pcd(false));
-  stage(PARALLEL_VOXEL_GRID, {"scan.pcd", "thinned.pcd"});
-  stage(HORIZONTAL_PLANE_DETECTION, {"thinned.pcd", "planes.pcd"});
-  stage(GRID_REGION_OUTLIER_REMOVAL, {"planes.pcd", "rooms.pcd"});
-  stage(GRID_SLICE_DETAIL, {"rooms.pcd", "details.pcd"});
-  stage(FLOOR_PROJECTION_RECOVERY, {"details.pcd", "floor.pcd"});
-  stage(CEILING_BOUNDARY_WALL_GROWING, {"floor.pcd", "walls.pcd"});
-  stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json", "--raw", "scan.pcd"});
+  }
+
+  /** One after the other, up to the floor plan. */
+  void fitPlan(const RoomScan& scan)
+  {
+    writeFile(in("scan.pcd"), scan.pcd(false));
+    stage(PARALLEL_VOXEL_GRID, {"scan.pcd", "thinned.pcd"});
+    stage(ROOM_SEGMENTATION,
+          {"thinned.pcd", "rooms.pcd", "--building", "building.json"});
+    stage(HORIZONTAL_PLANE_DETECTION,
+          {"rooms.pcd", "planes.pcd", "--building", "building.json"});
+    stage(GRID_SLICE_DETAIL, {"planes.pcd", "details.pcd"});
+    stage(FLOOR_PROJECTION_RECOVERY, {"details.pcd", "floor.pcd"});
+    stage(CEILING_BOUNDARY_WALL_GROWING, {"floor.pcd", "walls.pcd"});
+    stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json", "--raw", "scan.pcd",
+                              "--building", "building.json"});
+  }
+
+  pcl::sedr::Floorplan plan(const std::string& name) const
+  {
+    std::string problem;
+    auto plan = pcl::sedr::floorplanFromJson(bytesOf(in(name)), problem);
+    EXPECT_EQ(problem, "");
+    return plan;
+  }
+
+  TemporaryFolder folder_;
+};
+
+/** That each corner of a loop is one of the other to a millimetre. */
+void
+expectSameLoop(const pcl::sedr::PlanLoop& found, const pcl::sedr::PlanLoop& expected)
+{
+  ASSERT_EQ(found.elements.size(), expected.elements.size());
+  for (std::size_t k = 0; k < found.elements.size(); ++k)
+    EXPECT_LT((found.elements[k].start - expected.elements[k].start).norm(), 0.001);
+}
+
+TEST_F(StageByStage, ThePlanOfTwoStoreysIsThatOfPclSedr)
+{
+  RoomScan scan = twoRooms();
+  scan.addRaised(twoRooms(), 2.8, 2);
+  fitPlan(scan);
+  const ProgramRun whole = run(SEDR, {in("scan.pcd"), in("model"), "--no-mesh"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const pcl::sedr::Floorplan found = plan("floorplan.json");
+  const pcl::sedr::Floorplan expected = plan("model/floorplan.json");
+  ASSERT_EQ(expected.rooms.size(), 4u);
+  ASSERT_EQ(found.rooms.size(), 4u);
+  for (std::size_t r = 0; r < 4; ++r) {
+    const pcl::sedr::PlanRoom& room = found.rooms[r];
+    const pcl::sedr::PlanRoom& other = expected.rooms[r];
+    EXPECT_EQ(room.id, other.id);
+    expectSameLoop(room.boundary, other.boundary);
+    EXPECT_NEAR(room.floor.plane[3], other.floor.plane[3], 0.001);
+    EXPECT_NEAR(room.ceiling.plane[3], other.ceiling.plane[3], 0.001);
+    ASSERT_EQ(room.details.size(), other.details.size());
+    for (std::size_t d = 0; d < room.details.size(); ++d)
+      expectSameLoop(room.details[d].boundary, other.details[d].boundary);
+  }
+  ASSERT_EQ(found.storeys.size(), 2u);
+  EXPECT_EQ(found.storeys[1].rooms, expected.storeys[1].rooms);
+  EXPECT_EQ(found.doorways.size(), expected.doorways.size());
+}
+
+TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
+{
+  fitPlan(twoRooms());
   stage(STRUCTURE_REFINEMENT, {"walls.pcd", "floorplan.json", "refined.pcd"});
   stage(VERTICAL_HOLE_REPAIR, {"refined.pcd", "floorplan.json", "structure.pcd"});
   stage(STRUCTURAL_POISSON, {"structure.pcd", "mesh.ply"});
   stage(FLOORPLAN_EXTRUSION, {"floorplan.json", "solid.ply"});
   stage(FLOORPLAN_DRAWING, {"floorplan.json", "floorplan.svg"});
 
-  std::string problem;
-  const auto plan =
-      pcl::sedr::floorplanFromJson(bytesOf(in("floorplan.json")), problem);
-  ASSERT_EQ(plan.rooms.size(), 2u) << problem;
+  const pcl::sedr::Floorplan plan = this->plan("floorplan.json");
+  ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
   ASSERT_EQ(plan.rooms[0].details.size(), 1u);
   EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(), 0.6 * 3, 0.05);
@@ -84,10 +152,11 @@ TEST(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   }
 }
 
-TEST(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
+TEST_F(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
 {
   const std::vector<std::pair<const char*, std::string>> pages{
       {PARALLEL_VOXEL_GRID, "parallel_voxel_grid"},
+      {ROOM_SEGMENTATION, "room_segmentation"},
       {HORIZONTAL_PLANE_DETECTION, "horizontal_plane_detection"},
       {GRID_REGION_OUTLIER_REMOVAL, "grid_region_outlier_removal"},
       {GRID_SLICE_DETAIL, "grid_slice_detail"},

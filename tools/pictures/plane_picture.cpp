@@ -132,7 +132,10 @@ drawPlanes(const Planes& planes,
                   std::to_string(planes.size() - count[0] - count[1]) + " neither");
   for (Panel* panel : {&above, &below})
     panel->setView(viewOfPieces(all, cell_size, least_piece));
-  picture.addRow({histogramPanel(planes, histogram), above, below});
+  if (histogram.bins.empty()) // planes of rooms, which were not looked for by height
+    picture.addMaps({above, below});
+  else
+    picture.addRow({histogramPanel(planes, histogram), above, below});
   picture.addLegend("ceiling", colours::ceiling);
   picture.addLegend("floor", colours::floor);
   picture.addLegend("neither", colours::other);

@@ -23,7 +23,7 @@ gapTable(const std::vector<GapFacts>& gaps)
     rows.push_back({escaped(gap.reason), numberText(gap.area, 1),
                     coordinate(gap.x) + ", " + coordinate(gap.y),
                     coordinate(gap.floor) + " to " + coordinate(gap.ceiling),
-                    gap.is_inside ? "yes" : "no"});
+                    gap.counts ? "yes" : "no"});
   return htmlTable({"left out", "area, m²", "around x, y, m", "z, m", "counts"}, rows,
                    {true, false, false, false, true});
 }

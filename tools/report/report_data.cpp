@@ -117,7 +117,7 @@ coverageOf(const Json& json)
                                  number(gap, "floor"), number(gap, "ceiling"),
                                  is_place ? at[0].get<double>() : 0,
                                  is_place ? at[1].get<double>() : 0,
-                                 optionalFlag(gap, "inside").value_or(true)});
+                                 optionalFlag(gap, "counts").value_or(true)});
   }
   return coverage;
 }

@@ -49,7 +49,7 @@ struct GapFacts {
   double ceiling = 0;
   double x = 0;
   double y = 0;
-  bool is_inside = true;
+  bool counts = true;
 };
 
 /** @brief How much of the floor was modelled. */

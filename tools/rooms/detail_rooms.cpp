@@ -128,18 +128,27 @@ partedRooms(const ToolCloud& cloud,
     room.ceiling =
         pointsOn(points, of_file.ceiling, ceilingOf(of_file, cloud, parameters),
                  parameters.tolerance);
-    room.floors = room.floor = of_file.floor;
+    room.floors = of_file.floor;
     const CellSet scope(grid, points, of_file.ceiling);
-    if (!room.floors.empty())
-      room.floor_height = floorOf(of_file, cloud, parameters)
-                              .heightAt(grid.centre(scope[scope.size() / 2]));
+    if (!room.floors.empty()) {
+      const PlanSlab plane = floorOf(of_file, cloud, parameters);
+      room.floor = pointsOn(points, room.floors, plane, parameters.tolerance);
+      room.floor_height = plane.heightAt(grid.centre(scope[scope.size() / 2]));
+    }
     rooms.push_back(std::move(room));
   }
   const auto at =
       territoryOf(known, cloud, grid.size()).roomsAt(points, parameters.threads);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (at[i] >= 0)
-      rooms[static_cast<std::size_t>(at[i])].around.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (at[i] < 0)
+      continue;
+    DetailRoom& room = rooms[static_cast<std::size_t>(at[i])];
+    room.around.push_back(static_cast<int>(i));
+    if (cloud.room[i] == 0 &&
+        cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
+      room.floors.push_back(
+          static_cast<int>(i)); // of no room: something that stands there
+  }
   return rooms;
 }
 

@@ -23,8 +23,19 @@ label(StructureLabel label,
   }
 }
 
+/** @brief What the building knows of a room, null where it does not. */
+const BuildingRoom*
+knownRoom(const Building& building, std::uint32_t id)
+{
+  const auto found =
+      std::find_if(building.rooms.begin(), building.rooms.end(),
+                   [&](const BuildingRoom& room) { return room.id == id; });
+  return found == building.rooms.end() ? nullptr : &*found;
+}
+
 void
-addHiddenCeiling(const Building& building,
+addHiddenCeiling(const BuildingRoom& known,
+                 double column_size,
                  const FileRoom& room,
                  const PlanSlab& plane,
                  const CellGrid& grid,
@@ -32,11 +43,9 @@ addHiddenCeiling(const Building& building,
 {
   const CellSet seen(grid, PointView(*cloud.points), room.ceiling);
   std::vector<Eigen::Vector3f> places;
-  for (const BuildingRoom& known : building.rooms)
-    if (known.id == room.id)
-      for (const HiddenCeiling& hidden :
-           hiddenCeiling(known.columns, building.cell_size, grid, seen, plane))
-        places.push_back(hidden.at);
+  for (const HiddenCeiling& hidden :
+       hiddenCeiling(known.columns, column_size, grid, seen, plane))
+    places.push_back(hidden.at);
   const std::size_t before = cloud.size();
   const pcl::Indices sources(places.size(), room.ceiling.front());
   appendRows(cloud.blob, cloud.blob, sources);
@@ -62,20 +71,27 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
   std::fill(cloud.room.begin(), cloud.room.end(), 0);
   std::vector<pcl::HorizontalPlane> planes;
   for (const FileRoom& room : rooms) {
-    const auto add = [&](const pcl::Indices& sheet, LevelKind kind,
-                         const PlanSlab& plane) {
+    const BuildingRoom* const known = knownRoom(building, room.id);
+    const auto add = [&](const pcl::Indices& sheet, LevelKind kind, double height) {
       const PointView points(*cloud.points);
-      pcl::Indices on = pointsOn(points, sheet, plane, parameters.tolerance);
-      planes.push_back(listedPlane(kind, plane, std::move(on), points, grid));
+      const PlanSlab plane = mainPlane(points, sheet, height, parameters);
+      planes.push_back(listedPlane(kind, plane,
+                                   pointsOn(points, sheet, plane, parameters.tolerance),
+                                   points, grid));
+      return plane;
     };
-    const PlanSlab ceiling = ceilingOf(room, cloud, parameters);
-    add(room.ceiling, LevelKind::Ceiling, ceiling);
+    const PointView points(*cloud.points);
+    const PlanSlab ceiling =
+        add(room.ceiling, LevelKind::Ceiling,
+            known ? known->ceiling : ceilingLevel(points, room.ceiling));
     label(StructureLabel::Ceiling, room.id, room.ceiling, cloud);
     if (!room.floor.empty()) {
-      add(room.floor, LevelKind::Floor, floorOf(room, cloud, parameters));
+      add(room.floor, LevelKind::Floor,
+          known ? known->floor : floorLevel(points, room.floor));
       label(StructureLabel::Floor, room.id, planes.back().inliers.indices, cloud);
     }
-    addHiddenCeiling(building, room, ceiling, grid, cloud);
+    if (known)
+      addHiddenCeiling(*known, building.cell_size, room, ceiling, grid, cloud);
   }
   setField(cloud.blob, "label", cloud.label);
   setField(cloud.blob, "room", cloud.room);

@@ -209,11 +209,11 @@ coverageOf(const Coverage& coverage)
                         {"floor", gap.floor},
                         {"ceiling", gap.ceiling},
                         {"at", {gap.at.x(), gap.at.y()}},
-                        {"inside", gap.is_inside}});
+                        {"counts", gap.counts}});
   return {{"seen", coverage.seen},
           {"modelled", coverage.modelled},
           {"share", coverage.share()},
-          {"outdoors", coverage.outdoors},
+          {"not_counted", coverage.not_counted},
           {"left_out", left_out}};
 }
 

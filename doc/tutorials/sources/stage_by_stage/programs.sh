@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # [stages]
 pcl_parallel_voxel_grid           scan.pcd    thinned.pcd
-pcl_horizontal_plane_detection    thinned.pcd planes.pcd
-pcl_grid_region_outlier_removal   planes.pcd  rooms.pcd --support 2
-pcl_grid_slice_detail             rooms.pcd   details.pcd
+pcl_room_segmentation             thinned.pcd rooms.pcd --building building.json
+pcl_horizontal_plane_detection    rooms.pcd   planes.pcd --building building.json
+pcl_grid_slice_detail             planes.pcd  details.pcd
 pcl_floor_projection_recovery     details.pcd floor.pcd
 pcl_ceiling_boundary_wall_growing floor.pcd   walls.pcd
-pcl_floorplan_fitting             walls.pcd   floorplan.json --raw scan.pcd
+pcl_floorplan_fitting             walls.pcd   floorplan.json --raw scan.pcd --building building.json
 pcl_structure_refinement          walls.pcd   floorplan.json refined.pcd
 pcl_vertical_hole_repair          refined.pcd floorplan.json structure.pcd
 pcl_structural_poisson            structure.pcd mesh.ply

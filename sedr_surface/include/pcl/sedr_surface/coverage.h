@@ -19,9 +19,9 @@ struct CoverageGap {
   double floor = 0;   ///< metres
   double ceiling = 0; ///< metres
   Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< a place in it
-  /** Whether it counts: floor to stand on inside the building. Not so places without
+  /** Whether it is floor to stand on inside the building. Not so are places without
    * headroom, and what lies outdoors or was seen through an opening. */
-  bool is_inside = true;
+  bool counts = true;
 };
 
 /** @brief How much of the floor that a scan shows is in the plan. Like is compared with
@@ -30,7 +30,7 @@ struct CoverageGap {
 struct Coverage {
   double seen = 0; ///< square metres: what was modelled, and what was left out inside
   double modelled = 0; ///< square metres: the rooms of the plan
-  double outdoors = 0; ///< square metres: seen, and left out as not inside
+  double not_counted = 0; ///< square metres: of what was left out and does not count
   std::vector<CoverageGap> left_out; ///< what counts first, then largest first
 
   /** @brief 0 to 1; 1 where nothing was seen. */

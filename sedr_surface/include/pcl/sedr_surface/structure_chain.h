@@ -170,6 +170,9 @@ private:
   double cellSizeThatFills() const;
   void enlargeCells(double size);
 
+  /** @brief Adds to the floors of rooms the points of their platforms and steps. */
+  void findPlatforms();
+
   /** @brief Keeps the planes of all rooms as `planes`, for those who look at them. */
   void listPlanes();
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_surface/coverage.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of the building over x from `x0` to `x1` and y from 0 to 3 m. */
+BuildingRoom
+seenRoom(std::uint32_t id, double x0, double x1)
+{
+  const CellGrid grid(0.1);
+  BuildingRoom room;
+  room.id = id;
+  room.ceiling = 2.5;
+  for (double x = x0 + 0.05; x < x1; x += 0.1)
+    for (double y = 0.05; y < 3; y += 0.1)
+      room.columns.push_back({grid.at(x, y), 0, 2.5f});
+  room.area = (x1 - x0) * 3;
+  return room;
+}
+
+/** Rooms 1, of 4 m x 3 m, and 2, of 2 m x 3 m. */
+Building
+twoRooms()
+{
+  Building building;
+  building.cell_size = 0.1;
+  building.rooms = {seenRoom(1, 0, 4), seenRoom(2, 5, 7)};
+  return building;
+}
+
+PlanRoom
+planned(std::uint32_t id, double x0, double x1)
+{
+  return roomOf(rectangle(x0, 0, x1, 3), 2.5, id);
+}
+
+TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
+{
+  const Coverage coverage =
+      coverageOf(twoRooms(), {{planned(1, 0, 4), planned(2, 5, 7)}});
+  EXPECT_NEAR(coverage.modelled, 18, 1e-9);
+  EXPECT_EQ(coverage.seen, coverage.modelled);
+  EXPECT_EQ(coverage.share(), 1);
+  EXPECT_TRUE(coverage.left_out.empty());
+  EXPECT_EQ(coverage.largest(), nullptr);
+  EXPECT_EQ(coverageWarning(coverage), "");
+}
+
+TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
+{
+  const Coverage coverage = coverageOf(twoRooms(), {{planned(2, 5, 7)}});
+  EXPECT_NEAR(coverage.seen, 18, 1e-6);
+  EXPECT_NEAR(coverage.share(), 1 / 3.0, 1e-6);
+  ASSERT_EQ(coverage.left_out.size(), 1u);
+  EXPECT_EQ(coverage.left_out[0].reason, "room 1: no plan could be fitted");
+  const std::string warning = coverageWarning(coverage);
+  EXPECT_NE(warning.find("6 of 18 square metres"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("12 square metres around (2."), std::string::npos) << warning;
+  EXPECT_NE(warning.find("room 1: no plan could be fitted"), std::string::npos);
+}
+
+TEST(Coverage, SoIsThePartOfARoomThatItsPlanDoesNotHold)
+{
+  const Coverage coverage =
+      coverageOf(twoRooms(), {{planned(1, 0, 2), planned(2, 5, 7)}});
+  ASSERT_EQ(coverage.left_out.size(), 1u);
+  EXPECT_NEAR(coverage.left_out[0].area, 2 * 3, 0.7) << "but for the edge";
+  EXPECT_GT(coverage.left_out[0].at.x(), 2);
+}
+
+TEST(Coverage, VoidsAndWhatHasNoHeadroomDoNotCount)
+{
+  Building building = twoRooms();
+  building.left_out = {{LeftOutKind::Low, "low", 30, 0, 1, {0, 9}},
+                       {LeftOutKind::Void, "voids", 50, 0, 0, {0, 0}}};
+  const Coverage coverage =
+      coverageOf(building, {{planned(1, 0, 4), planned(2, 5, 7)}});
+  EXPECT_EQ(coverage.share(), 1);
+  EXPECT_EQ(coverage.not_counted, 30);
+  ASSERT_EQ(coverage.left_out.size(), 1u) << "voids are no floor";
+  EXPECT_FALSE(coverage.left_out[0].counts);
+}
+
+TEST(Coverage, WhatHasNoWallsIsAGlimpseUnlessItIsLargerThanAllRooms)
+{
+  Building building = twoRooms();
+  const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
+  building.left_out = {{LeftOutKind::Open, "no walls", 11, 0, 2.5, {0, 9}}};
+  EXPECT_EQ(coverageOf(building, plan).share(), 1);
+  building.left_out[0].area = 42;
+  const Coverage coverage = coverageOf(building, plan);
+  EXPECT_NEAR(coverage.share(), 18.0 / 60, 1e-9);
+  ASSERT_NE(coverage.largest(), nullptr);
+  EXPECT_EQ(coverage.largest()->reason, "no walls");
+}
+
+TEST(Coverage, OfNothingIsWhole)
+{
+  const Coverage coverage = coverageOf(Building(), Floorplan());
+  EXPECT_EQ(coverage.seen, 0);
+  EXPECT_EQ(coverage.share(), 1);
+  EXPECT_EQ(coverageWarning(coverage), "");
+}
+
+} // namespace

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rooms/building_file.h"
+#include "tool_error.h"
+#include "tools/labelling_tools.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace programs;
+using pcl::sedr::tools::loadBuilding;
+using pcl::sedr::tools::loadCloud;
+using pcl::sedr::tools::ToolCloud;
+using pcl::sedr::tools::ToolError;
+
+INSTANTIATE_TEST_SUITE_P(RoomSegmentation,
+                         ToolContract,
+                         ::testing::Values(Tool(ROOM_SEGMENTATION)));
+
+using RoomSegmentationTool = LabellingTools;
+
+/** A room of 12 m2, and one of 9 m2 above it. */
+RoomScan
+twoStoreys()
+{
+  RoomScan scan = scanOf();
+  BoxRoom upper;
+  upper.width = 3;
+  scan.addRaised(scanOf(upper), 2.8, 1);
+  return scan;
+}
+
+TEST_F(RoomSegmentationTool, LabelsCeilingsAndFloorsByRoomAndKeepsAllFields)
+{
+  const RoomScan scan = twoStoreys();
+  const ProgramRun result = runOn(ROOM_SEGMENTATION, scan.pcd(false), "output.pcd");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  expectIntensity(cloud);
+  EXPECT_GT(share(scan, cloud, Label::Ceiling, Label::Ceiling), 0.9);
+  EXPECT_GT(share(scan, cloud, Label::Floor, Label::Floor), 0.85);
+  EXPECT_EQ(share(scan, cloud, Label::Ceiling, Label::Floor), 0);
+  std::size_t labelled = 0;
+  std::size_t elsewhere = 0; // where an upper floor was hidden
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    ASSERT_EQ(cloud.room[i] != 0, cloud.label[i] != 0);
+    labelled += cloud.label[i] != 0 ? 1 : 0;
+    elsewhere +=
+        cloud.label[i] != 0 && cloud.room[i] != (scan.points[i].z > 2.65 ? 2u : 1u) ? 1
+                                                                                    : 0;
+  }
+  EXPECT_LT(elsewhere, labelled / 20) << "rooms by their storeys";
+}
+
+TEST_F(RoomSegmentationTool, WritesTheBuilding)
+{
+  const ProgramRun result = runOn(ROOM_SEGMENTATION, twoStoreys().pcd(false),
+                                  "output.pcd", {"--building", in("building.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(bytesOf(in("building.json")));
+  EXPECT_EQ(json.at("format"), "sedr-building");
+  ASSERT_EQ(json.at("storeys").size(), 2u);
+  EXPECT_TRUE(json.at("left_out").is_array());
+  const pcl::sedr::Building building = loadBuilding(in("building.json"));
+  ASSERT_EQ(building.rooms.size(), 2u);
+  EXPECT_NEAR(building.rooms[0].area, 12, 1.2);
+  EXPECT_EQ(building.rooms[0].storey, 1u);
+  EXPECT_NEAR(building.rooms[1].floor, 2.8, 0.1);
+  EXPECT_NEAR(building.rooms[1].ceiling, 5.3, 0.1);
+  EXPECT_GT(building.rooms[1].enclosure, 0.5);
+  EXPECT_GE(std::count(result.out.begin(), result.out.end(), '\n'), 3)
+      << "a heading and a line a room:\n"
+      << result.out;
+}
+
+TEST_F(RoomSegmentationTool, TakesItsOptions)
+{
+  const std::string scan = scanOf().pcd(false);
+  const auto segment = [&](const Strings& options) {
+    std::filesystem::remove(in("output.pcd"));
+    return runOn(ROOM_SEGMENTATION, scan, "output.pcd", options);
+  };
+  expectNothingFound(segment({"--min-area", "50"}), "50.0 square metres");
+  expectNothingFound(segment({"--headroom", "3"}), "3.0 m");
+  EXPECT_EQ(segment({"--building", in("building.txt")}).exit_code, 1);
+}
+
+TEST_F(RoomSegmentationTool, OnlyABuildingIsReadAsOne)
+{
+  for (const char* text : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
+                           R"({"format": "sedr-building", "version": 1})"}) {
+    writeFile(in("building.json"), text);
+    EXPECT_THROW(loadBuilding(in("building.json")), ToolError) << text;
+  }
+  EXPECT_THROW(loadBuilding(in("missing.json")), ToolError);
+}
+
+TEST_F(RoomSegmentationTool, PlanesAreThoseOfEachRoom)
+{
+  ASSERT_EQ(runOn(ROOM_SEGMENTATION, twoStoreys().pcd(false), "rooms.pcd",
+                  {"--building", in("building.json")})
+                .exit_code,
+            0);
+  const ProgramRun result = run(HORIZONTAL_PLANE_DETECTION,
+                                {in("rooms.pcd"), in("output.pcd"), "--building",
+                                 in("building.json"), "--planes", in("planes.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto planes = nlohmann::json::parse(bytesOf(in("planes.json"))).at("planes");
+  ASSERT_EQ(planes.size(), 4u);
+  const double heights[] = {2.5, 0, 5.3, 2.8};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(planes[k].at("kind"), k % 2 == 0 ? "ceiling" : "floor");
+    EXPECT_NEAR(planes[k].at("height").get<double>(), heights[k], 0.002);
+  }
+  const ToolCloud cloud = loadCloud(in("output.pcd"));
+  EXPECT_EQ(*std::max_element(cloud.room.begin(), cloud.room.end()), 2u);
+  const ProgramRun whole =
+      run(HORIZONTAL_PLANE_DETECTION, {in("rooms.pcd"), in("whole.pcd"), "--whole",
+                                       "--building", in("building.json")});
+  EXPECT_EQ(whole.exit_code, 1) << "of no use there";
+}
+
+} // namespace
