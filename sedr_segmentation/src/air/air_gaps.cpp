@@ -30,8 +30,9 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
 {
   findGaps();
   sortGaps(pocketsOf(*this));
-  sortGaps(enclosedHolesOf(*this));
+  sortGaps(enclosedHolesOf(*this, parameters_.headroom));
   sortGaps(pocketsOf(*this));
+  sortGaps(enclosedHolesOf(*this, parameters_.thinnest)); // above wardrobes
   linkGaps();
   keepAir();
 }

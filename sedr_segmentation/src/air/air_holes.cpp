@@ -184,13 +184,14 @@ pocketsOf(const AirGaps& air)
 }
 
 std::vector<AirGap>
-enclosedHolesOf(const AirGaps& air)
+enclosedHolesOf(const AirGaps& air, double lowest)
 {
   const VoxelColumns& columns = air.columns();
   AddedGaps added(air.columns());
   std::vector<AirGap> front;
+  const int least = air.voxels(lowest);
   for (std::size_t g = 0; g < air.size(); ++g)
-    if (isTall(air, air[g]))
+    if (air[g].high - air[g].low >= least)
       front.push_back(air[g]);
   // Outwards, so that each hole takes its missing end from the air nearest to it.
   while (!front.empty()) {
@@ -204,7 +205,7 @@ enclosedHolesOf(const AirGaps& air)
           continue;
         const AirGap hole =
             withSeenEnds(air, {column, gap.low, gap.high, false, false});
-        if ((!hole.floor_seen && !hole.ceiling_seen) || !isTall(air, hole))
+        if ((!hole.floor_seen && !hole.ceiling_seen) || hole.high - hole.low < least)
           continue;
         added.add(hole);
         next.push_back(hole);
