@@ -264,6 +264,9 @@ TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
   ASSERT_EQ(found.building.left_out.size(), 3u);
   const LeftOut& roof = found.building.left_out[0];
   EXPECT_NE(roof.reason.find("walls along 0 %"), std::string::npos) << roof.reason;
+  EXPECT_EQ(roof.kind, LeftOutKind::Open);
+  EXPECT_EQ(found.building.left_out[1].kind, LeftOutKind::Low);
+  EXPECT_EQ(found.building.left_out[2].kind, LeftOutKind::Void);
   EXPECT_NEAR(roof.area, 16, 1);
   EXPECT_NEAR((roof.at - Eigen::Vector2d(12, 2)).norm(), 0, 2);
   EXPECT_NE(found.building.left_out[1].reason.find("square metres"), std::string::npos);

@@ -38,7 +38,16 @@ addColumns(BuildingRoom& room, int n, float floor, float ceiling)
 std::string
 reasonOf(const BuildingRoom& room)
 {
-  return noRoomBecause(room, 0.1, BuildingParameters());
+  LeftOutKind kind = LeftOutKind::Void;
+  return noRoomBecause(room, 0.1, BuildingParameters(), kind);
+}
+
+LeftOutKind
+kindOf(const BuildingRoom& room)
+{
+  LeftOutKind kind = LeftOutKind::Void;
+  EXPECT_NE(noRoomBecause(room, 0.1, BuildingParameters(), kind), "");
+  return kind;
 }
 
 TEST(DescribeRooms, TellsHeightsAreaAndWhatIsWalled)
@@ -124,6 +133,7 @@ TEST(NoRoomBecause, OnlyPostsAreAroundIt)
   EXPECT_LT(room.enclosure, 0.35);
   EXPECT_NE(reasonOf(room).find("% of its outline"), std::string::npos)
       << reasonOf(room);
+  EXPECT_EQ(kindOf(room), LeftOutKind::Open);
 }
 
 TEST(NoRoomBecause, ItIsSmallerThanASquareMetre)
@@ -132,6 +142,7 @@ TEST(NoRoomBecause, ItIsSmallerThanASquareMetre)
   room.enclosure = 1;
   addColumns(room, 99, 0, 2.5);
   EXPECT_EQ(reasonOf(room), "less than 1.0 square metres with a headroom of 1.8 m");
+  EXPECT_EQ(kindOf(room), LeftOutKind::Low);
   addColumns(room, 2, 0, 2.5);
   EXPECT_EQ(reasonOf(room), "");
 }
