@@ -38,8 +38,21 @@ StructureChain::partRooms(StageReport& report)
 {
   room_segmentation.setInputCloud(cloud);
   std::vector<pcl::PointIndices> unused;
-  if (!room_segmentation.segment(unused))
-    return fail(room_segmentation.getErrorMessage());
+  const auto turned = [&](RoomsAlongZ rooms, double area) {
+    return trust_up ? std::string()
+                    : upProblem(PointView(*cloud), *allIndices(cloud->size()), rooms,
+                                area, room_segmentation.getNumberOfThreads());
+  };
+  if (!room_segmentation.segment(unused)) {
+    const std::string hint = turned(RoomsAlongZ::None, 0);
+    return fail(room_segmentation.getErrorMessage() + (hint.empty() ? "" : "; " + hint));
+  }
+  double area = 0;
+  for (const BuildingRoom& room : getBuilding().rooms)
+    area += room.area;
+  const std::string doubt = turned(RoomsAlongZ::Found, area);
+  if (!doubt.empty())
+    return fail(doubt);
   const Building& building = getBuilding();
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)

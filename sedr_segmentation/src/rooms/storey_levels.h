@@ -9,8 +9,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Gives each room its storey, and lists the storeys from the lowest up: rooms
- * whose floors differ by less than `step` metres are of one, unless one lies above the
- * other. O(columns log columns). */
+ * whose floors differ by less than `step` metres are of one. O(columns log columns). */
 std::vector<PlanStorey> findStoreys(std::vector<BuildingRoom>& rooms, double step);
 
 } // namespace sedr
