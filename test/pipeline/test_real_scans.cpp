@@ -104,7 +104,9 @@ TEST(RealScan, apartment_rooms_close_but_for_a_handle_at_most)
   chain.setInputCloud(cloud);
   pcl::PolygonMesh mesh;
   chain.reconstruct(mesh);
-  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 13u) << chain.getErrorMessage();
+  // Passages without doors between some of them may be rooms of their own.
+  ASSERT_GE(chain.getFloorplan()->rooms.size(), 13u) << chain.getErrorMessage();
+  ASSERT_LE(chain.getFloorplan()->rooms.size(), 15u);
   const auto topology = topologyOf(mesh);
   EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
   EXPECT_EQ(topology.components.size(), chain.getFloorplan()->rooms.size());
