@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace pcl {
 namespace sedr {
@@ -33,6 +34,21 @@ StructureChain::checkScan()
   return reason.empty() || fail(reason);
 }
 
+namespace {
+
+/** @brief Square metres: rooms above each other say no more of what is up than one. */
+double
+areaOfLargestStorey(const Building& building)
+{
+  std::map<std::uint32_t, double> areas;
+  double largest = 0;
+  for (const BuildingRoom& room : building.rooms)
+    largest = std::max(largest, areas[room.storey] += room.area);
+  return largest;
+}
+
+} // namespace
+
 bool
 StructureChain::partRooms(StageReport& report)
 {
@@ -47,10 +63,8 @@ StructureChain::partRooms(StageReport& report)
     const std::string hint = turned(RoomsAlongZ::None, 0);
     return fail(room_segmentation.getErrorMessage() + (hint.empty() ? "" : "; " + hint));
   }
-  double area = 0;
-  for (const BuildingRoom& room : getBuilding().rooms)
-    area += room.area;
-  const std::string doubt = turned(RoomsAlongZ::Found, area);
+  const std::string doubt =
+      turned(RoomsAlongZ::Found, areaOfLargestStorey(getBuilding()));
   if (!doubt.empty())
     return fail(doubt);
   const Building& building = getBuilding();

@@ -120,19 +120,13 @@ TEST(RealScan, apartment_rooms_close_but_for_a_handle_at_most)
   EXPECT_LE(handles, 1);
 }
 
-TEST(RealScan, studio_is_one_room_below_the_strips_of_its_vault)
+TEST(RealScan, studio_is_one_room_below_its_vault)
 {
   SEDR_LOAD_OR_SKIP(cloud, "vaulted_studio");
   Reconstruction chain;
   chain.setInputCloud(cloud);
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1u);
-  // Six valleys of scallops on one side of the beam and seven on the other: each is a
-  // detail at least, and they are not shattered.
-  constexpr std::size_t valleys = 13;
-  const auto& details = chain.getFloorplan()->rooms[0].details;
-  EXPECT_GE(details.size(), valleys);
-  EXPECT_LE(details.size(), 2 * valleys);
 }
 
 } // namespace
