@@ -61,7 +61,8 @@ StructureChain::partRooms(StageReport& report)
   };
   if (!room_segmentation.segment(unused)) {
     const std::string hint = turned(RoomsAlongZ::None, 0);
-    return fail(room_segmentation.getErrorMessage() + (hint.empty() ? "" : "; " + hint));
+    return fail(room_segmentation.getErrorMessage() +
+                (hint.empty() ? "" : "; " + hint));
   }
   const std::string doubt =
       turned(RoomsAlongZ::Found, areaOfLargestStorey(getBuilding()));
