@@ -54,9 +54,9 @@ StructureChain::partRooms(StageReport& report)
 {
   room_segmentation.setInputCloud(cloud);
   std::vector<pcl::PointIndices> unused;
-  const auto turned = [&](RoomsAlongZ rooms, double area) {
+  const auto turned = [&](RoomsAlongZ known, double area) {
     return trust_up ? std::string()
-                    : upProblem(PointView(*cloud), *allIndices(cloud->size()), rooms,
+                    : upProblem(PointView(*cloud), *allIndices(cloud->size()), known,
                                 area, room_segmentation.getNumberOfThreads());
   };
   if (!room_segmentation.segment(unused)) {
