@@ -30,9 +30,8 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
 {
   findGaps();
   sortGaps(pocketsOf(*this));
-  sortGaps(enclosedHolesOf(*this, parameters_.headroom));
+  sortGaps(enclosedHolesOf(*this));
   sortGaps(pocketsOf(*this));
-  sortGaps(enclosedHolesOf(*this, parameters_.thinnest)); // above wardrobes
   linkGaps();
   keepAir();
 }

@@ -184,14 +184,13 @@ pocketsOf(const AirGaps& air)
 }
 
 std::vector<AirGap>
-enclosedHolesOf(const AirGaps& air, double lowest)
+enclosedHolesOf(const AirGaps& air)
 {
   const VoxelColumns& columns = air.columns();
   AddedGaps added(air.columns());
   std::vector<AirGap> front;
-  const int least = air.voxels(lowest);
   for (std::size_t g = 0; g < air.size(); ++g)
-    if (air[g].high - air[g].low >= least)
+    if (isTall(air, air[g]))
       front.push_back(air[g]);
   // Outwards, so that each hole takes its missing end from the air nearest to it.
   while (!front.empty()) {
@@ -205,7 +204,7 @@ enclosedHolesOf(const AirGaps& air, double lowest)
           continue;
         const AirGap hole =
             withSeenEnds(air, {column, gap.low, gap.high, false, false});
-        if ((!hole.floor_seen && !hole.ceiling_seen) || hole.high - hole.low < least)
+        if ((!hole.floor_seen && !hole.ceiling_seen) || !isTall(air, hole))
           continue;
         added.add(hole);
         next.push_back(hole);

@@ -17,9 +17,8 @@ std::vector<AirGap> pocketsOf(const AirGaps& air);
  * and the other was not: furniture hid it, or a beam. The missing end is taken from
  * where the air comes from. Regions of such columns are taken whole, and only where
  * they are enclosed: by known air along a part of their rim, by walls along most of the
- * rest. So the ground outside a door is not given a ceiling. O(gaps).
- * @param lowest height of the air that is continued, metres */
-std::vector<AirGap> enclosedHolesOf(const AirGaps& air, double lowest);
+ * rest. So the ground outside a door is not given a ceiling. O(gaps). */
+std::vector<AirGap> enclosedHolesOf(const AirGaps& air);
 
 } // namespace sedr
 } // namespace pcl
