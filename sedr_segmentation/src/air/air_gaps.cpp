@@ -2,6 +2,8 @@
 #include "air_gaps.h"
 
 #include "air_holes.h"
+#include "low_air.h"
+#include "slab_holes.h"
 
 #include <pcl/sedr_filters/parallel.h>
 
@@ -29,9 +31,8 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
     , parameters_(parameters)
 {
   findGaps();
-  sortGaps(pocketsOf(*this));
+  closeSlabs();
   sortGaps(enclosedHolesOf(*this));
-  sortGaps(pocketsOf(*this));
   linkGaps();
   keepAir();
 }
@@ -58,6 +59,18 @@ AirGaps::findGaps()
   for (auto& of_tile : found)
     gaps_.insert(gaps_.end(), of_tile.begin(), of_tile.end());
   sortGaps({});
+}
+
+void
+AirGaps::closeSlabs()
+{
+  while (true) { // once for each storey that a hole reaches through
+    std::vector<AirGap> closed = withSlabsClosed(*this);
+    if (closed.size() == gaps_.size())
+      return;
+    gaps_.clear();
+    sortGaps(std::move(closed));
+  }
 }
 
 void
@@ -156,24 +169,7 @@ AirGaps::diagonal(std::size_t g, int d) const
 void
 AirGaps::keepAir()
 {
-  const int tall = voxels(parameters_.headroom);
-  const int step = voxels(parameters_.same_ceiling);
-  std::vector<std::uint8_t> is_air(gaps_.size(), 0);
-  std::vector<std::uint32_t> front;
-  for (std::uint32_t g = 0; g < gaps_.size(); ++g)
-    if (gaps_[g].high - gaps_[g].low >= tall) {
-      is_air[g] = 1;
-      front.push_back(g);
-    }
-  while (!front.empty()) {
-    const std::uint32_t g = front.back();
-    front.pop_back();
-    for (const std::uint32_t o : links_[g])
-      if (o != none && !is_air[o] && std::abs(gaps_[o].high - gaps_[g].high) <= step) {
-        is_air[o] = 1;
-        front.push_back(o);
-      }
-  }
+  const std::vector<std::uint8_t> is_air = airOf(*this);
   std::vector<AirGap> kept;
   for (std::size_t g = 0; g < gaps_.size(); ++g)
     if (is_air[g])

@@ -32,6 +32,8 @@ struct AirParameters {
   double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
   double least_known = 0.25;  ///< of the rim of a hole that is filled: known air
   double most_open = 0.2;     ///< of its rim: neither air nor wall
+  double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
+  double least_air = 0.2;     ///< of the rim of low gaps that are air: tall ones
   unsigned threads = 0;
 };
 
@@ -97,6 +99,7 @@ public:
 
 private:
   void findGaps();
+  void closeSlabs();
   void sortGaps(std::vector<AirGap>&& added);
   void linkGaps();
   void keepAir();

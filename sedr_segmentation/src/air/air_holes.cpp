@@ -11,21 +11,6 @@ namespace {
 
 constexpr std::uint32_t none = AirGaps::none;
 
-/** @brief The eight columns around one, `VoxelColumns::none` where there is none. */
-std::array<std::uint32_t, 8>
-around(const VoxelColumns& columns, std::uint32_t column)
-{
-  std::array<std::uint32_t, 8> result{};
-  for (int d = 0; d < 4; ++d) {
-    const std::uint32_t side = columns.neighbour(column, d);
-    result[static_cast<std::size_t>(2 * d)] = side;
-    result[static_cast<std::size_t>(2 * d + 1)] =
-        side == VoxelColumns::none ? VoxelColumns::none
-                                   : columns.neighbour(side, (d + 1) % 4);
-  }
-  return result;
-}
-
 /** @brief Whether a wall stands in a column between two heights. */
 bool
 isWalled(const AirGaps& air, std::uint32_t column, std::int32_t low, std::int32_t high)
@@ -69,25 +54,12 @@ withSeenEnds(const AirGaps& air, AirGap gap)
   return gap;
 }
 
-std::int32_t
-medianOf(std::vector<std::int32_t>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** @brief Gaps that are added, found by column. */
 class AddedGaps {
 public:
   explicit AddedGaps(const VoxelColumns& columns)
       : last_(columns.size(), -1)
   {}
-
-  bool holds(const AirGap& gap) const
-  {
-    return find(gap.column, gap.low, gap.high) >= 0;
-  }
 
   /** @brief Position of one of a column that overlaps by half of the lower, or -1. */
   std::ptrdiff_t find(std::uint32_t column, std::int32_t low, std::int32_t high) const
@@ -132,56 +104,6 @@ isMissing(const AirGaps& air, std::uint32_t column, const AirGap& beside)
 }
 
 } // namespace
-
-std::vector<AirGap>
-pocketsOf(const AirGaps& air)
-{
-  constexpr int rounds = 3;
-  constexpr std::size_t most_neighbours = 5;
-  AddedGaps added(air.columns());
-  std::vector<AirGap> front;
-  for (std::size_t g = 0; g < air.size(); ++g)
-    if (isTall(air, air[g]))
-      front.push_back(air[g]);
-  for (int round = 0; round < rounds && !front.empty(); ++round) {
-    std::vector<AirGap> next;
-    for (const AirGap& gap : front)
-      for (int d = 0; d < 4; ++d) {
-        const std::uint32_t column = air.columns().neighbour(gap.column, d);
-        if (!isMissing(air, column, gap) || added.find(column, gap.low, gap.high) >= 0)
-          continue;
-        std::vector<std::int32_t> lows;
-        std::vector<std::int32_t> highs;
-        for (const std::uint32_t beside : around(air.columns(), column)) {
-          if (beside == VoxelColumns::none)
-            continue;
-          const std::uint32_t known = air.overlapping(beside, gap.low, gap.high);
-          const std::ptrdiff_t made =
-              known == none ? added.find(beside, gap.low, gap.high) : -1;
-          if (known == none && made < 0)
-            continue;
-          const AirGap& other =
-              known != none ? air[known] : added.all()[static_cast<std::size_t>(made)];
-          lows.push_back(other.low);
-          highs.push_back(other.high);
-        }
-        if (lows.size() < most_neighbours)
-          continue;
-        const AirGap pocket =
-            withSeenEnds(air, {column, medianOf(lows), medianOf(highs), false, false});
-        if (!isTall(air, pocket) || isWalled(air, column, pocket.low, pocket.high))
-          continue;
-        next.push_back(pocket);
-      }
-    front.clear();
-    for (const AirGap& pocket : next)
-      if (!added.holds(pocket)) {
-        added.add(pocket);
-        front.push_back(pocket);
-      }
-  }
-  return std::move(added.all());
-}
 
 std::vector<AirGap>
 enclosedHolesOf(const AirGaps& air)

@@ -8,11 +8,6 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Gaps for columns in which neither floor nor ceiling need have been seen, but
- * five of the eight neighbours have air at the same heights and no wall stands: the
- * median of theirs. O(gaps). */
-std::vector<AirGap> pocketsOf(const AirGaps& air);
-
 /** @brief Gaps for columns in which the floor or the ceiling of the air beside was seen
  * and the other was not: furniture hid it, or a beam. The missing end is taken from
  * where the air comes from. Regions of such columns are taken whole, and only where

@@ -399,5 +399,48 @@ VoxelColumns::dropStrays(int company, unsigned threads)
   bits_ = std::move(kept);
 }
 
+std::vector<std::uint64_t>
+VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) const
+{
+  std::vector<std::uint64_t> spread(bits_.size(), 0);
+  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    const Tile& tile = tiles_[t];
+    const auto words = static_cast<std::size_t>(tile.words);
+    for (std::uint32_t at = 0; at < tile_columns; ++at) {
+      const auto own = static_cast<std::uint32_t>(t * tile_columns) + at;
+      std::uint64_t* const result = spread.data() + tile.first + at * words;
+      std::copy_n(wordsOf(own), words, result);
+      for (const int side : {axis, axis + 2}) {
+        std::uint32_t column = own;
+        for (int step = 0; step < reach && column != none; ++step) {
+          column = neighbour(column, side);
+          for (std::size_t w = 0; w < words; ++w) {
+            const std::uint64_t other =
+                column == none
+                    ? 0
+                    : wordFrom(column, tile.low + 64 * static_cast<std::int32_t>(w));
+            result[w] = widens ? result[w] | other : result[w] & other;
+          }
+        }
+      }
+    }
+  });
+  return spread;
+}
+
+void
+VoxelColumns::closeHoles(int reach, unsigned threads)
+{
+  const int each_way = reach / 2;
+  if (each_way == 0)
+    return;
+  const std::vector<std::uint64_t> seen = bits_;
+  for (const bool widens : {true, false})
+    for (const int axis : {0, 1})
+      bits_ = spreadAlong(axis, each_way, widens, threads);
+  for (std::size_t k = 0; k < bits_.size(); ++k)
+    bits_[k] |= seen[k]; // at the rim of the tiles
+}
+
 } // namespace sedr
 } // namespace pcl

@@ -114,6 +114,11 @@ public:
    * 26 around them, 15 at most: points in mid-air. O(columns). */
   void dropStrays(int company, unsigned threads);
 
+  /** @brief Closes holes in surfaces that are narrower than `reach` columns along x or
+   * y: a morphological closing of every layer of voxels, so that what a sparse scan
+   * shows in dots is a surface. O(columns). */
+  void closeHoles(int reach, unsigned threads);
+
 private:
   explicit VoxelColumns(double cell, double voxel_height)
       : grid_(cell)
@@ -154,6 +159,11 @@ private:
     const std::int32_t w = (begin - tile.low) / 64;
     return begin < tile.low || w >= tile.words ? 0 : wordsOf(column)[w];
   }
+
+  /** @brief Each voxel with those of its layer up to `reach` columns away along an
+   * axis of the plan: occupied where one of them is (`widens`), or all. */
+  std::vector<std::uint64_t>
+  spreadAlong(int axis, int reach, bool widens, unsigned threads) const;
 
   /** @brief Makes the tiles of some heights, which are sorted by their keys. */
   void makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "looked_into.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
@@ -18,7 +17,7 @@ namespace {
 constexpr double voxel_height = 0.05; // metres
 
 /** @brief Columns of twice the size, or of more where the scan is too sparse to fill
- * them, without what floats in the air. */
+ * them, without what floats in the air and without holes that are none. */
 VoxelColumns
 columnsThatFill(const VoxelColumns& fine, unsigned threads)
 {
@@ -26,6 +25,7 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
   constexpr double largest = 0.4;     // metres
   constexpr double least_share = 0.5; // of the usual neighbours, for what is no stray
   constexpr int most = 4;             // neighbours: a surface's edge has five
+  constexpr double widest_hole = 0.4; // metres: one does not walk through
   VoxelColumns columns = fine.halved(threads);
   int usual = columns.usualCompany(threads);
   while (usual < filled && 2 * columns.cellSize() <= largest) {
@@ -34,6 +34,8 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
   }
   columns.dropStrays(
       std::clamp(static_cast<int>(std::lround(least_share * usual)), 1, most), threads);
+  columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
+                     threads);
   return columns;
 }
 
@@ -52,26 +54,19 @@ airParameters(const BuildingParameters& parameters, double cell)
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
 keepRooms(std::vector<BuildingRoom> parts,
-          const std::vector<RoomOpening>& openings,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  const std::vector<std::uint8_t> is_looked_into =
-      lookedInto(parts, openings, building.cell_size);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (BuildingRoom& part : parts) {
     building.seen_area += part.area;
     LeftOutKind kind = LeftOutKind::Low;
-    std::string reason = noRoomBecause(part, building.cell_size, parameters, kind);
-    const std::size_t p = part.id - 1;
-    if (reason.empty() && is_looked_into[p] != 0) {
-      kind = LeftOutKind::Open;
-      reason = "looked into through an opening only: nothing of the wall with the "
-               "opening was seen from within";
-    }
+    const std::string reason =
+        noRoomBecause(part, building.cell_size, parameters, kind);
     if (reason.empty()) {
-      part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
+      part.id = number[part.id - 1] =
+          static_cast<std::uint32_t>(building.rooms.size() + 1);
       building.rooms.push_back(std::move(part));
     }
     else if (part.area >= worth_telling)
@@ -137,7 +132,7 @@ findBuilding(const PointView& points,
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted), parted.openings, parameters, building);
+      keepRooms(describeRooms(air, parted), parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -99,6 +100,9 @@ dipOfCeiling(const AirGaps& air, int reach)
     high[g] = static_cast<float>(air.columns().heightOf(air[g].high));
   const auto higher = [](float a, float b) { return a > b; };
   const auto lower = [](float a, float b) { return a < b; };
+  // What is narrower than a lintel is long is a hole in the ceiling, or between ribs.
+  const int narrow = reach / 2;
+  high = spread(air, spread(air, std::move(high), narrow, lower), narrow, higher);
   std::vector<float> dip = spread(air, spread(air, high, reach, higher), reach, lower);
   for (std::size_t g = 0; g < dip.size(); ++g)
     dip[g] -= high[g];

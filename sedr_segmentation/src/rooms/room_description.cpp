@@ -162,8 +162,11 @@ noRoomBecause(const BuildingRoom& room,
                 ? 1
                 : 0;
   const double area = static_cast<double>(tall) * cell_size * cell_size;
+  constexpr double least_tall = 0.3; // of its columns; else it is a void
   char text[120];
-  if (area < parameters.minimum_area) {
+  if (area < parameters.minimum_area ||
+      static_cast<double>(tall) <
+          least_tall * static_cast<double>(room.columns.size())) {
     kind = LeftOutKind::Low;
     std::snprintf(text, sizeof text,
                   "less than %.1f square metres with a headroom of %.1f m",

@@ -2,7 +2,10 @@
 #include "room_parting.h"
 
 #include "gap_distance.h"
+#include "height_counts.h"
 #include "reveals.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -341,12 +344,11 @@ private:
     return air_.columns().cellOf(air_[g].column);
   }
 
-  /** @brief The height of a room's floor near an opening: the lowest level that is
-   * not furniture's. */
+  /** @brief The height of a room's floor near an opening: that which most of it has,
+   * not over the edge of a stairwell. */
   double floorBeside(const std::vector<Crossing>& crossings, bool of_first)
   {
-    constexpr double reach = 1;       // metres
-    constexpr double low_share = 0.2; // of the gaps: the others are above furniture
+    constexpr double reach = 1; // metres
     ++round_;
     const auto isNew = [&](std::uint32_t g) {
       return std::exchange(visited_[g], round_) != round_;
@@ -355,23 +357,21 @@ private:
     for (const Crossing& c : crossings)
       if (isNew(of_first ? c.from : c.to))
         front.push_back(of_first ? c.from : c.to);
-    std::vector<std::int32_t> lows;
+    HeightCounts lows;
     for (int step = 0; step <= reach / cell_ && !front.empty(); ++step) {
       std::vector<std::uint32_t> next;
       for (const std::uint32_t g : front) {
-        lows.push_back(air_[g].low);
+        lows.add(air_.columns().heightOf(air_[g].low));
         for (int d = 0; d < 4; ++d) {
           const std::uint32_t o = air_.link(g, d);
-          if (o != none && label_[o] != no_room && roomOf(o) == roomOf(g) && isNew(o))
+          if (o != none && !air_.isDrop(g, d) && label_[o] != no_room &&
+              roomOf(o) == roomOf(g) && isNew(o))
             next.push_back(o);
         }
       }
       front = std::move(next);
     }
-    const auto low = lows.begin() + static_cast<std::ptrdiff_t>(
-                                        low_share * static_cast<double>(lows.size()));
-    std::nth_element(lows.begin(), low, lows.end());
-    return air_.columns().heightOf(*low);
+    return lows.highestCount();
   }
 
   /** @brief Whether a place in plan is in the air of a room at the heights of a gap. */
@@ -430,6 +430,30 @@ private:
     return end;
   }
 
+  /** @brief The direction along which most of an opening's crossings lie; for one or
+   * two of them at a right angle to the way through. */
+  Eigen::Vector2d directionOf(const std::vector<Crossing>& crossings,
+                              const Eigen::Vector2d& normal) const
+  {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    for (const Crossing& c : crossings) {
+      const Eigen::Vector2d at = (air_.columns().grid().centre(cellOfGap(c.from)) +
+                                  air_.columns().grid().centre(cellOfGap(c.to))) /
+                                 2;
+      mean += at;
+      squares += at * at.transpose();
+    }
+    const auto n = static_cast<double>(crossings.size());
+    mean /= n;
+    if (n <= 2 && normal.norm() > 0)
+      return Eigen::Vector2d(-normal.y(), normal.x()).normalized();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares / n -
+                                                          mean * mean.transpose())
+        .eigenvectors()
+        .col(1);
+  }
+
   Measured measure(const std::vector<Crossing>& crossings)
   {
     Measured m;
@@ -454,9 +478,12 @@ private:
     }
     const auto n = static_cast<double>(crossings.size());
     m.opening.middle /= n;
-    m.opening.width = std::max({normal.norm(), n / std::sqrt(2.0), 1.0}) * cell_;
-    if (normal.norm() > 0)
-      m.opening.direction = Eigen::Vector2d(-normal.y(), normal.x()).normalized();
+    m.opening.direction = directionOf(crossings, normal);
+    const std::array<std::uint32_t, 2> ends = endsOf(crossings, m.opening.direction);
+    const double chord =
+        m.opening.direction.dot(air_.columns().grid().centre(cellOfGap(ends[1])) -
+                                air_.columns().grid().centre(cellOfGap(ends[0])));
+    m.opening.width = std::max(chord + cell_, n / std::sqrt(2.0) * cell_);
     m.opening.dip = dip / n;
     m.opening.bottom = floor / n;
     m.opening.top = top / n;
@@ -467,12 +494,12 @@ private:
                                    std::max(beside_top / n - std::min(floor_a, floor_b),
                                             air_.columns().voxelHeight()),
                                0.0, 1.0);
-    const std::array<std::uint32_t, 2> ends = endsOf(crossings, m.opening.direction);
     m.has_ends =
         std::max(free_[ends[0]], free_[ends[1]]) * cell_ <= parameters_.end_reach;
     if (m.has_ends && m.opening.width <= parameters_.widest_passage) {
-      const Eigen::Vector2d into =
-          normal.norm() > 0 ? normal.normalized() : Eigen::Vector2d::Zero();
+      Eigen::Vector2d into(-m.opening.direction.y(), m.opening.direction.x());
+      if (into.dot(normal) < 0)
+        into = -into;
       m.jamb_a = jambOf(ends, m.opening.direction, -into, roomOf(crossings[0].from));
       m.jamb_b = jambOf(ends, m.opening.direction, into, roomOf(crossings[0].to));
     }
