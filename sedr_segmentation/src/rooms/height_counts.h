@@ -14,6 +14,12 @@ class HeightCounts {
 public:
   void add(double height) { ++bins_[std::lround(height / bin)]; }
 
+  void add(const HeightCounts& other)
+  {
+    for (const auto& [at, n] : other.bins_)
+      bins_[at] += n;
+  }
+
   /** @brief The lowest height around which at least `share` of all lie, metres. */
   double lowestOf(double share) const
   {

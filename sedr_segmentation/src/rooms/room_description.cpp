@@ -2,6 +2,7 @@
 #include "room_description.h"
 
 #include "height_counts.h"
+#include "wall_beside.h"
 
 #include <pcl/sedr_filters/parallel.h>
 
@@ -13,29 +14,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Whether a wall stands beside a gap where its air ends in direction d: in one
- * of the three columns there, or beside them. */
-bool
-hasWallBeside(const AirGaps& air, std::size_t g, int d)
-{
-  constexpr int depth = 3;
-  constexpr double least = 0.4; // of the upper two thirds: furniture hides the rest
-  const VoxelColumns& columns = air.columns();
-  const std::int32_t from = air[g].low + (air[g].high - air[g].low) / 3;
-  const std::int32_t to = air[g].high;
-  std::uint32_t column = air[g].column;
-  for (int step = 0; step < depth; ++step) {
-    column = columns.neighbour(column, d);
-    if (column == VoxelColumns::none)
-      return false;
-    for (const std::uint32_t c : {column, columns.neighbour(column, (d + 1) % 4),
-                                  columns.neighbour(column, (d + 3) % 4)})
-      if (c != VoxelColumns::none && air.occupiedShare(c, from, to) >= least)
-        return true;
-  }
-  return false;
-}
 
 /** @brief Tells the gaps of a room of whose ceiling the part that hangs together is
  * level, large enough to be a detail, and no thinner than what columns can show. */
@@ -131,7 +109,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
           for (int d = 0; d < 4; ++d)
             if (air.link(g, d) == AirGaps::none) {
               ++ends;
-              walled += hasWallBeside(air, g, d) ? 1 : 0;
+              walled += isWallBeside(air, g, d) ? 1 : 0;
             }
         }
         std::sort(room.columns.begin(), room.columns.end(),

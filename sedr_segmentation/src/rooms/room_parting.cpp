@@ -4,6 +4,7 @@
 #include "gap_distance.h"
 #include "height_counts.h"
 #include "reveals.h"
+#include "wall_beside.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -260,10 +261,12 @@ private:
     }
     countStacked();
     depth_.assign(area_.size(), 0);
+    floors_.assign(area_.size(), {});
     for (std::uint32_t g = 0; g < air_.size(); ++g)
       if (label_[g] != no_room) {
-        double& depth = depth_[static_cast<std::size_t>(label_[g])];
-        depth = std::max(depth, free_[g] * cell_);
+        const auto own = static_cast<std::size_t>(label_[g]);
+        depth_[own] = std::max<double>(depth_[own], free_[g] * cell_);
+        floors_[own].add(air_.columns().heightOf(air_[g].low));
       }
     sets_ = DisjointSets(area_.size());
     beside_.assign(area_.size(), {});
@@ -430,6 +433,29 @@ private:
     return end;
   }
 
+  /** @brief Whether walls stand beyond both ends of an opening, not stairs, drops or
+   * what was not seen. */
+  bool endsAtWalls(const std::array<std::uint32_t, 2>& ends,
+                   const Eigen::Vector2d& direction) const
+  {
+    const int reach = static_cast<int>(std::lround(parameters_.end_reach / cell_)) + 2;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
+      const Eigen::Vector2d from = air_.columns().grid().centre(cellOfGap(ends[end]));
+      bool is_wall = false;
+      for (int step = 0; step <= reach && !is_wall; ++step) {
+        const Eigen::Vector2d place = from + step * outwards;
+        is_wall = isWallAt(
+            air_,
+            air_.columns().columnAt(air_.columns().grid().at(place.x(), place.y())),
+            air_[ends[end]]);
+      }
+      if (!is_wall)
+        return false;
+    }
+    return true;
+  }
+
   /** @brief The direction along which most of an opening's crossings lie; for one or
    * two of them at a right angle to the way through. */
   Eigen::Vector2d directionOf(const std::vector<Crossing>& crossings,
@@ -489,13 +515,14 @@ private:
     m.opening.top = top / n;
     const double floor_a = floorBeside(crossings, true);
     const double floor_b = floorBeside(crossings, false);
-    m.floor_step = std::abs(floor_a - floor_b);
+    m.floor_step = std::min(std::abs(floor_a - floor_b),
+                            std::abs(floors_[roomOf(crossings[0].from)].highestCount() -
+                                     floors_[roomOf(crossings[0].to)].highestCount()));
     m.open_height = std::clamp((m.opening.top - std::max(floor_a, floor_b)) /
                                    std::max(beside_top / n - std::min(floor_a, floor_b),
                                             air_.columns().voxelHeight()),
                                0.0, 1.0);
-    m.has_ends =
-        std::max(free_[ends[0]], free_[ends[1]]) * cell_ <= parameters_.end_reach;
+    m.has_ends = endsAtWalls(ends, m.opening.direction);
     if (m.has_ends && m.opening.width <= parameters_.widest_passage) {
       Eigen::Vector2d into(-m.opening.direction.y(), m.opening.direction.x());
       if (into.dot(normal) < 0)
@@ -604,6 +631,7 @@ private:
     area_[a] += area_[b];
     depth_[a] = std::max(depth_[a], depth_[b]);
     ends_[a] += ends_[b];
+    floors_[a].add(floors_[b]);
     borders_.erase(joined);
     openness.erase(joined);
     std::vector<RoomPair> of_b;
@@ -669,9 +697,10 @@ private:
   std::vector<float> dip_;
   std::vector<float> free_; ///< distance from what ends the air, cells
   std::vector<std::int32_t> label_;
-  std::vector<double> area_;      ///< of each label, square metres
-  std::vector<std::size_t> ends_; ///< of each label: where its air ends at walls
-  std::vector<double> depth_;     ///< of each label: farthest from its rim, metres
+  std::vector<double> area_;         ///< of each label, square metres
+  std::vector<std::size_t> ends_;    ///< of each label: where its air ends at walls
+  std::vector<double> depth_;        ///< of each label: farthest from its rim, metres
+  std::vector<HeightCounts> floors_; ///< of each label
   std::map<RoomPair, Border> borders_;
   std::vector<std::set<std::uint32_t>> beside_; ///< rooms with a border, of each
   DisjointSets sets_{0};                        ///< of labels that were joined
