@@ -151,6 +151,23 @@ noRoomBecause(const BuildingRoom& room,
                   parameters.minimum_area, parameters.headroom);
     return text;
   }
+  constexpr double least_seen = 0.2; // of its floor and of its ceiling
+  std::size_t floor_seen = 0;
+  std::size_t ceiling_seen = 0;
+  for (const RoomColumn& column : room.columns) {
+    floor_seen += column.floor_seen ? 1 : 0;
+    ceiling_seen += column.ceiling_seen ? 1 : 0;
+  }
+  const std::size_t seen = std::min(floor_seen, ceiling_seen);
+  if (static_cast<double>(seen) <
+      least_seen * static_cast<double>(room.columns.size())) {
+    kind = LeftOutKind::Open;
+    std::snprintf(text, sizeof text, "only %.0f %% of its %s was seen",
+                  100 * static_cast<double>(seen) /
+                      static_cast<double>(room.columns.size()),
+                  seen == floor_seen ? "floor" : "ceiling");
+    return text;
+  }
   if (room.enclosure < parameters.minimum_enclosure) {
     kind = LeftOutKind::Open;
     std::snprintf(

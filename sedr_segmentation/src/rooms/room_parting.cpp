@@ -568,21 +568,25 @@ private:
     constexpr double cells_a_length = 1.2; // of a slanting line, in the mean
     double open = 0;
     double length = static_cast<double>(border.walls) * cell_ / cells_a_length;
-    bool is_door = true;
+    bool are_doors = true;
+    bool are_plain = true; // no wider than one door, below a lintel
     for (const auto& crossings : openingsOf(border)) {
       const Measured m = measure(crossings);
       length += m.opening.width;
       open += m.opening.width * m.open_height;
-      is_door = is_door && isDoor(m);
+      are_doors = are_doors && isDoor(m);
+      are_plain = are_plain && m.opening.width <= parameters_.widest_door &&
+                  m.opening.dip >= parameters_.least_lintel;
       if (m.floor_step > parameters_.same_floor && !isOnFurniture(pair))
         return 0;
     }
-    const double smaller = std::min(area_[pair.first], area_[pair.second]);
+    const auto [smaller, larger] = std::minmax(area_[pair.first], area_[pair.second]);
     if (open <= 0 || static_cast<double>(border.stacked) * cell_ * cell_ >
-                         parameters_.most_stacked * smaller)
+                         parameters_.most_stacked * larger)
       return 0;
     const double share = open / length;
-    const bool parts = is_door && smaller >= parameters_.smallest_room &&
+    const bool parts = are_doors && (are_plain || share <= parameters_.widest_share) &&
+                       smaller >= parameters_.smallest_room &&
                        openShare(pair.first) <= parameters_.most_open &&
                        openShare(pair.second) <= parameters_.most_open;
     return parts ? 0 : share;
@@ -662,11 +666,23 @@ private:
     beside_[b].clear();
   }
 
+  /** @brief Of the gaps of a column that are of one room the tallest stays: others are
+   * below its stairs or above its furniture. */
+  void keepHeightField(std::vector<std::int32_t>& room) const
+  {
+    for (std::uint32_t g = 0; g + 1 < air_.size(); ++g)
+      for (std::uint32_t o = g + 1; o < air_.size() && air_[o].column == air_[g].column;
+           ++o)
+        if (room[g] != no_room && room[g] == room[o])
+          room[air_.height(g) < air_.height(o) ? g : o] = no_room;
+  }
+
   PartedAir result()
   {
     PartedAir parted;
     parted.rooms = area_.size();
     parted.room = std::move(label_);
+    keepHeightField(parted.room);
     std::map<RoomPair, Border> borders;
     for (std::uint32_t g = 0; g < air_.size(); ++g)
       for (int d = 0; d < 4; ++d) {
