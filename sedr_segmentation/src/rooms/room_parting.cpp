@@ -660,10 +660,12 @@ private:
       }
       into.walls += moved.walls;
       into.stacked += moved.stacked;
-      const RoomPair with_a{std::min(a, other), std::max(a, other)};
-      openness[with_a] = opennessOf(with_a, into);
     }
     beside_[b].clear();
+    for (const std::uint32_t other : beside_[a]) {
+      const RoomPair pair{std::min(a, other), std::max(a, other)};
+      openness[pair] = opennessOf(pair, borders_[pair]);
+    }
   }
 
   /** @brief Of the gaps of a column that are of one room the tallest stays: others are

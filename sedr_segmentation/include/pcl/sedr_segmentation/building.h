@@ -21,7 +21,7 @@ struct BuildingParameters {
                              ///< twice that
   double headroom = 1.8;     ///< air as high as this is a room's
   double minimum_area = 1.0; ///< of a room with headroom, square metres
-  double minimum_enclosure = 0.25; ///< share of a room's outline at which walls stand
+  double minimum_enclosure = 0.15; ///< share of a room's outline at which walls stand
   double widest_door = 1.6;    ///< a wider opening parts two rooms only below a lintel
   double widest_passage = 4.0; ///< a wider one does not, whatever is above it
   double storey_step = 1.6;    ///< floors that differ by less may be of one storey
