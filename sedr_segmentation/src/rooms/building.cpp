@@ -26,6 +26,7 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
   constexpr double least_share = 0.5; // of the usual neighbours, for what is no stray
   constexpr int most = 4;             // neighbours: a surface's edge has five
   constexpr double widest_hole = 0.4; // metres: one does not walk through
+  constexpr int least_closed = 6;     // neighbours, once holes are closed
   VoxelColumns columns = fine.halved(threads);
   int usual = columns.usualCompany(threads);
   while (usual < filled && 2 * columns.cellSize() <= largest) {
@@ -36,6 +37,7 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
       std::clamp(static_cast<int>(std::lround(least_share * usual)), 1, most), threads);
   columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
                      threads);
+  columns.dropStrays(least_closed, threads);
   return columns;
 }
 
