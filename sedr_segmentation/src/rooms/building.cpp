@@ -17,7 +17,7 @@ namespace {
 constexpr double voxel_height = 0.05; // metres
 
 /** @brief Columns of twice the size, or of more where the scan is too sparse to fill
- * them, without what floats in the air and without holes that are none. */
+ * them, without what floats in the air. */
 VoxelColumns
 columnsThatFill(const VoxelColumns& fine, unsigned threads)
 {
@@ -25,8 +25,6 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
   constexpr double largest = 0.4;     // metres
   constexpr double least_share = 0.5; // of the usual neighbours, for what is no stray
   constexpr int most = 4;             // neighbours: a surface's edge has five
-  constexpr double widest_hole = 0.4; // metres: one does not walk through
-  constexpr int least_closed = 6;     // neighbours, once holes are closed
   VoxelColumns columns = fine.halved(threads);
   int usual = columns.usualCompany(threads);
   while (usual < filled && 2 * columns.cellSize() <= largest) {
@@ -35,9 +33,20 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
   }
   columns.dropStrays(
       std::clamp(static_cast<int>(std::lround(least_share * usual)), 1, most), threads);
+  return columns;
+}
+
+/** @brief The same with surfaces where a sparse scan shows dots, and without what is
+ * then still alone in the air. */
+VoxelColumns
+withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
+{
+  constexpr double widest_hole = 0.4; // metres: one does not walk through
+  constexpr int least_closed = 6;     // neighbours, where each column has its points
   columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
                      threads);
-  columns.dropStrays(least_closed, threads);
+  if (is_dense)
+    columns.dropStrays(least_closed, threads);
   return columns;
 }
 
@@ -125,7 +134,9 @@ findBuilding(const PointView& points,
   Building building;
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
-  const VoxelColumns columns = columnsThatFill(fine, parameters.threads);
+  const VoxelColumns seen = columnsThatFill(fine, parameters.threads);
+  const bool is_dense = seen.cellSize() < 3 * fine.cellSize();
+  const VoxelColumns columns = withHolesClosed(seen, is_dense, parameters.threads);
   building.cell_size = columns.cellSize();
   const AirGaps air(columns, airParameters(parameters, columns.cellSize()));
   PartingParameters of_parting;
@@ -134,7 +145,7 @@ findBuilding(const PointView& points,
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted), parameters, building);
+      keepRooms(describeRooms(air, parted, seen), parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

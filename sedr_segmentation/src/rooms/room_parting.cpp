@@ -149,6 +149,7 @@ struct Measured {
   RoomOpening opening;
   double jamb_a = 0; ///< how far the first room goes on beside one of its ends, metres
   double jamb_b = 0; ///< the same of the second
+  double beside = 0; ///< beside both ends together, of the room with more, metres
   double open_height = 0; ///< of the opening over that of the air beside it
   double floor_step = 0;  ///< between the floors beside it, metres
   bool has_ends = false;  ///< whether walls stand at both of its ends
@@ -386,27 +387,27 @@ private:
     return g != none && label_[g] != no_room && roomOf(g) == room;
   }
 
-  /** @brief How far a room goes on beside the ends of an opening, metres: behind the
-   * wall in which it is; the farther of both ends. */
-  double jambOf(const std::array<std::uint32_t, 2>& ends,
-                const Eigen::Vector2d& direction,
-                const Eigen::Vector2d& into,
-                std::uint32_t room)
+  /** @brief How far a room goes on beside each end of an opening, metres: behind the
+   * wall in which it is. */
+  std::array<double, 2> besideOf(const std::array<std::uint32_t, 2>& ends,
+                                 const Eigen::Vector2d& direction,
+                                 const Eigen::Vector2d& into,
+                                 std::uint32_t room)
   {
-    double farthest = 0;
-    for (int end = 0; end < 2; ++end)
-      for (int away = 1; away <= 5; ++away) { // columns from the middle of the wall
+    constexpr double reach = 2; // metres
+    constexpr int depth = 5;    // columns from the middle of the wall
+    std::array<double, 2> farthest{0, 0};
+    for (std::size_t end = 0; end < 2; ++end)
+      for (int away = 1; away <= depth; ++away) {
         const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
-        Eigen::Vector2d place = air_.columns().grid().centre(
-                                    cellOfGap(ends[static_cast<std::size_t>(end)])) +
-                                away * cell_ * into;
+        Eigen::Vector2d place =
+            air_.columns().grid().centre(cellOfGap(ends[end])) + away * cell_ * into;
         double length = -cell_; // the first step is the end itself
-        while (length < 2 * parameters_.jamb &&
-               isInRoom(place, ends[static_cast<std::size_t>(end)], room)) {
+        while (length < reach && isInRoom(place, ends[end], room)) {
           length += cell_;
           place += outwards;
         }
-        farthest = std::max(farthest, length);
+        farthest[end] = std::max(farthest[end], length);
       }
     return farthest;
   }
@@ -527,8 +528,12 @@ private:
       Eigen::Vector2d into(-m.opening.direction.y(), m.opening.direction.x());
       if (into.dot(normal) < 0)
         into = -into;
-      m.jamb_a = jambOf(ends, m.opening.direction, -into, roomOf(crossings[0].from));
-      m.jamb_b = jambOf(ends, m.opening.direction, into, roomOf(crossings[0].to));
+      const auto a =
+          besideOf(ends, m.opening.direction, -into, roomOf(crossings[0].from));
+      const auto b = besideOf(ends, m.opening.direction, into, roomOf(crossings[0].to));
+      m.jamb_a = std::max(a[0], a[1]);
+      m.jamb_b = std::max(b[0], b[1]);
+      m.beside = std::max(a[0] + a[1], b[0] + b[1]);
     }
     return m;
   }
@@ -570,13 +575,18 @@ private:
     double length = static_cast<double>(border.walls) * cell_ / cells_a_length;
     bool are_doors = true;
     bool are_plain = true; // no wider than one door, below a lintel
-    for (const auto& crossings : openingsOf(border)) {
+    bool have_lintels = true;
+    double beside = 0; // how far the wider room goes on beside a single opening
+    const auto openings = openingsOf(border);
+    for (const auto& crossings : openings) {
       const Measured m = measure(crossings);
       length += m.opening.width;
       open += m.opening.width * m.open_height;
       are_doors = are_doors && isDoor(m);
-      are_plain = are_plain && m.opening.width <= parameters_.widest_door &&
-                  m.opening.dip >= parameters_.least_lintel;
+      beside = openings.size() == 1 ? m.beside : 0;
+      have_lintels = have_lintels && m.opening.dip >= parameters_.least_lintel;
+      are_plain =
+          are_plain && have_lintels && m.opening.width <= parameters_.widest_door;
       if (m.floor_step > parameters_.same_floor && !isOnFurniture(pair))
         return 0;
     }
@@ -585,7 +595,10 @@ private:
                          parameters_.most_stacked * larger)
       return 0;
     const double share = open / length;
-    const bool parts = are_doors && (are_plain || share <= parameters_.widest_share) &&
+    const double of_width =
+        have_lintels ? open / std::max(length, open + beside) : share;
+    const bool parts = are_doors &&
+                       (are_plain || of_width <= parameters_.widest_share) &&
                        smaller >= parameters_.smallest_room &&
                        openShare(pair.first) <= parameters_.most_open &&
                        openShare(pair.second) <= parameters_.most_open;

@@ -29,7 +29,7 @@ struct PartingParameters {
   double deepest_shelf = 1.2; ///< what is higher and as deep is no floor
   double most_stacked = 0.1;  ///< share of the larger of two rooms that may lie above
                               ///< the other if they are one: stairs
-  double widest_share = 0.8;  ///< of what is between two rooms that is open, but for
+  double widest_share = 0.8;  ///< of the width of the wider room that is open, but for
                               ///< doors with a lintel
   double least_open = 0.5;    ///< share of the wall between that joins two rooms
   double most_open = 0.5;     ///< share of a room's outline that doors may be

@@ -158,21 +158,60 @@ TEST(AirGaps, TakeACeilingThatWasHiddenFromTheirNeighboursAndTellIt)
   EXPECT_TRUE(air.gaps[air.at(2, 2, 1)].ceiling_seen);
 }
 
-TEST(AirGaps, FillAPocketOfWhichNeitherFloorNorCeilingWasSeen)
+/** Two rooms above each other; in what was seen of the slab between them is a hole. */
+AirScene
+storeysWithHole(double edge_length)
 {
   AirScene scene;
-  const auto isSeen = [](double x, double y) {
-    return x < 2 || x > 2.3 || y < 1 || y > 1.3;
+  const auto isSeen = [&](double x, double y) {
+    return x < 2 || x > 2 + edge_length || y < 1 || y > 1 + edge_length;
   };
-  for (const double z : {0.01, 2.51})
-    scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), z, isSeen);
-  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, isSeen);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, isSeen);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
+  return scene;
+}
+
+TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)
+{
+  const AirScene scene = storeysWithHole(0.9);
   const SceneAir air(scene);
-  ASSERT_EQ(air.gaps.size(), columns_of_box);
-  const AirGap& pocket = air.gaps[air.at(2.15, 1.15, 1)];
-  EXPECT_FALSE(pocket.floor_seen || pocket.ceiling_seen);
-  EXPECT_EQ(pocket.low, 1);
-  EXPECT_EQ(pocket.high, 50);
+  ASSERT_EQ(air.gaps.size(), std::size_t{2} * 59 * 39);
+  const AirGap& lower = air.gaps[air.at(2.45, 1.45, 1)];
+  EXPECT_TRUE(lower.floor_seen);
+  EXPECT_FALSE(lower.ceiling_seen);
+  EXPECT_EQ(lower.high, 50);
+  const AirGap& upper = air.gaps[air.at(2.45, 1.45, 4)];
+  EXPECT_FALSE(upper.floor_seen);
+  EXPECT_TRUE(upper.ceiling_seen);
+  EXPECT_EQ(upper.low, 57);
+}
+
+TEST(AirGaps, AVoidOverTwoStoreysStaysOpen)
+{
+  const AirScene scene = storeysWithHole(1.9);
+  const SceneAir air(scene);
+  const AirGap& through = air.gaps[air.at(2.95, 1.95, 1)];
+  EXPECT_EQ(through.low, 1);
+  EXPECT_EQ(through.high, 106);
+  EXPECT_EQ(air.at(2.95, 1.95, 1), air.at(2.95, 1.95, 4));
+}
+
+TEST(AirGaps, TheVoidOfASlabIsNoAirThoughItsLowerSideHasAHole)
+{
+  const auto isSeen = [](double x, double y) {
+    return x < 2 || x > 2.6 || y < 1 || y > 1.6;
+  };
+  AirScene open;
+  open.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  open.points.slab(open.loop(0.05, 0.05, 4.05, 3.05), 2.51, isSeen);
+  open.slab(0.05, 0.05, 4.05, 3.05, 3.01); // above a suspended ceiling
+  open.sides(0.05, 0.05, 4.05, 3.05, 0.01, 3.01);
+  const SceneAir air(open);
+  EXPECT_EQ(air.gaps.size(), columns_of_box);
+  EXPECT_NEAR(air.gaps.voidArea(), columns_of_box * 0.01, 0.6);
 }
 
 TEST(AirGaps, LeaveAColumnOfTheBuildingEmptyThoughAirIsAroundIt)

@@ -212,7 +212,8 @@ TEST(VoxelColumns, StraysAHundredKilometresOffAreNoBurden)
     RoomPoints high;
     high.slab(rectangle(0, 0, 1, 1), off);
     high.point(0.5, 0.5, 0);
-    EXPECT_EQ(voxelsOf(columnsOf(high)).size(), 100u) << "a scan of a mountain's height";
+    EXPECT_EQ(voxelsOf(columnsOf(high)).size(), 100u)
+        << "a scan of a mountain's height";
   }
 }
 
@@ -228,6 +229,30 @@ TEST(VoxelColumns, AreTheSameForAnyNumberOfThreads)
                          static_cast<int>(std::floor(points[i].y() / cell)),
                          static_cast<int>(std::floor(points[i].z() / voxel_height))}),
               1u);
+}
+
+TEST(VoxelColumns, HolesNarrowerThanTheReachAreClosedAndWiderOnesAreNot)
+{
+  RoomPoints points(0.05);
+  const auto isSeen = [](double x, double y) {
+    const bool is_narrow = x > -1 && x < -0.6 && y > 0 && y < 2; // four columns
+    const bool is_wide = x > 1 && x < 1.6 && y > 0 && y < 0.6;   // six by six
+    return !is_narrow && !is_wide;
+  };
+  points.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01, isSeen);
+  for (const unsigned threads : {1u, 3u}) {
+    VoxelColumns columns = columnsOf(points);
+    const Voxels before = voxelsOf(columns);
+    ASSERT_EQ(before.count({-8, 10, 0}), 0u);
+    ASSERT_EQ(before.count({13, 3, 0}), 0u);
+    columns.closeHoles(4, threads);
+    const Voxels after = voxelsOf(columns);
+    EXPECT_EQ(after.count({-8, 10, 0}), 1u);
+    EXPECT_EQ(after.count({13, 3, 0}), 0u);
+    EXPECT_EQ(after.size(), before.size() + 4u * 20u) << "nothing grows outwards";
+    for (const auto& voxel : before)
+      ASSERT_EQ(after.count(voxel), 1u);
+  }
 }
 
 } // namespace

@@ -21,7 +21,7 @@ describe(const AirScene& scene)
   all.room.assign(air.gaps.size(), 0);
   all.rooms = 1;
   all.is_reveal.assign(air.gaps.size(), 0);
-  return describeRooms(air.gaps, all).at(0);
+  return describeRooms(air.gaps, all, air.columns).at(0);
 }
 
 /** Columns in a row, `n` of them. */
@@ -125,13 +125,13 @@ TEST(DescribeRooms, BelowARoofOnThreeWallsAsMuchIsOpenAsTheFourthIsLong)
 TEST(NoRoomBecause, OnlyPostsAreAroundIt)
 {
   AirScene scene;
-  scene.slab(0.05, 0.05, 4.05, 4.05, 0.01);
-  scene.slab(0.05, 0.05, 4.05, 4.05, 2.51);
-  for (const double x : {0.05, 3.85})
-    for (const double y : {0.05, 3.85})
+  scene.slab(0.05, 0.05, 16.05, 16.05, 0.01);
+  scene.slab(0.05, 0.05, 16.05, 16.05, 2.51);
+  for (const double x : {0.05, 15.85})
+    for (const double y : {0.05, 15.85})
       scene.sides(x, y, x + 0.2, y + 0.2, 0.01, 2.51);
   const BuildingRoom room = describe(scene);
-  EXPECT_LT(room.enclosure, 0.35);
+  EXPECT_LT(room.enclosure, 0.15);
   EXPECT_NE(reasonOf(room).find("% of its outline"), std::string::npos)
       << reasonOf(room);
   EXPECT_EQ(kindOf(room), LeftOutKind::Open);
@@ -152,21 +152,41 @@ TEST(NoRoomBecause, ItIsNowhereHighEnough)
 {
   BuildingRoom room;
   room.enclosure = 1;
-  addColumns(room, 500, 0, 1.7f);
+  addColumns(room, 200, 0, 1.7f);
   addColumns(room, 90, 0, 2);
   EXPECT_NE(reasonOf(room).find("headroom of 1.8 m"), std::string::npos);
   addColumns(room, 20, 0.8f, 2.5f); // above a table one could stand without it
   EXPECT_EQ(reasonOf(room), "");
 }
 
+TEST(NoRoomBecause, MostOfItIsTooLow)
+{
+  BuildingRoom room;
+  room.enclosure = 1;
+  addColumns(room, 1000, 0, 0.6f);
+  addColumns(room, 300, 0, 2.5f); // where the slab below was not seen
+  EXPECT_NE(reasonOf(room).find("headroom of 1.8 m"), std::string::npos);
+}
+
+TEST(NoRoomBecause, ItsCeilingWasHardlySeen)
+{
+  BuildingRoom room;
+  room.enclosure = 1;
+  addColumns(room, 400, 0, 2.5);
+  for (std::size_t k = 0; k < 330; ++k)
+    room.columns[k].ceiling_seen = false;
+  EXPECT_EQ(reasonOf(room), "only 18 % of its ceiling was seen");
+  EXPECT_EQ(kindOf(room), LeftOutKind::Open);
+}
+
 TEST(NoRoomBecause, TooLittleOfItsOutlineIsWalled)
 {
   BuildingRoom room;
   addColumns(room, 500, 0, 2.5);
-  room.enclosure = 0.41;
+  room.enclosure = 0.16;
   EXPECT_EQ(reasonOf(room), "");
-  room.enclosure = 0.39;
-  EXPECT_NE(reasonOf(room).find("39 %"), std::string::npos) << reasonOf(room);
+  room.enclosure = 0.14;
+  EXPECT_NE(reasonOf(room).find("14 %"), std::string::npos) << reasonOf(room);
 }
 
 } // namespace
