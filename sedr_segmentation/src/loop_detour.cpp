@@ -338,7 +338,7 @@ tryDetour(LoopChain& chain,
           const LoopParameters& parameters)
 {
   const PathCost::Zone zone =
-      cost.zoneAround(window.middle, window.radius, window.rest);
+      cost.zoneAround(window.middle, window.radius, restOf(chain, window));
   DetourSearch search(chain, window, cost, zone,
                       linesOf(chain, window, cost, zone, guides), parameters);
   return search.run(cost.of(window.path, zone) - least_gain) &&

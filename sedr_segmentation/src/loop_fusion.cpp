@@ -118,7 +118,7 @@ tryFusion(LoopChain& chain,
   const LoopLink& before = chain.links[window.before];
   const LoopLink& after = chain.links[window.after];
   const PathCost::Zone zone =
-      cost.zoneAround(window.middle, window.radius, window.rest);
+      cost.zoneAround(window.middle, window.radius, restOf(chain, window));
   double best = cost.of(window.path, zone) - least_gain;
   bool is_found = false;
   LoopLink fused;

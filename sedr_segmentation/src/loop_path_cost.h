@@ -47,12 +47,12 @@ public:
   /** @brief A part of the points about a place. */
   struct Zone {
     std::vector<Eigen::Vector2d> points;
-    std::vector<double> from_rest; ///< distance of each from the rest of the loop
+    std::vector<double> from_rest; ///< of each, from what else explains it; metres
     double density = 0;            ///< of these points along a wall, a metre
   };
 
-  /** @brief `rest`: elements of the loop that are not judged. What they explain, no
-   * path has to. */
+  /** @param rest elements of the loop that are not judged: what they explain, no path
+   * has to */
   Zone zoneAround(const Eigen::Vector2d& middle,
                   double radius,
                   const std::vector<PlanElement>& rest) const;
@@ -74,15 +74,25 @@ public:
   double
   ofPoints(const std::vector<PlanElement>& path, const Zone& zone, double limit) const;
 
-  /** @brief Cost of a whole loop by all points. */
-  double ofLoop(const PlanLoop& loop) const;
+  /** @brief What a loop costs more by all points once some of its elements are
+   * replaced. Only the points near these are looked at. */
+  double ofChange(const std::vector<PlanElement>& before,
+                  const std::vector<PlanElement>& after,
+                  const std::vector<PlanElement>& rest) const;
 
   /** @brief What the points of the zone cost on the nearest of some curves, at least.
    */
   double least(const std::vector<PlanCurve>& curves, const Zone& zone) const;
 
 private:
-  Zone zoneOf(const std::vector<Eigen::Vector2d>& all, std::size_t most_points) const;
+  /** @brief The points that one of the elements explains, in part at least. */
+  Zone zoneAlong(const std::vector<PlanElement>& elements) const;
+
+  /** @brief Elements of `all` that may explain a point within `radius` of `middle`. */
+  void appendNear(const std::vector<PlanElement>& all,
+                  const Eigen::Vector2d& middle,
+                  double radius,
+                  std::vector<PlanElement>& near) const;
 
   /** @brief What a point costs at a distance, 0 to 1. */
   double missed(double squared_distance) const;

@@ -25,7 +25,6 @@ struct Window {
   PlanElement lead_in;           ///< the end of the link before
   PlanElement lead_out;          ///< the begin of the link after
   std::vector<PlanElement> path; ///< from lead_in to lead_out
-  std::vector<PlanElement> rest; ///< all of the loop that is not on the path
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double radius = 0;
 };
@@ -33,6 +32,9 @@ struct Window {
 /** @brief The window of the `inner` links that follow link `before`; there must be at
  * least two more in the chain. */
 Window windowOf(const LoopChain& chain, std::size_t before, std::size_t inner);
+
+/** @brief All of the loop that is not on the path of a window. */
+std::vector<PlanElement> restOf(const LoopChain& chain, const Window& window);
 
 /** @brief Whether an element runs the way its link does, and not around. */
 bool runsForward(const LoopLink& link, const PlanElement& e, double least_length);

@@ -27,6 +27,14 @@ public:
   template <typename Visitor>
   void forEachWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
   {
+    forEachIndexWithin(p, radius, [&](std::size_t k) { visit(points_[k]); });
+  }
+
+  /** @brief As forEachWithin(), but calls `visit` with the place of the point in all().
+   */
+  template <typename Visitor>
+  void forEachIndexWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
+  {
     if (points_.empty() || !grid_.holds(p.x(), p.y()))
       return;
     const Cell low = grid_.at(p.x() - radius, p.y() - radius);
@@ -37,7 +45,7 @@ public:
            i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
           if ((points_[k] - p).squaredNorm() <= radius * radius)
-            visit(points_[k]);
+            visit(k);
     }
   }
 
