@@ -178,6 +178,8 @@ public:
     for (const auto& c : curves_)
       all.push_back(c.curve);
     floor_ = cost.least(all, zone);
+    for (const auto& curve : all)
+      zones_.push_back(cost.zoneOn(curve, zone));
   }
 
   /** @brief Finds the cheapest way that costs less than `limit`. Not among points all
@@ -273,7 +275,8 @@ private:
     const bool is_line = i > 0 && i + 1 < curves_.size();
     const bool is_forward =
         is_line ? e.length() >= shortest : runsForward(curves_[i], e, 1e-4);
-    it->second = is_forward ? cost_.ofElement(e, zone_)
+    // A way with a piece that costs more than is left will not become the best.
+    it->second = is_forward ? cost_.ofElement(e, zones_[i], best_ - floor_)
                             : std::numeric_limits<double>::infinity();
     return it->second;
   }
@@ -285,6 +288,8 @@ private:
     const std::size_t last = curves_.size() - 1;
     const std::size_t i = trial_.back();
     const std::size_t h = trial_.size() > 1 ? trial_[trial_.size() - 2] : 0;
+    if (floor_ + spent + 2 * PathCost::per_element >= best_)
+      return;
     for (std::size_t j = trial_.size() <= most_lines ? 1 : last; j <= last; ++j) {
       if (!corner(i, j).exists ||
           std::find(trial_.begin(), trial_.end(), j) != trial_.end())
@@ -319,6 +324,7 @@ private:
   const Window& window_;
   const PathCost& cost_;
   const PathCost::Zone& zone_;
+  std::vector<PathCost::Zone> zones_; ///< of each curve, the points on it
   std::vector<LoopLink> curves_;
   std::vector<Corner> corners_; ///< of curves i and j at i * n + j
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> piece_costs_;
@@ -334,11 +340,10 @@ bool
 tryDetour(LoopChain& chain,
           const Window& window,
           const PathCost& cost,
+          const PathCost::Zone& zone,
           const Guides& guides,
           const LoopParameters& parameters)
 {
-  const PathCost::Zone zone =
-      cost.zoneAround(window.middle, window.radius, restOf(chain, window));
   DetourSearch search(chain, window, cost, zone,
                       linesOf(chain, window, cost, zone, guides), parameters);
   return search.run(cost.of(window.path, zone) - least_gain) &&

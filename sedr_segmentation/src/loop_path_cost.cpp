@@ -22,15 +22,6 @@ placesOf(const std::vector<ContourSample>& samples, bool are_supported)
   return {std::move(places), 0.1};
 }
 
-/** @brief Whether any of the points is within `radius` of `p`. */
-bool
-isNear(const PlanPoints& points, const Eigen::Vector2d& p, double radius)
-{
-  bool is_near = false;
-  points.forEachWithin(p, radius, [&](const Eigen::Vector2d&) { is_near = true; });
-  return is_near;
-}
-
 /** @brief An element made ready for many distances. */
 class Reach {
 public:
@@ -287,16 +278,34 @@ PathCost::astray(const PlanElement& e) const
   for (std::size_t k = 0; k < parts; ++k) {
     const Eigen::Vector2d p =
         e.pointAt(length * (static_cast<double>(k) + 0.5) / static_cast<double>(parts));
-    if (!isNear(shown_, p, reach_) && !isNear(hidden_, p, hidden_reach))
+    if (!shown_.hasWithin(p, reach_) && !hidden_.hasWithin(p, hidden_reach))
       ++count;
   }
   return length * static_cast<double>(count) / static_cast<double>(parts);
 }
 
-double
-PathCost::ofElement(const PlanElement& e, const Zone& zone) const
+PathCost::Zone
+PathCost::zoneOn(const PlanCurve& curve, const Zone& zone) const
 {
-  return unseen(e, zone) + astray(e) + simplicity(e);
+  // An element ends up to a quarter of the tolerance beside its curve: see findCorner().
+  Zone on_curve;
+  on_curve.density = zone.density;
+  for (std::size_t i = 0; i < zone.points.size(); ++i)
+    if (curve.distance(zone.points[i]) <= 2 * tolerance_) {
+      on_curve.points.push_back(zone.points[i]);
+      on_curve.from_rest.push_back(zone.from_rest[i]);
+    }
+  return on_curve;
+}
+
+double
+PathCost::ofElement(const PlanElement& e, const Zone& zone, double limit) const
+{
+  const double least = simplicity(e);
+  if (least >= limit)
+    return least;
+  const double cost = unseen(e, zone);
+  return cost + least >= limit ? cost + least : cost + astray(e) + least;
 }
 
 std::vector<double>

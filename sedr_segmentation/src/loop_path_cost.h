@@ -4,6 +4,7 @@
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -61,9 +62,17 @@ public:
    * do not explain. */
   double of(const std::vector<PlanElement>& path, const Zone& zone) const;
 
+  /** @brief The points of a zone that an element along `curve` can explain: all that
+   * ofElement() asks for. */
+  Zone zoneOn(const PlanCurve& curve, const Zone& zone) const;
+
   /** @brief What an element costs whatever else is on the path: what no points show of
-   * it, and where it is farther from the contour than walls are. */
-  double ofElement(const PlanElement& e, const Zone& zone) const;
+   * it, and where it is farther from the contour than walls are; some number from
+   * `limit` on where it is more than that. */
+  double
+  ofElement(const PlanElement& e,
+            const Zone& zone,
+            double limit = std::numeric_limits<double>::infinity()) const;
 
   /** @brief What each point of the zone costs with a path, 0 to 1. */
   std::vector<double> pointCosts(const std::vector<PlanElement>& path,

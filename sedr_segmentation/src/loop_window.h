@@ -55,10 +55,11 @@ struct Guides {
 };
 
 /** @brief Tries other ways around the links of a window, along known lines and lines of
- * the given directions; whether it found one. */
+ * the given directions; whether it found one. `zone`: what is around the window. */
 bool tryDetour(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
+               const PathCost::Zone& zone,
                const Guides& guides,
                const LoopParameters& parameters);
 
@@ -67,10 +68,11 @@ bool tryDetour(LoopChain& chain,
 using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
 
 /** @brief Tries one line or arc in place of a window's inner links; whether it found
- * one. `memo` is of this evidence, these guides and parameters only. */
+ * one. `zone`: what is around the window. `memo` is of this evidence, these guides and parameters only. */
 bool tryFusion(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
+               const PathCost::Zone& zone,
                const PlanPoints& evidence,
                const Guides& guides,
                const LoopParameters& parameters,

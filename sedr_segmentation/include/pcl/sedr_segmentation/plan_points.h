@@ -35,8 +35,27 @@ public:
   template <typename Visitor>
   void forEachIndexWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
   {
+    visitWithin(p, radius, [&](std::size_t k) {
+      visit(k);
+      return true;
+    });
+  }
+
+  /** @brief Whether there is a point within `radius` of `p`. */
+  bool hasWithin(const Eigen::Vector2d& p, double radius) const
+  {
+    return !visitWithin(p, radius, [](std::size_t) { return false; });
+  }
+
+private:
+  /** @brief Calls `visit` with the place of every point within `radius` of `p` until it
+   * returns false.
+   * @return whether it never did */
+  template <typename Visitor>
+  bool visitWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
+  {
     if (points_.empty() || !grid_.holds(p.x(), p.y()))
-      return;
+      return true;
     const Cell low = grid_.at(p.x() - radius, p.y() - radius);
     const Cell high = grid_.at(p.x() + radius, p.y() + radius);
     for (std::int32_t y = low.y; y <= high.y; ++y) {
@@ -44,12 +63,12 @@ public:
       for (std::size_t i = cells_.firstFrom({low.x, y});
            i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-          if ((points_[k] - p).squaredNorm() <= radius * radius)
-            visit(k);
+          if ((points_[k] - p).squaredNorm() <= radius * radius && !visit(k))
+            return false;
     }
+    return true;
   }
 
-private:
   CellGrid grid_;
   std::vector<Eigen::Vector2d> points_; ///< sorted by cell
   CellSet cells_;
