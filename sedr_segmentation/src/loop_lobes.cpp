@@ -4,8 +4,6 @@
 #include <pcl/sedr_segmentation/contour.h>
 #include <pcl/sedr_segmentation/plan_curve.h>
 
-#include <Eigen/Geometry>
-
 #include <optional>
 
 namespace pcl {
@@ -36,24 +34,6 @@ areNeighboursAt(const PlanLoop& loop, const Crossing& c)
   return isCorner(c.first, c.second) || isCorner(c.second, c.first);
 }
 
-using Box = Eigen::AlignedBox2d;
-
-/** @brief A box that holds an element; of an arc, that of its circle. */
-Box
-boxAround(const PlanElement& e)
-{
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(2 * exactness);
-  Box box;
-  if (e.isArc()) {
-    const Eigen::Vector2d radius = Eigen::Vector2d::Constant(e.radius);
-    box.extend(e.centre - radius - margin).extend(e.centre + radius + margin);
-    return box;
-  }
-  box.extend(e.start - margin).extend(e.start + margin);
-  box.extend(e.end - margin).extend(e.end + margin);
-  return box;
-}
-
 /** @brief The crossing with the smallest lobe. */
 std::optional<Crossing>
 smallestLobe(const PlanLoop& loop)
@@ -62,13 +42,13 @@ smallestLobe(const PlanLoop& loop)
   std::vector<double> from(elements.size() + 1, 0);
   for (std::size_t i = 0; i < elements.size(); ++i)
     from[i + 1] = from[i] + elements[i].length();
-  std::vector<Box> boxes;
+  std::vector<Eigen::AlignedBox2d> boxes;
   for (const auto& e : elements)
     boxes.push_back(boxAround(e));
   std::optional<Crossing> smallest;
   for (std::size_t a = 0; a < elements.size(); ++a)
     for (std::size_t b = a + 1; b < elements.size(); ++b) {
-      if (!boxes[a].intersects(boxes[b]))
+      if (boxes[a].exteriorDistance(boxes[b]) > 2 * exactness)
         continue;
       for (const auto& at :
            intersections(carrierOf(elements[a]), carrierOf(elements[b]))) {
