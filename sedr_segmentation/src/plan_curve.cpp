@@ -119,16 +119,6 @@ carrierOf(const PlanElement& element)
   return curve;
 }
 
-Eigen::AlignedBox2d
-boxAround(const PlanElement& element)
-{
-  if (!element.isArc())
-    return Eigen::AlignedBox2d(element.start.cwiseMin(element.end),
-                               element.start.cwiseMax(element.end));
-  const Eigen::Vector2d radius = Eigen::Vector2d::Constant(element.radius);
-  return {element.centre - radius, element.centre + radius};
-}
-
 PlanCurve
 circleThrough(const Eigen::Vector2d& a,
               const Eigen::Vector2d& b,

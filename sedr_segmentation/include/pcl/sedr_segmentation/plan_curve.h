@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -61,9 +60,6 @@ PlanCurve lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 /** @brief The line or circle that an element is a part of. */
 PlanCurve carrierOf(const PlanElement& element);
-
-/** @brief A box that holds an element; of an arc, that of its whole circle. */
-Eigen::AlignedBox2d boxAround(const PlanElement& element);
 
 /** @brief The circle through three points; radius 0 (a line) where they are on one. */
 PlanCurve circleThrough(const Eigen::Vector2d& a,
