@@ -216,17 +216,16 @@ PathCost::missed(double squared_distance) const
   return std::min(1.0, squared_distance / (tolerance_ * tolerance_));
 }
 
-double
-PathCost::least(const std::vector<PlanCurve>& curves, const Zone& zone) const
+std::vector<double>
+PathCost::pointCostsOn(const PlanCurve& curve, const Zone& zone) const
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < zone.points.size(); ++i) {
-    double nearest = zone.from_rest[i];
-    for (const auto& curve : curves)
-      nearest = std::min(nearest, curve.distance(zone.points[i]));
-    sum += missed(nearest * nearest);
+  std::vector<double> costs;
+  costs.reserve(zone.points.size());
+  for (const auto& p : zone.points) {
+    const double d = curve.distance(p);
+    costs.push_back(missed(d * d));
   }
-  return sum / zone.density;
+  return costs;
 }
 
 double

@@ -89,9 +89,8 @@ public:
                   const std::vector<PlanElement>& after,
                   const std::vector<PlanElement>& rest) const;
 
-  /** @brief What the points of the zone cost on the nearest of some curves, at least.
-   */
-  double least(const std::vector<PlanCurve>& curves, const Zone& zone) const;
+  /** @brief What each point of the zone costs on a curve at least, 0 to 1. */
+  std::vector<double> pointCostsOn(const PlanCurve& curve, const Zone& zone) const;
 
 private:
   /** @brief The points that one of the elements explains, in part at least. */

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -39,6 +40,23 @@ public:
       visit(k);
       return true;
     });
+  }
+
+  /** @brief Calls `visit(point)` for every point in the cells that a box meets: those
+   * in it, and some beside it. */
+  template <typename Visitor>
+  void forEachIn(const Eigen::AlignedBox2d& box, Visitor visit) const
+  {
+    if (points_.empty() || !grid_.holds(box.min().x(), box.min().y()) ||
+        !grid_.holds(box.max().x(), box.max().y()))
+      return;
+    const Cell low = grid_.at(box.min().x(), box.min().y());
+    const Cell high = grid_.at(box.max().x(), box.max().y());
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+      for (std::size_t i = cells_.firstFrom({low.x, y});
+           i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+          visit(points_[k]);
   }
 
   /** @brief Whether there is a point within `radius` of `p`. */
