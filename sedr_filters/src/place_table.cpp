@@ -17,8 +17,7 @@ PlaceTable::addAlong(const PlanElement& element, double reach, std::uint32_t num
 {
   constexpr double rounding = 1e-6; // metres
   const double step = table_.grid().size();
-  const Eigen::Vector2d margin =
-      Eigen::Vector2d::Constant(reach + step / 2 + rounding);
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(reach + step / 2 + rounding);
   const double length = element.length();
   for (double s = 0; s < length + step; s += step) {
     const Eigen::Vector2d p = element.pointAt(std::min(s, length));

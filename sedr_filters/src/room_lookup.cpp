@@ -24,7 +24,8 @@ LoopLookup::LoopLookup(const PlanLoop& loop)
   high_ = all.max().y();
   if (!std::isfinite(high_ - low_))
     return;
-  const double count = std::clamp(std::ceil((high_ - low_) / usual_band), 1.0, most_bands);
+  const double count =
+      std::clamp(std::ceil((high_ - low_) / usual_band), 1.0, most_bands);
   band_ = std::max(1e-9, (high_ - low_) / count);
   bands_.resize(static_cast<std::size_t>(count) + 1);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -89,9 +90,8 @@ RoomLookup::contains(const Eigen::Vector2d& p) const
   if (!boundary_.contains(p))
     return false;
   const CellTable::Numbers near = columns_.at(p);
-  return std::none_of(near.begin(), near.end(), [&](std::uint32_t c) {
-    return room_->columns[c].contains(p);
-  });
+  return std::none_of(near.begin(), near.end(),
+                      [&](std::uint32_t c) { return room_->columns[c].contains(p); });
 }
 
 int

@@ -51,7 +51,8 @@ covarianceOf(const MeasuredCurve& m)
   return covariance;
 }
 
-/** @brief A root of a curve's covariance: the covariance is this times its transpose. */
+/** @brief A root of a curve's covariance: the covariance is this times its transpose.
+ */
 Eigen::Matrix3d
 spreadOf(const MeasuredCurve& m)
 {
@@ -81,8 +82,7 @@ struct TieRow {
 /** @brief Solves the equations of ties for the least step, again and again. */
 class TieSolver {
 public:
-  TieSolver(const std::vector<MeasuredCurve>& curves,
-            const std::vector<CurveTie>& ties)
+  TieSolver(const std::vector<MeasuredCurve>& curves, const std::vector<CurveTie>& ties)
       : curves_(curves)
       , ties_(ties)
       , step_(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(curves.size())))

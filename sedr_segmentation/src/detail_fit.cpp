@@ -231,8 +231,8 @@ fitDetails(const PointView& points,
     return boxes[static_cast<std::size_t>(order[k])];
   };
   // A detail is fitted after the larger ones near it, side by side with all others.
-  const std::vector<std::vector<std::size_t>> larger = overlapsBefore(
-      order.size(), [&](std::size_t k) {
+  const std::vector<std::vector<std::size_t>> larger =
+      overlapsBefore(order.size(), [&](std::size_t k) {
         return grown(boxOfRank(k), cellsFor(detail_reach, grid.size()));
       });
   std::vector<PlanDetail> fitted(order.size());

@@ -367,7 +367,7 @@ private:
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> piece_costs_;
   std::vector<std::vector<double>> costs_on_; ///< of the points, on each curve
   std::vector<std::vector<double>> least_; ///< of the points, on the first of a trial
-  double floor_ = 0; ///< what the points cost whatever the way
+  double floor_ = 0;                       ///< what the points cost whatever the way
   double best_ = 0;
   std::vector<std::size_t> trial_;
   std::vector<std::size_t> best_trial_;

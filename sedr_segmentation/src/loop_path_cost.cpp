@@ -146,8 +146,7 @@ PathCost::zoneAlong(const std::vector<PlanElement>& elements) const
     const double parts = std::ceil(length / stretch) + 1;
     for (double k = 0.5; k < parts; ++k)
       evidence_.forEachIndexWithin(e.pointAt(k / parts * length),
-                                   length / parts / 2 + tolerance_,
-                                   [&](std::size_t i) {
+                                   length / parts / 2 + tolerance_, [&](std::size_t i) {
                                      if (i % step == 0)
                                        indices.push_back(i);
                                    });
@@ -286,7 +285,8 @@ PathCost::astray(const PlanElement& e) const
 PathCost::Zone
 PathCost::zoneOn(const PlanCurve& curve, const Zone& zone) const
 {
-  // An element ends up to a quarter of the tolerance beside its curve: see findCorner().
+  // An element ends up to a quarter of the tolerance beside its curve: see
+  // findCorner().
   Zone on_curve;
   on_curve.density = zone.density;
   for (std::size_t i = 0; i < zone.points.size(); ++i)

@@ -69,10 +69,9 @@ public:
   /** @brief What an element costs whatever else is on the path: what no points show of
    * it, and where it is farther from the contour than walls are; some number from
    * `limit` on where it is more than that. */
-  double
-  ofElement(const PlanElement& e,
-            const Zone& zone,
-            double limit = std::numeric_limits<double>::infinity()) const;
+  double ofElement(const PlanElement& e,
+                   const Zone& zone,
+                   double limit = std::numeric_limits<double>::infinity()) const;
 
   /** @brief What each point of the zone costs with a path, 0 to 1. */
   std::vector<double> pointCosts(const std::vector<PlanElement>& path,

@@ -107,8 +107,8 @@ replaceLinks(LoopChain& chain,
   }
   const LoopLink& before = chain.links[window.before];
   const LoopLink& after = chain.links[window.after];
-  std::vector<PlanElement> becomes{LoopChain::elementBetween(
-      before, chain.corners[window.before], corners.front())};
+  std::vector<PlanElement> becomes{
+      LoopChain::elementBetween(before, chain.corners[window.before], corners.front())};
   for (std::size_t k = 0; k < links.size(); ++k)
     becomes.push_back(LoopChain::elementBetween(links[k], corners[k], corners[k + 1]));
   becomes.push_back(LoopChain::elementBetween(

@@ -68,7 +68,8 @@ bool tryDetour(LoopChain& chain,
 using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
 
 /** @brief Tries one line or arc in place of a window's inner links; whether it found
- * one. `zone`: what is around the window. `memo` is of this evidence, these guides and parameters only. */
+ * one. `zone`: what is around the window. `memo` is of this evidence, these guides and
+ * parameters only. */
 bool tryFusion(LoopChain& chain,
                const Window& window,
                const PathCost& cost,

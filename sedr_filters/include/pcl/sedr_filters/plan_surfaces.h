@@ -85,8 +85,8 @@ bool snapToRoom(const PlanRoom& room,
                 double farthest,
                 SurfacePoint& snapped);
 
-/** @brief The structure of a room made ready for snapToRoom() of many points: each looks
- * at the surfaces near it only. */
+/** @brief The structure of a room made ready for snapToRoom() of many points: each
+ * looks at the surfaces near it only. */
 class RoomSurfaces {
 public:
   /** @param room must stay as and where it is
