@@ -48,22 +48,9 @@ PlanLoop::length() const
 bool
 PlanLoop::contains(const Eigen::Vector2d& p) const
 {
-  // The chords give a winding number; a circular segment between arc and chord corrects
-  // it.
   int winding = 0;
-  for (const auto& e : elements) {
-    const double side = cross(e.end - e.start, p - e.start);
-    const bool starts_below = e.start.y() <= p.y();
-    const bool ends_below = e.end.y() <= p.y();
-    if (starts_below && !ends_below && side > 0)
-      ++winding;
-    else if (!starts_below && ends_below && side < 0)
-      --winding;
-    if (!e.isArc() || (p - e.centre).norm() >= e.radius)
-      continue;
-    if (isWhole(e) || (e.counter_clockwise ? side < 0 : side > 0))
-      winding += e.counter_clockwise ? 1 : -1;
-  }
+  for (const auto& e : elements)
+    winding += windingOf(e, p);
   return winding != 0;
 }
 

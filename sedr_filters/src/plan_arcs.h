@@ -21,5 +21,26 @@ isWhole(const PlanElement& arc)
   return (arc.start - arc.end).norm() <= 1e-9 * std::max(1.0, arc.radius);
 }
 
+/** @brief What an element adds to the winding number of its loop around `p`. */
+inline int
+windingOf(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  // The chords give a winding number; a circular segment between arc and chord corrects
+  // it.
+  int winding = 0;
+  const double side = cross(e.end - e.start, p - e.start);
+  const bool starts_below = e.start.y() <= p.y();
+  const bool ends_below = e.end.y() <= p.y();
+  if (starts_below && !ends_below && side > 0)
+    ++winding;
+  else if (!starts_below && ends_below && side < 0)
+    --winding;
+  if (!e.isArc() || (p - e.centre).norm() >= e.radius)
+    return winding;
+  if (isWhole(e) || (e.counter_clockwise ? side < 0 : side > 0))
+    winding += e.counter_clockwise ? 1 : -1;
+  return winding;
+}
+
 } // namespace sedr
 } // namespace pcl

@@ -133,5 +133,18 @@ PlanElement::areaUnder() const
   return area;
 }
 
+Eigen::AlignedBox2d
+boxAround(const PlanElement& element)
+{
+  Eigen::AlignedBox2d box(element.start.cwiseMin(element.end),
+                          element.start.cwiseMax(element.end));
+  if (element.isArc()) {
+    const Eigen::Vector2d radius = Eigen::Vector2d::Constant(element.radius);
+    box.extend(element.centre - radius);
+    box.extend(element.centre + radius);
+  }
+  return box;
+}
+
 } // namespace sedr
 } // namespace pcl

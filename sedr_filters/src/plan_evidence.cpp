@@ -82,8 +82,10 @@ public:
         continue;
       const Eigen::Vector2d place = surface.element->pointAt(s);
       const auto rows = partsOf(span.high - span.low);
+      const Eigen::Vector3d normal = surface.normalAt(s);
+      const double floor = room_.floorAt(place);
       for (std::size_t r = 0; r < rows; ++r) {
-        Cell cell{{}, surface.normalAt(s), room_.floorAt(place), span};
+        Cell cell{{}, normal, floor, span};
         cell.middle << place, span.low + (span.high - span.low) *
                                              (static_cast<double>(r) + 0.5) /
                                              static_cast<double>(rows);
@@ -143,7 +145,7 @@ private:
     return false;
   }
 
-  const PlanRoom& room_;
+  RoomLookup room_;
   const PointCubes& points_;
   double tolerance_;
 };

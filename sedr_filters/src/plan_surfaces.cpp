@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -31,21 +32,22 @@ sidesOf(const PlanElement& element, double s)
 /** @brief Heights of a wall or a column's face: from whatever floor is there to
  * whatever ceiling is. */
 UprightSpan
-wallSpan(const PlanRoom& room, const Sides& at)
+wallSpan(const RoomLookup& room, const Sides& at)
 {
-  const double floor = room.floorSlab(room.floorDetailAt(at.left)).heightAt(at.place);
+  const double floor =
+      room.room().floorSlab(room.floorDetailAt(at.left)).heightAt(at.place);
   return {floor, room.ceilingAt(at.left), true};
 }
 
 /** @brief The part of a wall below a niche, or above it, where there is one. */
 UprightSpan
-wallBesideNiche(const PlanRoom& room, const Sides& at, bool is_above)
+wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
 {
   UprightSpan span = wallSpan(room, at);
   const int n = room.nicheAt(at.right);
   if (n < 0)
     return is_above ? UprightSpan{} : span;
-  const PlanNiche& niche = room.niches[static_cast<std::size_t>(n)];
+  const PlanNiche& niche = room.room().niches[static_cast<std::size_t>(n)];
   if (is_above)
     span.low = std::max(span.low, niche.top.heightAt(at.place));
   else
@@ -57,7 +59,7 @@ wallBesideNiche(const PlanRoom& room, const Sides& at, bool is_above)
  * edge. An edge between two details belongs to the later one; an edge on a wall is no
  * riser. */
 UprightSpan
-ceilingRiserSpan(const PlanRoom& room, const Sides& at, int detail)
+ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
   if (!room.contains(at.left) || !room.contains(at.right) ||
       std::max(room.detailAt(at.left), room.detailAt(at.right)) != detail)
@@ -69,7 +71,7 @@ ceilingRiserSpan(const PlanRoom& room, const Sides& at, int detail)
 
 /** @brief Likewise of the floor: the room is on the side of the lower one. */
 UprightSpan
-floorRiserSpan(const PlanRoom& room, const Sides& at, int detail)
+floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
   if (!room.contains(at.left) || !room.contains(at.right) ||
       std::max(room.floorDetailAt(at.left), room.floorDetailAt(at.right)) != detail)
@@ -82,11 +84,11 @@ floorRiserSpan(const PlanRoom& room, const Sides& at, int detail)
 /** @brief Heights of a side of a niche; where the room is on the other side, the niche
  * is open. */
 UprightSpan
-nicheSpan(const PlanRoom& room, const Sides& at, int part)
+nicheSpan(const RoomLookup& room, const Sides& at, int part)
 {
-  if (room.boundary.contains(at.right))
+  if (room.isWithinBoundary(at.right))
     return {};
-  const PlanNiche& niche = room.niches[static_cast<std::size_t>(part)];
+  const PlanNiche& niche = room.room().niches[static_cast<std::size_t>(part)];
   return {niche.bottom.heightAt(at.place), niche.top.heightAt(at.place), true};
 }
 
@@ -137,17 +139,17 @@ UprightSurface::spanAt(double s) const
   const Sides at = sidesOf(*element, s);
   switch (kind) {
   case UprightKind::Wall:
-    return wallBesideNiche(*room, at, false);
+    return wallBesideNiche(*lookup, at, false);
   case UprightKind::WallAboveNiche:
-    return wallBesideNiche(*room, at, true);
+    return wallBesideNiche(*lookup, at, true);
   case UprightKind::ColumnFace:
-    return wallSpan(*room, at);
+    return wallSpan(*lookup, at);
   case UprightKind::CeilingRiser:
-    return ceilingRiserSpan(*room, at, part);
+    return ceilingRiserSpan(*lookup, at, part);
   case UprightKind::FloorRiser:
-    return floorRiserSpan(*room, at, part);
+    return floorRiserSpan(*lookup, at, part);
   case UprightKind::NicheSide:
-    return nicheSpan(*room, at, part);
+    return nicheSpan(*lookup, at, part);
   }
   return {};
 }
@@ -182,13 +184,15 @@ hasNiche(const PlanRoom& room, const PlanElement& element)
 std::vector<UprightSurface>
 uprightSurfaces(const PlanRoom& room)
 {
+  const auto lookup = std::make_shared<const RoomLookup>(room);
   std::vector<UprightSurface> surfaces;
   const auto append = [&](const PlanLoop& loop, UprightKind kind, StructureLabel label,
                           std::size_t part) {
     for (const auto& element : loop.elements)
       if (element.length() > 0 &&
           (kind != UprightKind::WallAboveNiche || hasNiche(room, element)))
-        surfaces.push_back({&room, &element, kind, label, static_cast<int>(part)});
+        surfaces.push_back(
+            {&room, &element, kind, label, static_cast<int>(part), lookup});
   };
   const auto appendRisers = [&](const std::vector<PlanDetail>& details,
                                 UprightKind kind) {
@@ -230,9 +234,10 @@ pointOn(const PlanSlab& slab,
 } // namespace
 
 SurfacePoint
-slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor)
+slabPointAt(const RoomLookup& lookup, const Eigen::Vector2d& place, bool is_floor)
 {
-  const int detail = is_floor ? room.floorDetailAt(place) : room.detailAt(place);
+  const PlanRoom& room = lookup.room();
+  const int detail = is_floor ? lookup.floorDetailAt(place) : lookup.detailAt(place);
   const StructureLabel main =
       is_floor ? StructureLabel::Floor : StructureLabel::Ceiling;
   return pointOn(is_floor ? room.floorSlab(detail) : room.ceilingSlab(detail), place,
@@ -254,9 +259,12 @@ namespace {
 /** @brief The bottom or top of the niche around a place that is nearer to a point;
  * infinity where there is no niche. */
 double
-nearestInNiche(const PlanRoom& room, const Eigen::Vector3d& p, SurfacePoint& nearest)
+nearestInNiche(const RoomLookup& lookup,
+               const Eigen::Vector3d& p,
+               SurfacePoint& nearest)
 {
-  const int n = room.nicheAt(p.head<2>());
+  const PlanRoom& room = lookup.room();
+  const int n = lookup.nicheAt(p.head<2>());
   if (n < 0)
     return std::numeric_limits<double>::infinity();
   const PlanNiche& niche = room.niches[static_cast<std::size_t>(n)];
@@ -268,15 +276,17 @@ nearestInNiche(const PlanRoom& room, const Eigen::Vector3d& p, SurfacePoint& nea
   return std::min(to_bottom, to_top);
 }
 
-} // namespace
-
+/** @brief The point of the structure that a point stands for, which no upright surface
+ * beside the `near` ones can be nearest to. */
+template <typename Numbers>
 bool
-snapToRoom(const PlanRoom& room,
-           const std::vector<UprightSurface>& uprights,
-           const Eigen::Vector3d& position,
-           StructureLabel label,
-           double farthest,
-           SurfacePoint& snapped)
+snapTo(const RoomLookup& room,
+       const std::vector<UprightSurface>& uprights,
+       const Numbers& near,
+       const Eigen::Vector3d& position,
+       StructureLabel label,
+       double farthest,
+       SurfacePoint& snapped)
 {
   double least = std::numeric_limits<double>::infinity();
   const bool is_slab = label == StructureLabel::Ceiling ||
@@ -298,7 +308,8 @@ snapToRoom(const PlanRoom& room,
     least = nearestInNiche(room, position, snapped);
   if (label == StructureLabel::Wall || label == StructureLabel::Column ||
       label == StructureLabel::Detail)
-    for (const auto& surface : uprights) {
+    for (const std::uint32_t i : near) {
+      const UprightSurface& surface = uprights[i];
       SurfacePoint candidate;
       if (!mayBelong(label, surface.label))
         continue;
@@ -310,6 +321,41 @@ snapToRoom(const PlanRoom& room,
       snapped = candidate;
     }
   return least <= farthest;
+}
+
+} // namespace
+
+bool
+snapToRoom(const PlanRoom& room,
+           const std::vector<UprightSurface>& uprights,
+           const Eigen::Vector3d& position,
+           StructureLabel label,
+           double farthest,
+           SurfacePoint& snapped)
+{
+  std::vector<std::uint32_t> all(uprights.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return snapTo(RoomLookup(room), uprights, all, position, label, farthest, snapped);
+}
+
+RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
+    : lookup_(room)
+    , uprights_(uprightSurfaces(room))
+    , farthest_(farthest)
+    , near_(std::max(0.25, farthest))
+{
+  for (std::size_t i = 0; i < uprights_.size(); ++i)
+    near_.addAlong(*uprights_[i].element, 2 * farthest, static_cast<std::uint32_t>(i));
+  near_.finish();
+}
+
+bool
+RoomSurfaces::snap(const Eigen::Vector3d& position,
+                   StructureLabel label,
+                   SurfacePoint& snapped) const
+{
+  return snapTo(lookup_, uprights_, near_.at(position.head<2>()), position, label,
+                farthest_, snapped);
 }
 
 } // namespace sedr

@@ -13,16 +13,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief The rooms of a plan by id, with their upright surfaces. */
-std::map<std::uint32_t, std::vector<UprightSurface>>
-surfacesById(const Floorplan& plan)
-{
-  std::map<std::uint32_t, std::vector<UprightSurface>> surfaces;
-  for (const auto& room : plan.rooms)
-    surfaces[room.id] = uprightSurfaces(room);
-  return surfaces;
-}
-
 /** @brief A strip of a room whose first cell is point `first` of all. */
 RepairedStrip
 repairedStrip(const SurfaceCells::Strip& strip, std::uint32_t room, std::size_t first)
@@ -50,10 +40,9 @@ refineToPlan(const PointView& points,
              double farthest,
              unsigned threads)
 {
-  const auto surfaces = surfacesById(plan);
-  std::map<std::uint32_t, const PlanRoom*> room_of;
+  std::map<std::uint32_t, RoomSurfaces> surfaces;
   for (const auto& room : plan.rooms)
-    room_of[room.id] = &room;
+    surfaces.try_emplace(room.id, room, farthest);
 
   std::vector<SurfacePoint> snapped(indices.size());
   std::vector<std::uint8_t> is_structure(indices.size(), 0);
@@ -61,12 +50,12 @@ refineToPlan(const PointView& points,
       indices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const auto i = static_cast<std::size_t>(indices[k]);
-          const auto room = room_of.find(rooms[i]);
-          if (room == room_of.end() || !points.isFinite(i))
+          const auto room = surfaces.find(rooms[i]);
+          if (room == surfaces.end() || !points.isFinite(i))
             continue;
           is_structure[k] =
-              snapToRoom(*room->second, surfaces.at(rooms[i]), points[i].cast<double>(),
-                         static_cast<StructureLabel>(labels[i]), farthest, snapped[k])
+              room->second.snap(points[i].cast<double>(),
+                                static_cast<StructureLabel>(labels[i]), snapped[k])
                   ? 1
                   : 0;
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/room_lookup.h>
 #include <pcl/sedr_filters/room_measures.h>
 #include <pcl/sedr_filters/storeys.h>
 
@@ -102,14 +103,15 @@ meanHeight(const PlanRoom& room)
   if (box.isEmpty())
     return 0;
   const double step = std::max(usual_step, std::sqrt(box.volume() / most_samples));
+  const RoomLookup lookup(room);
   double sum = 0;
   std::size_t count = 0;
   for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
     for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
       const Eigen::Vector2d p(x, y);
-      if (!room.contains(p))
+      if (!lookup.contains(p))
         continue;
-      sum += room.ceilingAt(p) - room.floorAt(p);
+      sum += lookup.ceilingAt(p) - lookup.floorAt(p);
       ++count;
     }
   return count == 0 ? 0 : sum / static_cast<double>(count);

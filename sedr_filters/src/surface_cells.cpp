@@ -118,10 +118,15 @@ surfaceCellsProblem(const Floorplan& plan, double size)
 
 SurfaceCells::SurfaceCells(const PlanRoom& room, double size)
     : room_(room)
+    , lookup_(room)
     , size_(size)
+    , near_(std::max(0.25, size))
 {
   for (const auto& surface : uprightSurfaces(room_))
     addStrip(surface);
+  for (std::size_t i = 0; i < strips_.size(); ++i)
+    near_.addAlong(*strips_[i].surface.element, size_, static_cast<std::uint32_t>(i));
+  near_.finish();
   addSlabs();
 }
 
@@ -140,12 +145,13 @@ SurfaceCells::addStrip(const UprightSurface& surface)
       continue;
     const std::size_t rows = partsOf(span.high - span.low, size_);
     const Eigen::Vector2d place = surface.element->pointAt(s);
+    const Eigen::Vector3d normal = surface.normalAt(s);
     for (std::size_t r = 0; r < rows; ++r) {
       SurfaceCell cell;
       cell.centre.position << place, span.low + (span.high - span.low) *
                                                     (static_cast<double>(r) + 0.5) /
                                                     static_cast<double>(rows);
-      cell.centre.normal = surface.normalAt(s);
+      cell.centre.normal = normal;
       cell.centre.label = surface.label;
       cell.centre.room = room_.id;
       cells_.push_back(cell);
@@ -189,14 +195,16 @@ SurfaceCells::addSlabs()
 {
   for (const bool is_floor : {true, false})
     addSheet(room_.boundary, [&](const Eigen::Vector2d& place, SurfacePoint& point) {
-      point = slabPointAt(room_, place, is_floor);
-      return room_.contains(place);
+      if (!lookup_.contains(place))
+        return false;
+      point = slabPointAt(lookup_, place, is_floor);
+      return true;
     });
   for (const PlanNiche& niche : room_.niches)
     for (const bool is_bottom : {true, false})
       addSheet(niche.boundary, [&](const Eigen::Vector2d& place, SurfacePoint& point) {
         point = nichePointAt(room_, niche, place, is_bottom);
-        return niche.boundary.contains(place) && !room_.boundary.contains(place);
+        return niche.boundary.contains(place) && !lookup_.isWithinBoundary(place);
       });
 }
 
@@ -216,8 +224,8 @@ SurfaceCells::findLevel(const SurfacePoint& point) const
 {
   const Eigen::Vector2d place = point.position.head<2>();
   const bool faces_up = point.normal.z() > 0;
-  const int n = room_.nicheAt(place);
-  if (n >= 0 && !room_.boundary.contains(place))
+  const int n = lookup_.nicheAt(place);
+  if (n >= 0 && !lookup_.isWithinBoundary(place))
     return cellOf(sheets_[2 + 2 * static_cast<std::size_t>(n) + (faces_up ? 0 : 1)],
                   place);
   return cellOf(sheets_[faces_up ? 0 : 1], place);
@@ -229,7 +237,8 @@ SurfaceCells::findUpright(const SurfacePoint& point) const
   const Eigen::Vector2d place = point.position.head<2>();
   std::size_t best = none;
   double least = size_;
-  for (const auto& strip : strips_) {
+  for (const std::uint32_t i : near_.at(place)) {
+    const Strip& strip = strips_[i];
     if (strip.surface.label != point.label)
       continue;
     const double s = strip.surface.element->project(place);

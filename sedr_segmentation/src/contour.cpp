@@ -155,9 +155,26 @@ bool
 crossesItself(const std::vector<Eigen::Vector2d>& polygon)
 {
   const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j + 1 == n)
+  struct Edge {
+    std::size_t index;
+    Eigen::Vector2d low;
+    Eigen::Vector2d high;
+  };
+  std::vector<Edge> edges(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector2d& a = polygon[i];
+    const Eigen::Vector2d& b = polygon[(i + 1) % n];
+    edges[i] = {i, a.cwiseMin(b), a.cwiseMax(b)};
+  }
+  // From left to right: only edges that begin before one ends can meet it.
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return a.low.x() < b.low.x(); });
+  for (auto a = edges.begin(); a != edges.end(); ++a)
+    for (auto b = a + 1; b != edges.end() && b->low.x() <= a->high.x(); ++b) {
+      const std::size_t i = std::min(a->index, b->index);
+      const std::size_t j = std::max(a->index, b->index);
+      if (j < i + 2 || (i == 0 && j + 1 == n) || b->low.y() > a->high.y() ||
+          a->low.y() > b->high.y())
         continue;
       if (edgesMeet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n]))
         return true;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -50,45 +51,141 @@ covarianceOf(const MeasuredCurve& m)
   return covariance;
 }
 
-/** @brief All equations of all ties at given states. */
-struct EquationSystem {
-  Eigen::VectorXd value;
-  Eigen::MatrixXd slope; ///< a row an equation, three columns a curve
+/** @brief A root of a curve's covariance: the covariance is this times its transpose.
+ */
+Eigen::Matrix3d
+spreadOf(const MeasuredCurve& m)
+{
+  const Eigen::LDLT<Eigen::Matrix3d> parts(covarianceOf(m));
+  const Eigen::Matrix3d lower = parts.matrixL();
+  const Eigen::Vector3d deviations = parts.vectorD().cwiseMax(0).cwiseSqrt();
+  return parts.transpositionsP().transpose() *
+         Eigen::Matrix3d(lower * deviations.asDiagonal());
+}
+
+/** @brief An equation of a tie at given states, by the parameters of its two curves in
+ * standard deviations. */
+struct TieRow {
+  double value = 0;
+  std::size_t a = 0;
+  std::size_t b = 0;
+  Eigen::Vector3d by_a = Eigen::Vector3d::Zero();
+  Eigen::Vector3d by_b = Eigen::Vector3d::Zero();
+
+  double squaredNorm() const
+  {
+    return a == b ? (by_a + by_b).squaredNorm()
+                  : by_a.squaredNorm() + by_b.squaredNorm();
+  }
 };
 
-EquationSystem
-systemOf(const std::vector<MeasuredCurve>& curves,
-         const std::vector<CurveTie>& ties,
-         const std::vector<TieSide>& sides,
-         const Eigen::VectorXd& state)
-{
-  struct Row {
-    TieEquation equation;
-    CurveTie tie;
-  };
-  std::vector<Row> rows;
-  for (std::size_t t = 0; t < ties.size(); ++t) {
-    const CurveTie& tie = ties[t];
-    for (const auto& equation :
-         equationsOf(tie.kind, sides[t], curves[tie.a], curves[tie.b],
-                     state.segment<3>(3 * static_cast<Eigen::Index>(tie.a)),
-                     state.segment<3>(3 * static_cast<Eigen::Index>(tie.b))))
-      rows.push_back({equation, tie});
+/** @brief Solves the equations of ties for the least step, again and again. */
+class TieSolver {
+public:
+  TieSolver(const std::vector<MeasuredCurve>& curves, const std::vector<CurveTie>& ties)
+      : curves_(curves)
+      , ties_(ties)
+      , step_(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(curves.size())))
+  {
+    for (const auto& curve : curves) {
+      spreads_.push_back(spreadOf(curve));
+      starts_.push_back(stateOf(curve));
+    }
+    for (const auto& tie : ties)
+      sides_.push_back(tieSideOf(curves[tie.a], curves[tie.b], tie.kind));
+    findRows();
+    force_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   }
-  EquationSystem system;
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  system.value.resize(count);
-  system.slope = Eigen::MatrixXd::Zero(count, state.size());
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const Row& row = rows[static_cast<std::size_t>(r)];
-    system.value[r] = row.equation.value;
-    system.slope.block<1, 3>(r, 3 * static_cast<Eigen::Index>(row.tie.a)) +=
-        row.equation.by_a.transpose();
-    system.slope.block<1, 3>(r, 3 * static_cast<Eigen::Index>(row.tie.b)) +=
-        row.equation.by_b.transpose();
+
+  /** @brief Parameters of a curve as they are now. */
+  Eigen::Vector3d state(std::size_t c) const
+  {
+    return starts_[c] +
+           spreads_[c] * step_.segment<3>(3 * static_cast<Eigen::Index>(c));
   }
-  return system;
-}
+
+  /** @brief By how much the worst equation is not fulfilled. */
+  double worst() const
+  {
+    double most = 0;
+    for (const TieRow& row : rows_)
+      most = std::max(most, std::isnan(row.value) ? HUGE_VAL : std::abs(row.value));
+    return most;
+  }
+
+  /** @brief Goes to the least step from the start that solves the equations as they
+   * are; false where there is none. */
+  bool solve()
+  {
+    // Each equation has the parameters of two curves, so the matrix of the steps, which
+    // stand for themselves, and of the forces that the ties exert on them is sparse,
+    // however many curves are tied to one. Ties that repeat each other would make it
+    // singular: the damping of the forces, which is taken back in turns, prevents it.
+    constexpr double damping = 1e-8;
+    constexpr int turns = 4;
+    const Eigen::Index steps = step_.size();
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd right(force_.size());
+    Eigen::VectorXd scale(force_.size());
+    for (Eigen::Index i = 0; i < steps; ++i)
+      entries.emplace_back(i, i, 1);
+    for (Eigen::Index r = 0; r < right.size(); ++r) {
+      const TieRow& row = rows_[static_cast<std::size_t>(r)];
+      scale[r] = 1 / std::max(1e-150, std::sqrt(row.squaredNorm()));
+      double at_start = row.value;
+      for (const bool of_b : {false, true}) {
+        const Eigen::Index at = 3 * static_cast<Eigen::Index>(of_b ? row.b : row.a);
+        const Eigen::Vector3d& slope = of_b ? row.by_b : row.by_a;
+        at_start -= slope.dot(step_.segment<3>(at));
+        for (Eigen::Index k = 0; k < 3; ++k)
+          if (slope[k] != 0)
+            entries.emplace_back(steps + r, at + k, scale[r] * slope[k]);
+      }
+      right[r] = -scale[r] * at_start;
+      entries.emplace_back(steps + r, steps + r, -damping);
+    }
+    Eigen::SparseMatrix<double> matrix(steps + right.size(), steps + right.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    if (solver.info() != Eigen::Success)
+      return false;
+    for (int turn = 0; turn < turns; ++turn) {
+      Eigen::VectorXd sides = Eigen::VectorXd::Zero(matrix.rows());
+      sides.tail(right.size()) = right - damping * force_;
+      const Eigen::VectorXd solution = solver.solve(sides);
+      step_ = solution.head(steps);
+      force_ = solution.tail(right.size());
+    }
+    if (!step_.allFinite())
+      return false;
+    findRows();
+    return true;
+  }
+
+private:
+  void findRows()
+  {
+    rows_.clear();
+    for (std::size_t t = 0; t < ties_.size(); ++t) {
+      const CurveTie& tie = ties_[t];
+      for (const auto& equation :
+           equationsOf(tie.kind, sides_[t], curves_[tie.a], curves_[tie.b],
+                       state(tie.a), state(tie.b)))
+        rows_.push_back({equation.value, tie.a, tie.b,
+                         spreads_[tie.a].transpose() * equation.by_a,
+                         spreads_[tie.b].transpose() * equation.by_b});
+    }
+  }
+
+  const std::vector<MeasuredCurve>& curves_;
+  const std::vector<CurveTie>& ties_;
+  std::vector<Eigen::Matrix3d> spreads_;
+  std::vector<Eigen::Vector3d> starts_;
+  std::vector<TieSide> sides_;
+  std::vector<TieRow> rows_;
+  Eigen::VectorXd step_;  ///< from the start, three a curve, in standard deviations
+  Eigen::VectorXd force_; ///< of each row
+};
 
 } // namespace
 
@@ -140,49 +237,23 @@ adjustCurves(std::vector<MeasuredCurve>& curves, const std::vector<CurveTie>& ti
   if (ties.empty())
     return true;
   constexpr int rounds = 30;
-  const auto size = 3 * static_cast<Eigen::Index>(curves.size());
-  Eigen::VectorXd start(size);
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, 3);
-  std::vector<TieSide> sides;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto at = 3 * static_cast<Eigen::Index>(c);
-    start.segment<3>(at) = stateOf(curves[c]);
-    covariance.block<3, 3>(at, 0) = covarianceOf(curves[c]);
-  }
-  for (const auto& tie : ties)
-    sides.push_back(tieSideOf(curves[tie.a], curves[tie.b], tie.kind));
-
-  Eigen::VectorXd state = start;
+  constexpr double exactness = 1e-12;
+  TieSolver solver(curves, ties);
   for (int round = 0; round < rounds; ++round) {
-    const EquationSystem system = systemOf(curves, ties, sides, state);
-    if (system.value.cwiseAbs().maxCoeff() < 1e-12 && round > 0)
+    if (solver.worst() < exactness && round > 0)
       break;
-    Eigen::MatrixXd spread(size, system.value.size()); // covariance times slope
-    for (Eigen::Index at = 0; at < size; at += 3)
-      spread.middleRows<3>(at) =
-          covariance.block<3, 3>(at, 0) * system.slope.middleCols<3>(at).transpose();
-    const Eigen::MatrixXd normal = system.slope * spread;
-    const Eigen::VectorXd scale =
-        normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    const Eigen::VectorXd right =
-        scale.cwiseProduct(system.value + system.slope * (start - state));
-    // Ties that repeat each other make this singular: the least solution is meant.
-    const Eigen::VectorXd force =
-        scale.cwiseProduct(scaled.completeOrthogonalDecomposition().solve(right));
-    state = start - spread * force;
-    if (!state.allFinite())
+    if (!solver.solve())
       return false;
   }
-  const EquationSystem system = systemOf(curves, ties, sides, state);
-  if (!(system.value.cwiseAbs().maxCoeff() < 1e-9))
+  if (!(solver.worst() < 1e-9))
     return false;
   for (std::size_t c = 0; c < curves.size(); ++c)
-    if (curves[c].curve.isCircle() &&
-        !(state[3 * static_cast<Eigen::Index>(c) + 2] > 0))
+    if (curves[c].curve.isCircle() && !(solver.state(c)[2] > 0))
       return false;
+  std::vector<MeasuredCurve> moved = curves;
   for (std::size_t c = 0; c < curves.size(); ++c)
-    setState(state.segment<3>(3 * static_cast<Eigen::Index>(c)), curves[c]);
+    setState(solver.state(c), moved[c]);
+  curves = std::move(moved);
   return true;
 }
 

@@ -4,6 +4,9 @@
 #include "height_bends.h"
 #include "height_map.h"
 
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/room_lookup.h>
+#include <pcl/sedr_segmentation/cell_count.h>
 #include <pcl/sedr_segmentation/detail_fit.h>
 
 #include <algorithm>
@@ -36,19 +39,21 @@ appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
 /** @brief The cells of a detail, less those unseen that are within larger ones: behind
  * what hides an edge, it goes on straight. */
 CellMask
-cellsOf(const HeightMap& map,
-        std::int32_t label,
-        const std::vector<PlanDetail>& larger,
-        const CellGrid& grid)
+seenCellsOf(const HeightMap& map,
+            std::int32_t label,
+            const CellBox& box,
+            const std::vector<const PlanDetail*>& larger,
+            const CellGrid& grid)
 {
-  CellMask cells(map.room.box());
-  for (std::size_t i = 0; i < map.label.size(); ++i) {
-    const auto encloses = [&](const PlanDetail& d) {
-      return d.boundary.contains(grid.centre(cells.cellAt(i)));
+  CellMask cells = cellsOf(map, label, box);
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    const Cell cell = cells.cellAt(i);
+    const auto encloses = [&](const PlanDetail* d) {
+      return d->boundary.contains(grid.centre(cell));
     };
-    if (map.label[i] == label &&
-        (map.seen[i] == label || std::none_of(larger.begin(), larger.end(), encloses)))
-      cells.values()[i] = 1;
+    if (cells.values()[i] && map.seen[map.room.indexOf(cell)] != label &&
+        std::any_of(larger.begin(), larger.end(), encloses))
+      cells.values()[i] = 0;
   }
   return cells;
 }
@@ -70,6 +75,38 @@ widestFirst(const HeightMap& map)
   return labels;
 }
 
+/** @brief How far a detail may be from the cells of another and still bear on its fit,
+ * metres. */
+constexpr double detail_reach = 0.6;
+
+/** @brief Of each of `count` boxes, those before it that it meets. */
+template <typename BoxAt>
+std::vector<std::vector<std::size_t>>
+overlapsBefore(std::size_t count, BoxAt boxAt)
+{
+  std::vector<std::vector<std::size_t>> before(count);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (overlapOf(boxAt(k), boxAt(l)).count() > 0)
+        before[k].push_back(l);
+  return before;
+}
+
+/** @brief Parts what waits for others into turns: each waits for earlier ones only. */
+std::vector<std::vector<std::size_t>>
+turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
+{
+  std::vector<std::size_t> turn_of(waits_for.size(), 0);
+  std::vector<std::vector<std::size_t>> turns;
+  for (std::size_t k = 0; k < waits_for.size(); ++k) {
+    for (const std::size_t l : waits_for[k])
+      turn_of[k] = std::max(turn_of[k], turn_of[l] + 1);
+    turns.resize(std::max(turns.size(), turn_of[k] + 1));
+    turns[turn_of[k]].push_back(k);
+  }
+  return turns;
+}
+
 /** @brief Lets beams go on over what was not seen of them; joined pieces share their
  * label. */
 void
@@ -88,8 +125,9 @@ CellMask
 withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
 {
   CellMask held(cells.box());
+  const LoopLookup lookup(boundary);
   for (std::size_t i = 0; i < held.values().size(); ++i)
-    held.values()[i] = boundary.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+    held.values()[i] = lookup.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
   const CellMask hidden = subtract(held, cells);
   return unite(intersect(cells, held), dilated(eroded(hidden, 1), 1));
 }
@@ -97,9 +135,7 @@ withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& 
 /** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
  * are not its. No furniture hides the rim of what is at a ceiling. */
 std::vector<Eigen::Vector2d>
-atRim(const std::vector<Eigen::Vector2d>& points,
-      const CellMask& cells,
-      const CellGrid& grid)
+atRim(const PlanPoints& points, const CellMask& cells, const CellGrid& grid)
 {
   constexpr int reach = 4; // cells
   if (cells.count() == 0)
@@ -107,9 +143,11 @@ atRim(const std::vector<Eigen::Vector2d>& points,
   const CellMask near = cropped(cells, grown(boxOf(cells.toSet()), reach + 1));
   const CellMask rim = subtract(dilated(near, reach), eroded(near, reach));
   std::vector<Eigen::Vector2d> own;
-  for (const Eigen::Vector2d& p : points)
-    if (rim.at(grid.at(p.x(), p.y())))
-      own.push_back(p);
+  points.forEachIn({grid.centre(rim.box().low), grid.centre(rim.box().high)},
+                   [&](const Eigen::Vector2d& p) {
+                     if (rim.at(grid.at(p.x(), p.y())))
+                       own.push_back(p);
+                   });
   return own;
 }
 
@@ -187,19 +225,38 @@ fitDetails(const PointView& points,
 
   constexpr double point_cell = 0.1; // metres
   const PlanPoints of_all(edges, point_cell);
+  const std::vector<CellBox> boxes = boxesOf(map);
+  const std::vector<std::int32_t> order = widestFirst(map);
+  const auto boxOfRank = [&](std::size_t k) -> const CellBox& {
+    return boxes[static_cast<std::size_t>(order[k])];
+  };
+  // A detail is fitted after the larger ones near it, side by side with all others.
+  const std::vector<std::vector<std::size_t>> larger =
+      overlapsBefore(order.size(), [&](std::size_t k) {
+        return grown(boxOfRank(k), cellsFor(detail_reach, grid.size()));
+      });
+  std::vector<PlanDetail> fitted(order.size());
+  const auto fit = [&](std::size_t k) {
+    std::vector<const PlanDetail*> near;
+    std::vector<PlanElement> known = others;
+    for (const std::size_t l : larger[k]) {
+      near.push_back(&fitted[l]);
+      appendElements(fitted[l].boundary, known);
+    }
+    const CellMask own = seenCellsOf(map, order[k], boxOfRank(k), near, grid);
+    fitted[k] = evidence.is_floor
+                    ? fitDetail(map, own, true, order[k], of_all, known, parameters)
+                    : fitDetail(map, own, false, order[k],
+                                PlanPoints(atRim(of_all, own, grid), point_cell), known,
+                                parameters);
+  };
+  for (const std::vector<std::size_t>& turn : turnsOf(larger))
+    parallelBlocks(turn.size(), 1, parameters.threads,
+                   [&](std::size_t k, std::size_t) { fit(turn[k]); });
   std::vector<PlanDetail> details;
-  for (const std::int32_t label : widestFirst(map)) {
-    const CellMask own = cellsOf(map, label, details, grid);
-    PlanDetail detail =
-        evidence.is_floor ? fitDetail(map, own, true, label, of_all, others, parameters)
-                          : fitDetail(map, own, false, label,
-                                      PlanPoints(atRim(edges, own, grid), point_cell),
-                                      others, parameters);
-    if (detail.boundary.elements.empty())
-      continue;
-    appendElements(detail.boundary, others);
-    details.push_back(std::move(detail));
-  }
+  for (PlanDetail& detail : fitted)
+    if (!detail.boundary.elements.empty())
+      details.push_back(std::move(detail));
   std::stable_sort(details.begin(), details.end(), [](const auto& a, const auto& b) {
     return a.boundary.area() > b.boundary.area();
   });

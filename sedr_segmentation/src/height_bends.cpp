@@ -85,40 +85,67 @@ struct Meeting {
 
 using Meetings = std::vector<std::map<std::int32_t, Meeting>>;
 
-/** @brief The meetings of each label with others, once what is near it goes to the
- * nearest. */
-Meetings
-meetingsOf(const HeightMap& map,
-           const std::vector<std::uint8_t>& steps,
-           const CellGrid& grid)
+/** @brief Two cells side by side. */
+using CellPair = std::pair<std::size_t, std::size_t>;
+
+/** @brief The labels, once what is near one goes to the nearest. */
+std::vector<std::int32_t>
+grownLabels(const HeightMap& map)
 {
   constexpr int reach = 3; // cells
   std::vector<std::int32_t> label = map.label;
   growLabels(map.room, reach, label);
-  Meetings meetings(map.details.size() + 1);
+  return label;
+}
+
+/** @brief Where seen cells of two labels meet. */
+std::vector<CellPair>
+borderOf(const HeightMap& map, const std::vector<std::int32_t>& label)
+{
+  std::vector<CellPair> border;
   for (std::size_t i = 0; i < label.size(); ++i) {
+    if (label[i] < 0)
+      continue;
     const Cell cell = map.room.cellAt(i);
     for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
       const Cell to{cell.x + d.x, cell.y + d.y};
-      const std::int32_t a = label[i];
-      const std::int32_t b = map.room.at(to) ? label[map.room.indexOf(to)] : -1;
-      if (a < 0 || b < 0 || a == b)
+      if (!map.room.at(to))
         continue;
       const std::size_t j = map.room.indexOf(to);
-      const double rise = std::abs(map.relief[i] - map.relief[j]);
-      if (std::isnan(rise))
-        continue;
-      const Eigen::Vector2d place = grid.centre(cell);
-      const double drop =
-          std::abs(map.slabOf(a).heightAt(place) - map.slabOf(b).heightAt(place));
-      const bool is_bend =
-          !steps[i] && !steps[j] && (drop < shallow_step || 2 * rise < drop);
-      for (const auto& [from, other] : {std::pair{a, b}, std::pair{b, a}}) {
-        Meeting& meeting = meetings[static_cast<std::size_t>(from)][other];
-        meeting.cells += 1;
-        meeting.bends += is_bend ? 1 : 0;
-        meeting.drop += drop;
-      }
+      if (label[j] >= 0 && label[j] != label[i] &&
+          !std::isnan(map.relief[i] - map.relief[j]))
+        border.emplace_back(i, j);
+    }
+  }
+  return border;
+}
+
+/** @brief The meetings of each label with others.
+ * @param border where they meet; pairs of one label are skipped */
+Meetings
+meetingsOf(const HeightMap& map,
+           const std::vector<std::int32_t>& label,
+           const std::vector<CellPair>& border,
+           const std::vector<std::uint8_t>& steps,
+           const CellGrid& grid)
+{
+  Meetings meetings(map.details.size() + 1);
+  for (const auto& [i, j] : border) {
+    const std::int32_t a = label[i];
+    const std::int32_t b = label[j];
+    if (a == b)
+      continue;
+    const double rise = std::abs(map.relief[i] - map.relief[j]);
+    const Eigen::Vector2d place = grid.centre(map.room.cellAt(i));
+    const double drop =
+        std::abs(map.slabOf(a).heightAt(place) - map.slabOf(b).heightAt(place));
+    const bool is_bend =
+        !steps[i] && !steps[j] && (drop < shallow_step || 2 * rise < drop);
+    for (const auto& [from, other] : {std::pair{a, b}, std::pair{b, a}}) {
+      Meeting& meeting = meetings[static_cast<std::size_t>(from)][other];
+      meeting.cells += 1;
+      meeting.bends += is_bend ? 1 : 0;
+      meeting.drop += drop;
     }
   }
   return meetings;
@@ -144,20 +171,24 @@ besideSliver(const std::map<std::int32_t, Meeting>& meetings)
   return beside;
 }
 
-/** @brief Joins slivers with what is beside them, the smallest first. */
-void
+/** @brief Joins slivers with what is beside them, the smallest first.
+ * @return the meetings of what is left */
+Meetings
 joinSlivers(const std::vector<std::uint8_t>& steps,
             const CellGrid& grid,
             HeightMap& map)
 {
   constexpr double widest = 1.0; // square metres
+  // Where labels grow to does not depend on what they are: joined ones stay there.
+  std::vector<std::int32_t> label = grownLabels(map);
+  const std::vector<CellPair> border = borderOf(map, label);
+  std::vector<double> area(map.details.size() + 1, 0);
+  for (const std::int32_t l : map.label)
+    if (l >= 0)
+      area[static_cast<std::size_t>(l)] += grid.size() * grid.size();
+  Meetings meetings = meetingsOf(map, label, border, steps, grid);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    const Meetings meetings = meetingsOf(map, steps, grid);
-    std::vector<double> area(map.details.size() + 1, 0);
-    for (const std::int32_t l : map.label)
-      if (l >= 0)
-        area[static_cast<std::size_t>(l)] += grid.size() * grid.size();
     double least = widest;
     std::pair<std::int32_t, std::int32_t> join;
     for (std::size_t l = 1; l < area.size(); ++l) {
@@ -169,9 +200,19 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
       join = {static_cast<std::int32_t>(l), beside};
       has_changed = true;
     }
-    if (has_changed)
-      std::replace(map.label.begin(), map.label.end(), join.first, join.second);
+    if (!has_changed)
+      break;
+    const auto [from, to] = join;
+    std::replace(map.label.begin(), map.label.end(), from, to);
+    for (const auto& [i, j] : border)
+      for (const std::size_t at : {i, j})
+        if (label[at] == from)
+          label[at] = to;
+    area[static_cast<std::size_t>(to)] += area[static_cast<std::size_t>(from)];
+    area[static_cast<std::size_t>(from)] = 0;
+    meetings = meetingsOf(map, label, border, steps, grid);
   }
+  return meetings;
 }
 
 /** @brief The label within some cells of one whose plane is nearest to what was seen
@@ -228,16 +269,15 @@ followHeights(const std::vector<std::uint8_t>& steps,
 void
 keepLargestParts(HeightMap& map)
 {
+  const std::vector<CellBox> boxes = boxesOf(map);
   for (std::size_t l = 1; l <= map.details.size(); ++l) {
-    CellMask cells(map.room.box());
-    for (std::size_t i = 0; i < map.label.size(); ++i)
-      cells.values()[i] = map.label[i] == static_cast<std::int32_t>(l) ? 1 : 0;
+    const CellMask cells = cellsOf(map, static_cast<std::int32_t>(l), boxes[l]);
     const MaskRegions regions = labelRegions(cells, true);
     const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end()) -
                          regions.sizes.begin();
-    for (std::size_t i = 0; i < map.label.size(); ++i)
+    for (std::size_t i = 0; i < regions.label.size(); ++i)
       if (regions.label[i] >= 0 && regions.label[i] != largest)
-        map.label[i] = -1;
+        map.label[map.room.indexOf(cells.cellAt(i))] = -1;
   }
 }
 
@@ -252,8 +292,7 @@ tidyBends(const PointView& points,
   if (map.details.empty())
     return;
   const std::vector<std::uint8_t> steps = noteRelief(points, evidence, grid, map);
-  joinSlivers(steps, grid, map);
-  const Meetings meetings = meetingsOf(map, steps, grid);
+  const Meetings meetings = joinSlivers(steps, grid, map);
   for (std::size_t l = 0; l < meetings.size(); ++l)
     for (const auto& [other, meeting] : meetings[l])
       if (meeting.isBend())

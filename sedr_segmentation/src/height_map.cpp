@@ -244,6 +244,28 @@ seenHeights(const PointView& points,
   return map;
 }
 
+std::vector<CellBox>
+boxesOf(const HeightMap& map)
+{
+  std::vector<CellBox> boxes(map.details.size() + 1, {{0, 0}, {-1, -1}});
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] >= 0) {
+      CellBox& box = boxes[static_cast<std::size_t>(map.label[i])];
+      const Cell cell = map.room.cellAt(i);
+      box = around(box, {cell, cell});
+    }
+  return boxes;
+}
+
+CellMask
+cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box)
+{
+  CellMask cells(box);
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    cells.values()[i] = map.label[map.room.indexOf(cells.cellAt(i))] == label ? 1 : 0;
+  return cells;
+}
+
 void
 fillHeights(HeightMap& map)
 {

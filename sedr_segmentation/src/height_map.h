@@ -54,6 +54,12 @@ HeightMap seenHeights(const PointView& points,
                       const CellMask& room,
                       const RoomFitParameters& parameters);
 
+/** @brief The box of the cells of each label, 0 first; empty for those without any. */
+std::vector<CellBox> boxesOf(const HeightMap& map);
+
+/** @brief The cells of a label; `box` holds them. */
+CellMask cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box);
+
 /** @brief Gives every other cell of the room the label that is nearest by steps. */
 void fillHeights(HeightMap& map);
 

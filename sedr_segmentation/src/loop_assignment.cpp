@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -199,14 +200,18 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
   std::vector<double> next(k, 0);
   std::vector<std::uint16_t> from(rounds * k);
   CurvesAt here;
+  std::vector<std::size_t> cheapest(k);
   for (std::size_t step = 0; step < rounds; ++step) {
     here.look(samples_[step % n], curves);
+    std::iota(cheapest.begin(), cheapest.end(), 0);
+    std::stable_sort(cheapest.begin(), cheapest.end(),
+                     [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
     for (std::size_t c = 0; c < k; ++c) {
       std::size_t best = c;
       double least = cost[c];
-      for (std::size_t other = 0; other < k; ++other) {
+      for (const std::size_t other : cheapest) {
         if (cost[other] + change_cost >= least)
-          continue;
+          break;
         const double changed =
             cost[other] + change_cost + here.sideStep(other, c, parameters_.tolerance);
         if (changed < least) {

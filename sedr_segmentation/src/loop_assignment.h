@@ -22,7 +22,8 @@ public:
   /** @brief The curve of every sample: the cheapest closed sequence, where a sample
    * costs what the evidence around it has against the curve, and every change of curve
    * costs a constant, more where the two run side by side (Viterbi 1967, around the
-   * loop). O(n k^2) for n samples and k curves. */
+   * loop). O(n k log k) for n samples and k curves
+   * of which few are as cheap as the best, O(n k^2) at worst. */
   std::vector<std::size_t> assign(const std::vector<PlanCurve>& curves) const;
 
 private:

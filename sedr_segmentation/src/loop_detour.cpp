@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace pcl {
@@ -174,10 +175,17 @@ public:
     curves_.insert(curves_.end(), lines.begin(), lines.end());
     curves_.push_back(chain.links[window.after]);
     findCorners(parameters);
-    std::vector<PlanCurve> all;
-    for (const auto& c : curves_)
-      all.push_back(c.curve);
-    floor_ = cost.least(all, zone);
+    for (const auto& c : curves_) {
+      zones_.push_back(cost.zoneOn(c.curve, zone));
+      costs_on_.push_back(cost.pointCostsOn(c.curve, zone));
+    }
+    std::vector<double> least = cost.pointCosts({}, zone);
+    for (const std::size_t i : {std::size_t{0}, curves_.size() - 1})
+      takeLess(costs_on_[i], least);
+    least_.assign(most_lines + 2, least);
+    for (const auto& costs : costs_on_)
+      takeLess(costs, least);
+    floor_ = sumOf(least);
   }
 
   /** @brief Finds the cheapest way that costs less than `limit`. Not among points all
@@ -219,6 +227,29 @@ public:
 private:
   static constexpr std::size_t most_lines = 3;
   static constexpr double shortest = 0.04;
+
+  /** @brief Lowers each cost to another where that is less. */
+  static void takeLess(const std::vector<double>& other, std::vector<double>& costs)
+  {
+    for (std::size_t k = 0; k < costs.size(); ++k)
+      costs[k] = std::min(costs[k], other[k]);
+  }
+
+  double sumOf(const std::vector<double>& costs) const
+  {
+    return std::accumulate(costs.begin(), costs.end(), 0.0) / zone_.density;
+  }
+
+  /** @brief What the points cost at least on the curves of the trial and one more. */
+  double leastWith(std::size_t more) const
+  {
+    const std::vector<double>& least = least_[trial_.size() - 1];
+    const std::vector<double>& costs = costs_on_[more];
+    double sum = 0;
+    for (std::size_t k = 0; k < least.size(); ++k)
+      sum += std::min(least[k], costs[k]);
+    return sum / zone_.density;
+  }
 
   struct Corner {
     bool exists = false;
@@ -273,7 +304,8 @@ private:
     const bool is_line = i > 0 && i + 1 < curves_.size();
     const bool is_forward =
         is_line ? e.length() >= shortest : runsForward(curves_[i], e, 1e-4);
-    it->second = is_forward ? cost_.ofElement(e, zone_)
+    // A way with a piece that costs more than is left will not become the best.
+    it->second = is_forward ? cost_.ofElement(e, zones_[i], best_ - floor_)
                             : std::numeric_limits<double>::infinity();
     return it->second;
   }
@@ -289,14 +321,24 @@ private:
       if (!corner(i, j).exists ||
           std::find(trial_.begin(), trial_.end(), j) != trial_.end())
         continue;
+      // What this piece and those after it cost at least, and the points, where all
+      // curves of the way are known.
+      const double pieces = (j == last ? 2 : 3) * PathCost::per_element;
+      const bool is_known = j == last || trial_.size() == most_lines;
+      if (floor_ + spent + pieces >= best_ ||
+          (is_known && leastWith(j) + spent + pieces >= best_))
+        continue;
       const double so_far = spent + pieceCost(h, i, j);
-      if (floor_ + so_far + PathCost::per_element >= best_)
+      if (floor_ + so_far + pieces - PathCost::per_element >= best_)
         continue;
       trial_.push_back(j);
       if (j == last)
         finish(so_far + pieceCost(i, j, j));
-      else
+      else {
+        least_[trial_.size() - 1] = least_[trial_.size() - 2];
+        takeLess(costs_on_[j], least_[trial_.size() - 1]);
         extend(so_far);
+      }
       trial_.pop_back();
     }
   }
@@ -319,10 +361,13 @@ private:
   const Window& window_;
   const PathCost& cost_;
   const PathCost::Zone& zone_;
+  std::vector<PathCost::Zone> zones_; ///< of each curve, the points on it
   std::vector<LoopLink> curves_;
   std::vector<Corner> corners_; ///< of curves i and j at i * n + j
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> piece_costs_;
-  double floor_ = 0; ///< what the points cost whatever the way
+  std::vector<std::vector<double>> costs_on_; ///< of the points, on each curve
+  std::vector<std::vector<double>> least_; ///< of the points, on the first of a trial
+  double floor_ = 0;                       ///< what the points cost whatever the way
   double best_ = 0;
   std::vector<std::size_t> trial_;
   std::vector<std::size_t> best_trial_;
@@ -334,11 +379,10 @@ bool
 tryDetour(LoopChain& chain,
           const Window& window,
           const PathCost& cost,
+          const PathCost::Zone& zone,
           const Guides& guides,
           const LoopParameters& parameters)
 {
-  const PathCost::Zone zone =
-      cost.zoneAround(window.middle, window.radius, window.rest);
   DetourSearch search(chain, window, cost, zone,
                       linesOf(chain, window, cost, zone, guides), parameters);
   return search.run(cost.of(window.path, zone) - least_gain) &&

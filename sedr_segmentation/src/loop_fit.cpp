@@ -107,6 +107,27 @@ polygonLoop(const std::vector<ContourSample>& samples, double tolerance)
   return loop;
 }
 
+/** @brief The elements that an outline along some samples can follow, or that can
+ * explain points beside it. */
+std::vector<PlanElement>
+elementsBeside(const std::vector<PlanElement>& elements,
+               const std::vector<ContourSample>& samples,
+               const LoopParameters& parameters)
+{
+  const double reach = corner_reaches * parameters.corner_reach;
+  Eigen::AlignedBox2d box;
+  for (const auto& s : samples)
+    box.extend(s.place);
+  std::vector<PlanElement> beside;
+  for (const auto& e : elements)
+    if (boxAround(e).exteriorDistance(box) <= reach &&
+        std::any_of(samples.begin(), samples.end(), [&](const ContourSample& s) {
+          return e.distance(s.place) <= reach;
+        }))
+      beside.push_back(e);
+  return beside;
+}
+
 /** @brief The curves of some elements, each once. */
 std::vector<PlanCurve>
 curvesOf(const std::vector<PlanElement>& elements)
@@ -157,6 +178,7 @@ revise(LoopChain& chain,
        const PlanPoints& evidence,
        const std::vector<PlanElement>& others,
        const std::vector<PlanCurve>& known,
+       bool is_of_room,
        const LoopParameters& parameters)
 {
   if (chain.size() < 3)
@@ -171,8 +193,7 @@ revise(LoopChain& chain,
     alignShortLinks(chain);
   }
   refitLinks(chain, evidence, parameters);
-  const bool is_of_room = known.empty() && chain.loop().area() > 0;
-  if (is_of_room)
+  if (is_of_room && chain.loop().area() > 0)
     squareUnseenLinks(chain, samples, evidence, parameters);
 }
 
@@ -191,12 +212,13 @@ fitLoop(const Contour& contour,
       sampleContour(contour, evidence, parameters);
   if (places)
     *places = samples;
-  const std::vector<PlanCurve> curves = curvesOf(known);
+  const std::vector<PlanElement> beside = elementsBeside(known, samples, parameters);
+  const std::vector<PlanCurve> curves = curvesOf(beside);
   const std::vector<Run> runs = findRuns(samples, evidence, curves, parameters);
   if (!runs.empty()) {
     const LoopChain found = join(runs, samples, parameters);
     LoopChain revised = found;
-    revise(revised, samples, evidence, known, curves, parameters);
+    revise(revised, samples, evidence, beside, curves, known.empty(), parameters);
     for (LoopChain chain : {revised, withoutTurnedArcs(revised, parameters), found,
                             withoutTurnedArcs(found, parameters)}) {
       closeTangents(chain, parameters);

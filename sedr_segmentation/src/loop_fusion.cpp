@@ -107,6 +107,7 @@ bool
 tryFusion(LoopChain& chain,
           const Window& window,
           const PathCost& cost,
+          const PathCost::Zone& zone,
           const PlanPoints& evidence,
           const Guides& guides,
           const LoopParameters& parameters,
@@ -117,8 +118,6 @@ tryFusion(LoopChain& chain,
     return false;
   const LoopLink& before = chain.links[window.before];
   const LoopLink& after = chain.links[window.after];
-  const PathCost::Zone zone =
-      cost.zoneAround(window.middle, window.radius, window.rest);
   double best = cost.of(window.path, zone) - least_gain;
   bool is_found = false;
   LoopLink fused;

@@ -42,9 +42,14 @@ smallestLobe(const PlanLoop& loop)
   std::vector<double> from(elements.size() + 1, 0);
   for (std::size_t i = 0; i < elements.size(); ++i)
     from[i + 1] = from[i] + elements[i].length();
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const auto& e : elements)
+    boxes.push_back(boxAround(e));
   std::optional<Crossing> smallest;
   for (std::size_t a = 0; a < elements.size(); ++a)
-    for (std::size_t b = a + 1; b < elements.size(); ++b)
+    for (std::size_t b = a + 1; b < elements.size(); ++b) {
+      if (boxes[a].exteriorDistance(boxes[b]) > 2 * exactness)
+        continue;
       for (const auto& at :
            intersections(carrierOf(elements[a]), carrierOf(elements[b]))) {
         Crossing c{a, b, elements[a].project(at), elements[b].project(at), at, 0, true};
@@ -57,6 +62,7 @@ smallestLobe(const PlanLoop& loop)
         if (!smallest || c.lobe < smallest->lobe)
           smallest = c;
       }
+    }
   return smallest;
 }
 

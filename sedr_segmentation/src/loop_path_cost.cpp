@@ -22,15 +22,6 @@ placesOf(const std::vector<ContourSample>& samples, bool are_supported)
   return {std::move(places), 0.1};
 }
 
-/** @brief Whether any of the points is within `radius` of `p`. */
-bool
-isNear(const PlanPoints& points, const Eigen::Vector2d& p, double radius)
-{
-  bool is_near = false;
-  points.forEachWithin(p, radius, [&](const Eigen::Vector2d&) { is_near = true; });
-  return is_near;
-}
-
 /** @brief An element made ready for many distances. */
 class Reach {
 public:
@@ -57,6 +48,27 @@ private:
   double length_;
   Eigen::Vector2d along_;
 };
+
+/** @brief Distance of a point from the nearest of some elements; infinite without any.
+ */
+double
+distanceFrom(const std::vector<PlanElement>& elements, const Eigen::Vector2d& p)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& e : elements)
+    nearest = std::min(nearest, e.distance(p));
+  return nearest;
+}
+
+/** @brief As distanceFrom(), squared. */
+double
+nearestOf(const std::vector<Reach>& reaches, const Eigen::Vector2d& p)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& reach : reaches)
+    nearest = std::min(nearest, reach.squaredDistance(p));
+  return nearest;
+}
 
 /** @brief Median number of points that show a metre of wall. */
 double
@@ -89,20 +101,15 @@ PathCost::PathCost(const std::vector<ContourSample>& samples,
     , hidden_(placesOf(samples, false))
 {}
 
-PathCost::Zone
-PathCost::zoneOf(const std::vector<Eigen::Vector2d>& all, std::size_t most_points) const
+void
+PathCost::appendNear(const std::vector<PlanElement>& all,
+                     const Eigen::Vector2d& middle,
+                     double radius,
+                     std::vector<PlanElement>& near) const
 {
-  const std::size_t step = all.size() / most_points + 1;
-  Zone zone;
-  for (std::size_t i = 0; i < all.size(); i += step) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& e : others_)
-      nearest = std::min(nearest, e.distance(all[i]));
-    zone.points.push_back(all[i]);
-    zone.from_rest.push_back(nearest);
-  }
-  zone.density = density_ / static_cast<double>(step);
-  return zone;
+  for (const auto& e : all)
+    if (e.distance(middle) < radius + tolerance_)
+      near.push_back(e);
 }
 
 PathCost::Zone
@@ -110,21 +117,96 @@ PathCost::zoneAround(const Eigen::Vector2d& middle,
                      double radius,
                      const std::vector<PlanElement>& rest) const
 {
+  constexpr std::size_t most_points = 600;
   std::vector<Eigen::Vector2d> all;
   evidence_.forEachWithin(middle, radius,
                           [&](const Eigen::Vector2d& p) { all.push_back(p); });
-  Zone zone = zoneOf(all, 600);
-  for (const auto& e : rest)
-    if (e.distance(middle) < radius + tolerance_)
-      for (std::size_t i = 0; i < zone.points.size(); ++i)
-        zone.from_rest[i] = std::min(zone.from_rest[i], e.distance(zone.points[i]));
+  std::vector<PlanElement> near;
+  appendNear(others_, middle, radius, near);
+  appendNear(rest, middle, radius, near);
+  const std::size_t step = all.size() / most_points + 1;
+  Zone zone;
+  zone.density = density_ / static_cast<double>(step);
+  for (std::size_t i = 0; i < all.size(); i += step) {
+    zone.points.push_back(all[i]);
+    zone.from_rest.push_back(distanceFrom(near, all[i]));
+  }
+  return zone;
+}
+
+PathCost::Zone
+PathCost::zoneAlong(const std::vector<PlanElement>& elements) const
+{
+  constexpr std::size_t most_points = 20000; // of the whole loop
+  constexpr double stretch = 0.5;            // metres, looked along at a time
+  const std::size_t step = evidence_.size() / most_points + 1;
+  std::vector<std::size_t> indices;
+  for (const auto& e : elements) {
+    const double length = e.length();
+    const double parts = std::ceil(length / stretch) + 1;
+    for (double k = 0.5; k < parts; ++k)
+      evidence_.forEachIndexWithin(e.pointAt(k / parts * length),
+                                   length / parts / 2 + tolerance_, [&](std::size_t i) {
+                                     if (i % step == 0)
+                                       indices.push_back(i);
+                                   });
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  Zone zone;
+  zone.density = density_ / static_cast<double>(step);
+  for (const std::size_t i : indices)
+    zone.points.push_back(evidence_.all()[i]);
   return zone;
 }
 
 double
-PathCost::ofLoop(const PlanLoop& loop) const
+PathCost::ofChange(const std::vector<PlanElement>& before,
+                   const std::vector<PlanElement>& after,
+                   const std::vector<PlanElement>& rest) const
 {
-  return of(loop.elements, zoneOf(evidence_.all(), 20000));
+  constexpr double exactness = 1e-12; // square metres
+  std::vector<PlanElement> both = before;
+  both.insert(both.end(), after.begin(), after.end());
+  const Zone zone = zoneAlong(both);
+  const std::vector<Reach> reaches_before(before.begin(), before.end());
+  const std::vector<Reach> reaches_after(after.begin(), after.end());
+  // The rest matters where what is replaced and what replaces it differ only.
+  struct Change {
+    Eigen::Vector2d point;
+    double before;
+    double after;
+  };
+  std::vector<Change> changes;
+  for (const auto& p : zone.points) {
+    const Change change{p, nearestOf(reaches_before, p), nearestOf(reaches_after, p)};
+    if (std::abs(change.before - change.after) > exactness)
+      changes.push_back(change);
+  }
+  double sum = 0;
+  if (!changes.empty()) {
+    Eigen::Vector2d low = changes[0].point;
+    Eigen::Vector2d high = low;
+    for (const auto& change : changes) {
+      low = low.cwiseMin(change.point);
+      high = high.cwiseMax(change.point);
+    }
+    std::vector<PlanElement> near;
+    appendNear(others_, (low + high) / 2, (high - low).norm() / 2, near);
+    appendNear(rest, (low + high) / 2, (high - low).norm() / 2, near);
+    const std::vector<Reach> reaches(near.begin(), near.end());
+    for (const auto& change : changes) {
+      const double least = nearestOf(reaches, change.point);
+      sum += missed(std::min(least, change.after)) -
+             missed(std::min(least, change.before));
+    }
+  }
+  double cost = sum / zone.density;
+  for (const auto& e : after)
+    cost += ofElement(e, zone);
+  for (const auto& e : before)
+    cost -= ofElement(e, zone);
+  return cost;
 }
 
 double
@@ -133,17 +215,16 @@ PathCost::missed(double squared_distance) const
   return std::min(1.0, squared_distance / (tolerance_ * tolerance_));
 }
 
-double
-PathCost::least(const std::vector<PlanCurve>& curves, const Zone& zone) const
+std::vector<double>
+PathCost::pointCostsOn(const PlanCurve& curve, const Zone& zone) const
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < zone.points.size(); ++i) {
-    double nearest = zone.from_rest[i];
-    for (const auto& curve : curves)
-      nearest = std::min(nearest, curve.distance(zone.points[i]));
-    sum += missed(nearest * nearest);
+  std::vector<double> costs;
+  costs.reserve(zone.points.size());
+  for (const auto& p : zone.points) {
+    const double d = curve.distance(p);
+    costs.push_back(missed(d * d));
   }
-  return sum / zone.density;
+  return costs;
 }
 
 double
@@ -195,16 +276,35 @@ PathCost::astray(const PlanElement& e) const
   for (std::size_t k = 0; k < parts; ++k) {
     const Eigen::Vector2d p =
         e.pointAt(length * (static_cast<double>(k) + 0.5) / static_cast<double>(parts));
-    if (!isNear(shown_, p, reach_) && !isNear(hidden_, p, hidden_reach))
+    if (!shown_.hasWithin(p, reach_) && !hidden_.hasWithin(p, hidden_reach))
       ++count;
   }
   return length * static_cast<double>(count) / static_cast<double>(parts);
 }
 
-double
-PathCost::ofElement(const PlanElement& e, const Zone& zone) const
+PathCost::Zone
+PathCost::zoneOn(const PlanCurve& curve, const Zone& zone) const
 {
-  return unseen(e, zone) + astray(e) + simplicity(e);
+  // An element ends up to a quarter of the tolerance beside its curve: see
+  // findCorner().
+  Zone on_curve;
+  on_curve.density = zone.density;
+  for (std::size_t i = 0; i < zone.points.size(); ++i)
+    if (curve.distance(zone.points[i]) <= 2 * tolerance_) {
+      on_curve.points.push_back(zone.points[i]);
+      on_curve.from_rest.push_back(zone.from_rest[i]);
+    }
+  return on_curve;
+}
+
+double
+PathCost::ofElement(const PlanElement& e, const Zone& zone, double limit) const
+{
+  const double least = simplicity(e);
+  if (least >= limit)
+    return least;
+  const double cost = unseen(e, zone);
+  return cost + least >= limit ? cost + least : cost + astray(e) + least;
 }
 
 std::vector<double>
@@ -213,9 +313,8 @@ PathCost::pointCosts(const std::vector<PlanElement>& path, const Zone& zone) con
   const std::vector<Reach> reaches(path.begin(), path.end());
   std::vector<double> costs;
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
-    double nearest = zone.from_rest[i] * zone.from_rest[i];
-    for (const auto& reach : reaches)
-      nearest = std::min(nearest, reach.squaredDistance(zone.points[i]));
+    const double nearest = std::min(zone.from_rest[i] * zone.from_rest[i],
+                                    nearestOf(reaches, zone.points[i]));
     costs.push_back(missed(nearest));
   }
   return costs;
@@ -230,9 +329,8 @@ PathCost::ofPoints(const std::vector<PlanElement>& path,
   const double most = limit * zone.density;
   double sum = 0;
   for (std::size_t i = 0; i < zone.points.size() && sum <= most; ++i) {
-    double nearest = zone.from_rest[i] * zone.from_rest[i];
-    for (const auto& reach : reaches)
-      nearest = std::min(nearest, reach.squaredDistance(zone.points[i]));
+    const double nearest = std::min(zone.from_rest[i] * zone.from_rest[i],
+                                    nearestOf(reaches, zone.points[i]));
     sum += missed(nearest);
   }
   return sum / zone.density;

@@ -4,6 +4,7 @@
 #include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -47,12 +48,12 @@ public:
   /** @brief A part of the points about a place. */
   struct Zone {
     std::vector<Eigen::Vector2d> points;
-    std::vector<double> from_rest; ///< distance of each from the rest of the loop
+    std::vector<double> from_rest; ///< of each, from what else explains it; metres
     double density = 0;            ///< of these points along a wall, a metre
   };
 
-  /** @brief `rest`: elements of the loop that are not judged. What they explain, no
-   * path has to. */
+  /** @param rest elements of the loop that are not judged: what they explain, no path
+   * has to */
   Zone zoneAround(const Eigen::Vector2d& middle,
                   double radius,
                   const std::vector<PlanElement>& rest) const;
@@ -61,9 +62,16 @@ public:
    * do not explain. */
   double of(const std::vector<PlanElement>& path, const Zone& zone) const;
 
+  /** @brief The points of a zone that an element along `curve` can explain: all that
+   * ofElement() asks for. */
+  Zone zoneOn(const PlanCurve& curve, const Zone& zone) const;
+
   /** @brief What an element costs whatever else is on the path: what no points show of
-   * it, and where it is farther from the contour than walls are. */
-  double ofElement(const PlanElement& e, const Zone& zone) const;
+   * it, and where it is farther from the contour than walls are; some number from
+   * `limit` on where it is more than that. */
+  double ofElement(const PlanElement& e,
+                   const Zone& zone,
+                   double limit = std::numeric_limits<double>::infinity()) const;
 
   /** @brief What each point of the zone costs with a path, 0 to 1. */
   std::vector<double> pointCosts(const std::vector<PlanElement>& path,
@@ -74,15 +82,24 @@ public:
   double
   ofPoints(const std::vector<PlanElement>& path, const Zone& zone, double limit) const;
 
-  /** @brief Cost of a whole loop by all points. */
-  double ofLoop(const PlanLoop& loop) const;
+  /** @brief What a loop costs more by all points once some of its elements are
+   * replaced. Only the points near these are looked at. */
+  double ofChange(const std::vector<PlanElement>& before,
+                  const std::vector<PlanElement>& after,
+                  const std::vector<PlanElement>& rest) const;
 
-  /** @brief What the points of the zone cost on the nearest of some curves, at least.
-   */
-  double least(const std::vector<PlanCurve>& curves, const Zone& zone) const;
+  /** @brief What each point of the zone costs on a curve at least, 0 to 1. */
+  std::vector<double> pointCostsOn(const PlanCurve& curve, const Zone& zone) const;
 
 private:
-  Zone zoneOf(const std::vector<Eigen::Vector2d>& all, std::size_t most_points) const;
+  /** @brief The points that one of the elements explains, in part at least. */
+  Zone zoneAlong(const std::vector<PlanElement>& elements) const;
+
+  /** @brief Elements of `all` that may explain a point within `radius` of `middle`. */
+  void appendNear(const std::vector<PlanElement>& all,
+                  const Eigen::Vector2d& middle,
+                  double radius,
+                  std::vector<PlanElement>& near) const;
 
   /** @brief What a point costs at a distance, 0 to 1. */
   double missed(double squared_distance) const;

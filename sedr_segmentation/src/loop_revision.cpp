@@ -154,10 +154,18 @@ reviseChain(LoopChain& chain,
         double length = 0;
         for (const std::size_t k : window.inner)
           length += chain.element(k).length();
-        if ((inner >= 2 &&
-             tryFusion(chain, window, cost, evidence, guides, parameters, memo)) ||
-            (inner <= most_detour && length < longest_detour &&
-             tryDetour(chain, window, cost, guides, parameters))) {
+        const bool may_fuse = inner >= 2;
+        const bool may_lead_around = inner <= most_detour && length < longest_detour;
+        if (!may_fuse && !may_lead_around) {
+          ++in_vain;
+          continue;
+        }
+        const PathCost::Zone zone =
+            cost.zoneAround(window.middle, window.radius, restOf(chain, window));
+        if ((may_fuse && tryFusion(chain, window, cost, zone, evidence, guides,
+                                   parameters, memo)) ||
+            (may_lead_around &&
+             tryDetour(chain, window, cost, zone, guides, parameters))) {
           in_vain = 0;
           ++changes;
         }

@@ -37,12 +37,6 @@ windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
   const double led_out = std::min(lead, b.length());
   w.lead_in = a.part(a.length() - led_in, a.length());
   w.lead_out = b.part(0, led_out);
-  for (std::size_t i = chain.after(w.after); i != w.before; i = chain.after(i))
-    w.rest.push_back(chain.element(i));
-  if (led_in < a.length())
-    w.rest.push_back(a.part(0, a.length() - led_in));
-  if (led_out < b.length())
-    w.rest.push_back(b.part(led_out, b.length()));
   w.path.push_back(w.lead_in);
   for (const std::size_t i : w.inner)
     w.path.push_back(chain.element(i));
@@ -60,6 +54,22 @@ windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
   w.middle = (low + high) / 2;
   w.radius = (high - low).norm() / 2 + 0.2;
   return w;
+}
+
+std::vector<PlanElement>
+restOf(const LoopChain& chain, const Window& window)
+{
+  std::vector<PlanElement> rest;
+  for (std::size_t i = chain.after(window.after); i != window.before;
+       i = chain.after(i))
+    rest.push_back(chain.element(i));
+  const PlanElement a = chain.element(window.before);
+  const PlanElement b = chain.element(window.after);
+  if (lead < a.length())
+    rest.push_back(a.part(0, a.length() - lead));
+  if (lead < b.length())
+    rest.push_back(b.part(lead, b.length()));
+  return rest;
 }
 
 bool
@@ -81,18 +91,30 @@ replaceLinks(LoopChain& chain,
   std::vector<bool> is_inner(chain.size(), false);
   for (const std::size_t i : window.inner)
     is_inner[i] = true;
+  std::vector<PlanElement> rest;
+  std::vector<PlanElement> was;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (i == window.after) {
       result.links.insert(result.links.end(), links.begin(), links.end());
       result.corners.insert(result.corners.end(), corners.begin(), corners.end() - 1);
     }
+    const bool is_beside = i == window.before || i == window.after;
+    (is_beside || is_inner[i] ? was : rest).push_back(chain.element(i));
     if (is_inner[i])
       continue;
     result.links.push_back(chain.links[i]);
     result.corners.push_back(i == window.after ? corners.back() : chain.corners[i]);
   }
-  if ((crosses(result) && !crosses(chain)) ||
-      cost.ofLoop(result.loop()) > cost.ofLoop(chain.loop()) - least_gain / 2)
+  const LoopLink& before = chain.links[window.before];
+  const LoopLink& after = chain.links[window.after];
+  std::vector<PlanElement> becomes{
+      LoopChain::elementBetween(before, chain.corners[window.before], corners.front())};
+  for (std::size_t k = 0; k < links.size(); ++k)
+    becomes.push_back(LoopChain::elementBetween(links[k], corners[k], corners[k + 1]));
+  becomes.push_back(LoopChain::elementBetween(
+      after, corners.back(), chain.corners[chain.after(window.after)]));
+  if (cost.ofChange(was, becomes, rest) > -least_gain / 2 ||
+      (crosses(result) && !crosses(chain)))
     return false;
   chain = std::move(result);
   return true;

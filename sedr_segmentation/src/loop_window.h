@@ -25,7 +25,6 @@ struct Window {
   PlanElement lead_in;           ///< the end of the link before
   PlanElement lead_out;          ///< the begin of the link after
   std::vector<PlanElement> path; ///< from lead_in to lead_out
-  std::vector<PlanElement> rest; ///< all of the loop that is not on the path
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double radius = 0;
 };
@@ -33,6 +32,9 @@ struct Window {
 /** @brief The window of the `inner` links that follow link `before`; there must be at
  * least two more in the chain. */
 Window windowOf(const LoopChain& chain, std::size_t before, std::size_t inner);
+
+/** @brief All of the loop that is not on the path of a window. */
+std::vector<PlanElement> restOf(const LoopChain& chain, const Window& window);
 
 /** @brief Whether an element runs the way its link does, and not around. */
 bool runsForward(const LoopLink& link, const PlanElement& e, double least_length);
@@ -53,10 +55,11 @@ struct Guides {
 };
 
 /** @brief Tries other ways around the links of a window, along known lines and lines of
- * the given directions; whether it found one. */
+ * the given directions; whether it found one. `zone`: what is around the window. */
 bool tryDetour(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
+               const PathCost::Zone& zone,
                const Guides& guides,
                const LoopParameters& parameters);
 
@@ -65,10 +68,12 @@ bool tryDetour(LoopChain& chain,
 using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
 
 /** @brief Tries one line or arc in place of a window's inner links; whether it found
- * one. `memo` is of this evidence, these guides and parameters only. */
+ * one. `zone`: what is around the window. `memo` is of this evidence, these guides and
+ * parameters only. */
 bool tryFusion(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
+               const PathCost::Zone& zone,
                const PlanPoints& evidence,
                const Guides& guides,
                const LoopParameters& parameters,

@@ -5,17 +5,49 @@
 
 #include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/place_table.h>
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/cell_count.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief Whether a wall may have niches. */
+bool
+mayHaveNiches(const PlanElement& wall, const NicheParameters& parameters)
+{
+  return !wall.isArc() && wall.length() >= parameters.least_size;
+}
+
+/** @brief Of each wall of a room, those of some points that are on it or within reach
+ * behind it, and some others near it. */
+std::vector<std::vector<int>>
+pointsByWall(const PointView& points,
+             const std::vector<int>& indices,
+             const std::vector<PlanElement>& walls,
+             double reach,
+             const NicheParameters& parameters)
+{
+  constexpr double cell = 0.5; // metres
+  PlaceTable walls_near(cell);
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (mayHaveNiches(walls[k], parameters))
+      walls_near.addAlong(walls[k], reach, static_cast<std::uint32_t>(k));
+  walls_near.finish();
+  std::vector<std::vector<int>> near(walls.size());
+  for (const int i : indices)
+    for (const std::uint32_t k :
+         walls_near.at(points[static_cast<std::size_t>(i)].head<2>().cast<double>()))
+      near[k].push_back(i);
+  return near;
+}
 
 /** @brief The points of a wall and of what is behind it. */
 UnrolledWall
@@ -152,13 +184,15 @@ fitNiches(const PointView& points,
           const NicheParameters& parameters)
 {
   const std::vector<PlanElement>& walls = room.boundary.elements;
+  const double reach = parameters.greatest_depth + parameters.view;
+  const std::vector<std::vector<int>> near =
+      pointsByWall(points, around, walls, reach, parameters);
   std::vector<std::vector<PlanNiche>> niches_of(walls.size());
   parallelBlocks(walls.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
     const PlanElement& element = walls[k];
-    if (!element.isArc() && element.length() >= parameters.least_size)
-      niches_of[k] = nichesIn(unroll(points, around, room, element,
-                                     parameters.greatest_depth + parameters.view),
-                              room, parameters);
+    if (mayHaveNiches(element, parameters))
+      niches_of[k] =
+          nichesIn(unroll(points, near[k], room, element, reach), room, parameters);
   });
   std::vector<PlanNiche> niches;
   for (auto& own : niches_of)

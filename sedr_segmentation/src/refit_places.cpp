@@ -2,6 +2,7 @@
 #include "refit_places.h"
 
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/room_lookup.h>
 #include <pcl/sedr_segmentation/plan_curve.h>
 
 #include <algorithm>
@@ -92,18 +93,19 @@ RefitPlaces::addRoom(const PlanRoom& room,
   map.ceiling.assign(width * height, -1);
   map.floor.assign(width * height, -1);
   constexpr std::size_t rows_a_block = 8;
+  const RoomLookup lookup(room);
   parallelBlocks(
       height, rows_a_block, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin * width; i < end * width; ++i) {
           const Eigen::Vector2d p =
               low + map.cell * Eigen::Vector2d(static_cast<double>(i % width) + 0.5,
                                                static_cast<double>(i / width) + 0.5);
-          if (!room.contains(p))
+          if (!lookup.contains(p))
             continue;
           map.ceiling[i] =
-              static_cast<std::int32_t>(ceilings.first) + 1 + room.detailAt(p);
+              static_cast<std::int32_t>(ceilings.first) + 1 + lookup.detailAt(p);
           map.floor[i] =
-              static_cast<std::int32_t>(floors.first) + 1 + room.floorDetailAt(p);
+              static_cast<std::int32_t>(floors.first) + 1 + lookup.floorDetailAt(p);
         }
       });
   map.ceiling = withoutEdges(map.ceiling, map.width, map.height);

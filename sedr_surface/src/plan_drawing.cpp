@@ -206,11 +206,13 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
   constexpr double around_name = 0.35; // of the space that there is
   std::vector<LevelNote> notes;
   const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
+                       const std::vector<Eigen::AlignedBox2d>& boxes,
                        DrawnLayer layer) {
     const PlanDetail& detail = details[d];
     std::vector<PlanLoop> others = detail.holes; // and what lies over it
     for (std::size_t later = d + 1; later < details.size(); ++later)
-      others.push_back(details[later].boundary);
+      if (boxes[later].intersects(boxes[d]))
+        others.push_back(details[later].boundary);
     others.push_back(circleAbout(room_spot.place, around_name * room_spot.radius));
     LevelNote note{textSpotIn(detail.boundary, others), {}, layer};
     if (!room.contains(note.spot.place))
@@ -221,10 +223,15 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
     notes.push_back(note);
   };
-  for (std::size_t d = 0; d < room.details.size(); ++d)
-    add(room.details, d, DrawnLayer::Detail);
-  for (std::size_t d = 0; d < room.floor_details.size(); ++d)
-    add(room.floor_details, d, DrawnLayer::FloorDetail);
+  const auto addAll = [&](const std::vector<PlanDetail>& details, DrawnLayer layer) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const PlanDetail& detail : details)
+      boxes.push_back(boundsOf(detail.boundary));
+    for (std::size_t d = 0; d < details.size(); ++d)
+      add(details, d, boxes, layer);
+  };
+  addAll(room.details, DrawnLayer::Detail);
+  addAll(room.floor_details, DrawnLayer::FloorDetail);
   return notes;
 }
 

@@ -250,18 +250,18 @@ StructureChain::giveUpRoomsWithoutPlan()
 void
 StructureChain::labelNiches()
 {
+  const double reach = refinement.getMaximumDistance();
   std::vector<const PlanRoom*> recessed(regions_.size(), nullptr);
-  std::vector<std::vector<UprightSurface>> uprights(regions_.size());
+  std::vector<std::optional<RoomSurfaces>> surfaces(regions_.size());
   for (const PlanRoom& room : plan->rooms)
     if (!room.niches.empty()) {
       recessed[room.id - 1] = &room;
-      uprights[room.id - 1] = uprightSurfaces(room);
+      surfaces[room.id - 1].emplace(room, reach);
     }
   if (std::count(recessed.begin(), recessed.end(), nullptr) ==
       static_cast<std::ptrdiff_t>(recessed.size()))
     return;
   const RoomTerritory niches = territory(nicheReach());
-  const double reach = refinement.getMaximumDistance();
   for (std::size_t at = 0; at < cloud->size(); ++at) {
     const Eigen::Vector3f place = (*cloud)[at].getVector3fMap();
     const std::int32_t region = niches.roomAt(place);
@@ -271,8 +271,8 @@ StructureChain::labelNiches()
     const Eigen::Vector3d p = place.cast<double>();
     SurfacePoint snapped;
     if (room.nicheAt(p.head<2>()) >= 0 && !room.boundary.contains(p.head<2>()) &&
-        snapToRoom(room, uprights[static_cast<std::size_t>(region)], p,
-                   StructureLabel::Detail, reach, snapped)) {
+        surfaces[static_cast<std::size_t>(region)]->snap(p, StructureLabel::Detail,
+                                                         snapped)) {
       labels[at] = valueOf(StructureLabel::Detail);
       rooms[at] = room.id;
     }

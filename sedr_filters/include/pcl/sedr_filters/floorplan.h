@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/point_types.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -73,6 +74,9 @@ struct PlanElement {
    * those of a closed loop add up to its area. */
   double areaUnder() const;
 };
+
+/** @brief A box that holds an element; of an arc, that of its whole circle. */
+Eigen::AlignedBox2d boxAround(const PlanElement& element);
 
 /** @brief A closed loop of elements: each ends where the next starts, the last where
  * the first starts. Outer loops run counter-clockwise, loops of columns clockwise: the

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/place_table.h>
+#include <pcl/sedr_filters/room_lookup.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -36,6 +39,7 @@ struct UprightSurface {
   UprightKind kind = UprightKind::Wall;
   StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
   int part = -1; ///< of a riser or a niche: index in the room's list
+  std::shared_ptr<const RoomLookup> lookup; ///< what is where in the room
 
   /** @brief What the surface covers at distance `s` along the element. */
   UprightSpan spanAt(double s) const;
@@ -60,7 +64,7 @@ struct SurfacePoint {
  * ceiling or detail is above the place; whether the place is in the room is not asked.
  * Parts at a height of their own are labelled Detail. */
 SurfacePoint
-slabPointAt(const PlanRoom& room, const Eigen::Vector2d& place, bool is_floor);
+slabPointAt(const RoomLookup& room, const Eigen::Vector2d& place, bool is_floor);
 
 /** @brief The point at a place in plan of a niche's bottom or top. */
 SurfacePoint nichePointAt(const PlanRoom& room,
@@ -80,6 +84,26 @@ bool snapToRoom(const PlanRoom& room,
                 StructureLabel label,
                 double farthest,
                 SurfacePoint& snapped);
+
+/** @brief The structure of a room made ready for snapToRoom() of many points: each
+ * looks at the surfaces near it only. */
+class RoomSurfaces {
+public:
+  /** @param room must stay as and where it is
+   * @param farthest that a point may be from its surface, metres */
+  RoomSurfaces(const PlanRoom& room, double farthest);
+
+  /** @brief As snapToRoom(). */
+  bool snap(const Eigen::Vector3d& position,
+            StructureLabel label,
+            SurfacePoint& snapped) const;
+
+private:
+  RoomLookup lookup_;
+  std::vector<UprightSurface> uprights_;
+  double farthest_;
+  PlaceTable near_; ///< the surfaces within reach
+};
 
 } // namespace sedr
 } // namespace pcl

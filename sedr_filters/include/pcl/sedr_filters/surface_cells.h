@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/place_table.h>
 #include <pcl/sedr_filters/plan_surfaces.h>
+#include <pcl/sedr_filters/room_lookup.h>
 
 #include <cstddef>
 #include <string>
@@ -88,7 +90,9 @@ private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const PlanRoom& room_;
+  RoomLookup lookup_;
   double size_;
+  PlaceTable near_; ///< the strips within a cell's size
   std::vector<Strip> strips_;
   std::vector<SurfaceCell> cells_;
   std::vector<std::size_t> starts_{0};

@@ -59,7 +59,8 @@ double contradiction(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kin
 /** @brief Moves the curves by as little as possible, in units of what they are worth,
  * so that every tie is fulfilled: least squares with constraints, by Gauss-Newton.
  * Which tangency is meant, from inside or outside, is read off the curves as they are.
- * Ties may repeat each other. O((ties)^3).
+ * Ties may repeat each other. The equations are sparse: of curves that are tied to a
+ * few each, time grows with their number.
  * @return false where the ties cannot all be fulfilled to 1e-9; the curves stay then */
 bool adjustCurves(std::vector<MeasuredCurve>& curves,
                   const std::vector<CurveTie>& ties);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/room_lookup.h>
+
+#include "plan_arcs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+LoopLookup::LoopLookup(const PlanLoop& loop)
+    : loop_(&loop)
+{
+  constexpr double usual_band = 0.25; // metres
+  constexpr double most_bands = 4096;
+  std::vector<Eigen::AlignedBox2d> boxes;
+  Eigen::AlignedBox2d all;
+  for (const auto& e : loop.elements) {
+    boxes.push_back(boxAround(e));
+    all.extend(boxes.back());
+  }
+  low_ = all.min().y();
+  high_ = all.max().y();
+  if (!std::isfinite(high_ - low_))
+    return;
+  const double count =
+      std::clamp(std::ceil((high_ - low_) / usual_band), 1.0, most_bands);
+  band_ = std::max(1e-9, (high_ - low_) / count);
+  bands_.resize(static_cast<std::size_t>(count) + 1);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto first = static_cast<std::size_t>((boxes[i].min().y() - low_) / band_);
+    const auto last = static_cast<std::size_t>((boxes[i].max().y() - low_) / band_);
+    for (std::size_t b = first; b <= std::min(last, bands_.size() - 1); ++b)
+      bands_[b].push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+bool
+LoopLookup::contains(const Eigen::Vector2d& p) const
+{
+  if (!(p.y() >= low_ && p.y() <= high_) || bands_.empty())
+    return false;
+  int winding = 0;
+  for (const std::uint32_t i : bands_[std::min(
+           bands_.size() - 1, static_cast<std::size_t>((p.y() - low_) / band_))])
+    winding += windingOf(loop_->elements[i], p);
+  return winding != 0;
+}
+
+namespace {
+
+constexpr double cell_size = 0.5; // of the tables, metres
+
+void
+addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)
+{
+  Eigen::AlignedBox2d box;
+  for (const auto& e : loop.elements)
+    box.extend(boxAround(e));
+  if (!box.isEmpty())
+    places.addIn(box, static_cast<std::uint32_t>(number));
+}
+
+} // namespace
+
+RoomLookup::RoomLookup(const PlanRoom& room)
+    : room_(&room)
+    , boundary_(room.boundary)
+    , columns_(cell_size)
+    , details_(cell_size)
+    , floor_details_(cell_size)
+    , niches_(cell_size)
+{
+  for (std::size_t i = 0; i < room.columns.size(); ++i)
+    addTo(columns_, room.columns[i], i);
+  for (std::size_t i = 0; i < room.details.size(); ++i)
+    addTo(details_, room.details[i].boundary, i);
+  for (std::size_t i = 0; i < room.floor_details.size(); ++i)
+    addTo(floor_details_, room.floor_details[i].boundary, i);
+  for (std::size_t i = 0; i < room.niches.size(); ++i)
+    addTo(niches_, room.niches[i].boundary, i);
+  for (PlaceTable* places : {&columns_, &details_, &floor_details_, &niches_})
+    places->finish();
+}
+
+bool
+RoomLookup::contains(const Eigen::Vector2d& p) const
+{
+  if (!boundary_.contains(p))
+    return false;
+  const CellTable::Numbers near = columns_.at(p);
+  return std::none_of(near.begin(), near.end(),
+                      [&](std::uint32_t c) { return room_->columns[c].contains(p); });
+}
+
+int
+RoomLookup::lastAround(const std::vector<PlanDetail>& details,
+                       const PlaceTable& places,
+                       const Eigen::Vector2d& p)
+{
+  const CellTable::Numbers near = places.at(p);
+  for (const std::uint32_t* i = near.end(); i != near.begin();)
+    if (details[*--i].contains(p))
+      return static_cast<int>(*i);
+  return -1;
+}
+
+int
+RoomLookup::detailAt(const Eigen::Vector2d& p) const
+{
+  return lastAround(room_->details, details_, p);
+}
+
+int
+RoomLookup::floorDetailAt(const Eigen::Vector2d& p) const
+{
+  return lastAround(room_->floor_details, floor_details_, p);
+}
+
+int
+RoomLookup::nicheAt(const Eigen::Vector2d& p) const
+{
+  for (const std::uint32_t n : niches_.at(p))
+    if (room_->niches[n].boundary.contains(p))
+      return static_cast<int>(n);
+  return -1;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/place_table.h>
+#include <pcl/sedr_filters/plan_surfaces.h>
+#include <pcl/sedr_filters/room_lookup.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+PlanElement
+arc(const Vector2d& start, const Vector2d& end, const Vector2d& centre)
+{
+  PlanElement e;
+  e.start = start;
+  e.end = end;
+  e.centre = centre;
+  e.radius = (start - centre).norm();
+  return e;
+}
+
+PlanDetail
+detailOf(const PlanLoop& boundary, double height)
+{
+  PlanDetail detail;
+  detail.boundary = boundary;
+  detail.slab.plane[3] = -height;
+  return detail;
+}
+
+/** 20 m x 10 m with a round end, a round column, beams, of which some cross, a coffer
+ * within one, a platform and a niche. */
+PlanRoom
+hall()
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 20, 10), 4, 3);
+  room.boundary.elements[1] = arc({20, 0}, {20, 10}, {20, 5});
+  room.columns.push_back(reversed({{arc({7.3, 5}, {7.3, 5}, {7, 5})}}));
+  for (int k = 0; k < 12; ++k)
+    room.details.push_back(
+        detailOf(rectangle(1 + 1.5 * k, 0.2, 1.4 + 1.5 * k, 9.8), 3.5 - 0.01 * k));
+  room.details.push_back(detailOf(rectangle(0.2, 4, 19.8, 4.5), 3.3));
+  room.details.push_back(detailOf(rectangle(3, 4.1, 4, 4.4), 3.6));
+  room.floor_details.push_back(detailOf(rectangle(12, 1, 16, 3), 0.3));
+  PlanNiche niche;
+  niche.boundary = rectangle(5, -0.4, 7, 0);
+  niche.bottom.plane[3] = -1;
+  niche.top.plane[3] = -2;
+  room.niches.push_back(niche);
+  return room;
+}
+
+/** Random places in and around a hall, many on round numbers, where edges are. */
+std::vector<Vector2d>
+places()
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(-2, 27);
+  std::uniform_real_distribution<double> y(-2, 12);
+  std::vector<Vector2d> all;
+  for (int k = 0; k < 5000; ++k) {
+    Vector2d p(x(random), y(random));
+    if (k % 2)
+      p = (p * 10).array().round() / 10;
+    all.push_back(p);
+  }
+  return all;
+}
+
+TEST(RoomLookup, AnswersAsTheRoomDoes)
+{
+  const PlanRoom room = hall();
+  const RoomLookup lookup(room);
+  int inside = 0;
+  for (const Vector2d& p : places()) {
+    EXPECT_EQ(lookup.contains(p), room.contains(p)) << p.transpose();
+    EXPECT_EQ(lookup.isWithinBoundary(p), room.boundary.contains(p)) << p.transpose();
+    EXPECT_EQ(lookup.detailAt(p), room.detailAt(p)) << p.transpose();
+    EXPECT_EQ(lookup.floorDetailAt(p), room.floorDetailAt(p)) << p.transpose();
+    EXPECT_EQ(lookup.nicheAt(p), room.nicheAt(p)) << p.transpose();
+    EXPECT_EQ(lookup.ceilingAt(p), room.ceilingAt(p)) << p.transpose();
+    EXPECT_EQ(lookup.floorAt(p), room.floorAt(p)) << p.transpose();
+    inside += lookup.contains(p) ? 1 : 0;
+  }
+  EXPECT_GT(inside, 2000);
+}
+
+TEST(RoomLookup, OfAnEmptyRoomContainsNothing)
+{
+  const PlanRoom room;
+  const RoomLookup lookup(room);
+  EXPECT_FALSE(lookup.contains({0, 0}));
+  EXPECT_EQ(lookup.detailAt({0, 0}), -1);
+  EXPECT_EQ(lookup.nicheAt({0, 0}), -1);
+}
+
+TEST(RoomLookup, OfARoomTooLargeForATableAnswersAsTheRoomDoes)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4e9, 4e9), 4, 1);
+  room.details.push_back(detailOf(rectangle(1, 1, 3e9, 3e9), 3));
+  const RoomLookup lookup(room);
+  EXPECT_TRUE(lookup.contains({1e9, 3.9e9}));
+  EXPECT_FALSE(lookup.contains({1e9, 4.1e9}));
+  EXPECT_EQ(lookup.detailAt({2e9, 2.9e9}), 0);
+  EXPECT_EQ(lookup.detailAt({2e9, 3.1e9}), -1);
+}
+
+TEST(RoomSurfaces, SnapAsAllSurfacesDo)
+{
+  const PlanRoom room = hall();
+  constexpr double farthest = 0.2;
+  const std::vector<UprightSurface> uprights = uprightSurfaces(room);
+  const RoomSurfaces surfaces(room, farthest);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> height(-0.2, 4.2);
+  int snapped = 0;
+  for (const Vector2d& place : places()) {
+    const Vector3d p(place.x(), place.y(), height(random));
+    for (const StructureLabel label :
+         {StructureLabel::Wall, StructureLabel::Detail, StructureLabel::Column,
+          StructureLabel::Ceiling, StructureLabel::Floor}) {
+      SurfacePoint by_all;
+      SurfacePoint by_near;
+      const bool is_snapped = snapToRoom(room, uprights, p, label, farthest, by_all);
+      ASSERT_EQ(surfaces.snap(p, label, by_near), is_snapped) << p.transpose();
+      if (!is_snapped)
+        continue;
+      ++snapped;
+      EXPECT_EQ(by_near.position, by_all.position) << p.transpose();
+      EXPECT_EQ(by_near.normal, by_all.normal) << p.transpose();
+      EXPECT_EQ(by_near.label, by_all.label) << p.transpose();
+    }
+  }
+  EXPECT_GT(snapped, 500);
+}
+
+TEST(PlaceTable, FindsAnElementWithinReachAllAlong)
+{
+  PlanElement wall;
+  wall.start = {-3, 2};
+  wall.end = {9, 7};
+  PlaceTable table(0.5);
+  table.addAlong(wall, 0.3, 4);
+  table.finish();
+  for (double s = 0; s <= wall.length(); s += 0.07)
+    for (const double off : {-0.3, 0.3}) {
+      const Vector2d p = wall.pointAt(s) + off * wall.normalAt(s);
+      const CellTable::Numbers found = table.at(p);
+      ASSERT_EQ(found.end() - found.begin(), 1) << p.transpose();
+      EXPECT_EQ(*found.begin(), 4u);
+    }
+  const CellTable::Numbers none = table.at({9, 2});
+  EXPECT_EQ(none.begin(), none.end());
+}
+
+} // namespace
