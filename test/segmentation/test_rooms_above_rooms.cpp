@@ -4,10 +4,10 @@
 #include "room_points.h"
 #include "two_storeys.h"
 
+#include <pcl/sedr_filters/plan_evidence.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_separation.h>
-#include <pcl/sedr_segmentation/settled_rooms.h>
 
 #include <gtest/gtest.h>
 
@@ -129,12 +129,13 @@ TEST(RoomsAboveRooms, WallsThatNearlyLieAboveEachOtherAreNotMadeTo)
   EXPECT_LT(farthestCorner(plan, before), 1e-9);
 }
 
-TEST(RoomsAboveRooms, AllOfThemStayWhenTheyAreSettled)
+TEST(RoomsAboveRooms, TakeNothingFromEachOther)
 {
   const Floorplan truth = twoStoreys(0.3);
   Floorplan plan = truth;
   const RoomPoints points = scanOf(truth);
-  EXPECT_TRUE(settleRooms(plan, points.view(), points.all(), 1).empty());
+  EXPECT_TRUE(separateRooms(plan, points.view(), points.all()).empty());
+  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
   ASSERT_EQ(plan.rooms.size(), 4u);
   EXPECT_EQ(farthestCorner(plan, truth), 0);
   for (const PlanRoom& room : plan.rooms)
@@ -149,7 +150,7 @@ TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
   RoomPoints points;
   points.room(truth.rooms[2]);
   points.room(truth.rooms[3]);
-  settleRooms(plan, points.view(), points.all(), 1);
+  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
   for (const PlanElement& e : plan.rooms.front().boundary.elements)
     EXPECT_EQ(e.evidence.seen, 0);
 }

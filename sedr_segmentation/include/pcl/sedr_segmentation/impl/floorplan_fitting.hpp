@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_evidence.h>
 #include <pcl/sedr_filters/structure_fields.h>
 #include <pcl/sedr_segmentation/ceiling_slits.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/niche_panes.h>
 #include <pcl/sedr_segmentation/plan_refit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
-#include <pcl/sedr_segmentation/settled_rooms.h>
+#include <pcl/sedr_segmentation/room_separation.h>
 
 #include <cmath>
 #include <string>
@@ -130,9 +131,11 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   if (!problem.empty())
     return fail("FloorplanFitting", problem);
   fitToRaw(plan);
-  const std::vector<std::string> settled =
-      sedr::settleRooms(plan, sedr::PointView(*input_), *indices_, parameters_.threads);
-  warnings_.insert(warnings_.end(), settled.begin(), settled.end());
+  constexpr double tolerance = 0.05; // metres, of what lies on a wall
+  const sedr::PointView points(*input_);
+  const std::vector<std::string> cuts = sedr::separateRooms(plan, points, *indices_);
+  sedr::measureEvidence(plan, points, *indices_, tolerance, parameters_.threads);
+  warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
   return true;
 }
 
