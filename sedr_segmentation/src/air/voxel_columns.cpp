@@ -399,6 +399,17 @@ VoxelColumns::dropStrays(int company, unsigned threads)
   bits_ = std::move(kept);
 }
 
+void
+VoxelColumns::keepSurfaces(int company, unsigned threads)
+{
+  const std::vector<std::uint64_t> all = bits_;
+  dropStrays(company, threads);
+  for (const int axis : {0, 1})
+    bits_ = spreadAlong(axis, 1, true, threads);
+  for (std::size_t k = 0; k < bits_.size(); ++k)
+    bits_[k] &= all[k];
+}
+
 std::vector<std::uint64_t>
 VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) const
 {

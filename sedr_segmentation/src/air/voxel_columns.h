@@ -114,6 +114,11 @@ public:
    * 26 around them, 15 at most: points in mid-air. O(columns). */
   void dropStrays(int company, unsigned threads);
 
+  /** @brief Empties the voxels that are of no surface: those that have fewer than
+   * `company` occupied ones around them, and none in their layer beside them that has
+   * as many. Unlike dropStrays() it keeps the edges of surfaces. O(columns). */
+  void keepSurfaces(int company, unsigned threads);
+
   /** @brief Closes holes in surfaces that are narrower than `reach` columns along x or
    * y: a morphological closing of every layer of voxels, so that what a sparse scan
    * shows in dots is a surface. O(columns). */

@@ -46,7 +46,7 @@ withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
   columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
                      threads);
   if (is_dense)
-    columns.dropStrays(least_closed, threads);
+    columns.keepSurfaces(least_closed, threads);
   return columns;
 }
 
@@ -134,9 +134,9 @@ findBuilding(const PointView& points,
   Building building;
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
-  const VoxelColumns seen = columnsThatFill(fine, parameters.threads);
-  const bool is_dense = seen.cellSize() < 3 * fine.cellSize();
-  const VoxelColumns columns = withHolesClosed(seen, is_dense, parameters.threads);
+  const VoxelColumns filled = columnsThatFill(fine, parameters.threads);
+  const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
+  const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
   building.cell_size = columns.cellSize();
   const AirGaps air(columns, airParameters(parameters, columns.cellSize()));
   PartingParameters of_parting;
@@ -145,7 +145,7 @@ findBuilding(const PointView& points,
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted, seen), parameters, building);
+      keepRooms(describeRooms(air, parted), parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

@@ -79,7 +79,7 @@ private:
 } // namespace
 
 std::vector<BuildingRoom>
-describeRooms(const AirGaps& air, const PartedAir& parted, const VoxelColumns& seen)
+describeRooms(const AirGaps& air, const PartedAir& parted)
 {
   constexpr double share_of_floor = 0.1; // of a room's columns
   const VoxelColumns& columns = air.columns();
@@ -99,17 +99,11 @@ describeRooms(const AirGaps& air, const PartedAir& parted, const VoxelColumns& s
         std::size_t ends = 0;
         for (const std::uint32_t g : gaps[r]) {
           const AirGap& gap = air[g];
-          const auto wasSeen = [&](std::int32_t surface) {
-            const int near = air.voxels(air.parameters().same_surface);
-            return seen.countBetween(gap.column, surface - near, surface + near + 1) >
-                   0;
-          };
           const double low = columns.heightOf(gap.low);
           const double high = columns.heightOf(gap.high);
-          room.columns.push_back(
-              {columns.cellOf(gap.column), static_cast<float>(low),
-               static_cast<float>(high), gap.floor_seen && wasSeen(gap.low - 1),
-               gap.ceiling_seen && wasSeen(gap.high), levels.isLevel(g)});
+          room.columns.push_back({columns.cellOf(gap.column), static_cast<float>(low),
+                                  static_cast<float>(high), gap.floor_seen,
+                                  gap.ceiling_seen, levels.isLevel(g)});
           lows.add(low);
           highs.add(high);
           for (int d = 0; d < 4; ++d)

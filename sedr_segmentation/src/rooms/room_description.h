@@ -11,11 +11,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Each part of the air as a room, with its columns, heights, area and
- * enclosure, whether it is one or not; in their order, ids from 1. O(gaps).
- * @param seen the columns before holes were closed: what was seen of floor and ceiling
- */
-std::vector<BuildingRoom>
-describeRooms(const AirGaps& air, const PartedAir& parted, const VoxelColumns& seen);
+ * enclosure, whether it is one or not; in their order, ids from 1. O(gaps). */
+std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& parted);
 
 /** @brief Why a part of the air is no room, for people; empty if it is one.
  * @param[out] kind what it is instead */

@@ -21,7 +21,7 @@ describe(const AirScene& scene)
   all.room.assign(air.gaps.size(), 0);
   all.rooms = 1;
   all.is_reveal.assign(air.gaps.size(), 0);
-  return describeRooms(air.gaps, all, air.columns).at(0);
+  return describeRooms(air.gaps, all).at(0);
 }
 
 /** Columns in a row, `n` of them. */
