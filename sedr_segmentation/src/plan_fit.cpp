@@ -144,11 +144,10 @@ leaveToOthers(const PointView& points,
         again.evidence.faces_of_others.insert(again.evidence.faces_of_others.end(),
                                               faces[r].begin(), faces[r].end());
         std::string problem;
-        PlanRoom room =
-            fitRoom(points, again.evidence, parameters, problem, &again.record);
+        PlanRoom room = fitRoom(points, again.evidence, parameters, problem,
+                                &again.record, rooms[r].boundary.elements.size());
         room.id = rooms[r].id;
-        if (!problem.empty() ||
-            room.boundary.elements.size() >= rooms[r].boundary.elements.size())
+        if (!problem.empty())
           return;
         rooms[r] = std::move(room);
         work[r] = std::move(again);
@@ -198,12 +197,12 @@ fitPlan(const PointView& points,
   const std::vector<RoomHeights> heights =
       heightsOfRooms(points, {ceilings, details, shareBy(evidence.floor, labelled)});
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
-  parallelBlocks(
-      territories.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
-        territories[k] = std::make_unique<RoomTerritory>(
-            grid, scopes, heights,
-            k == 0 ? RoomTerritory::farthest_wall : nicheReach());
-      });
+  parallelBlocks(territories.size(), 1, parameters.threads,
+                 [&](std::size_t k, std::size_t) {
+                   territories[k] = std::make_unique<RoomTerritory>(
+                       grid, scopes, heights,
+                       k == 0 ? RoomTerritory::farthest_wall : nicheReach());
+                 });
   const RoomTerritory& territory = *territories[0];
   const RoomTerritory& wide = *territories[1];
   problem = territory.problem().empty() ? wide.problem() : territory.problem();

@@ -190,7 +190,8 @@ fitRoom(const PointView& points,
         const RoomEvidence& evidence,
         const RoomFitParameters& parameters,
         std::string& problem,
-        RoomRecord* record)
+        RoomRecord* record,
+        std::size_t fewer_than)
 {
   PlanRoom room;
   const CellGrid grid(parameters.cell_size);
@@ -246,6 +247,11 @@ fitRoom(const PointView& points,
   if (room.boundary.elements.size() < 1 || !(room.boundary.area() > 0)) {
     problem = "no closed outline could be fitted to " + std::to_string(seen.size()) +
               " ceiling cells";
+    return room;
+  }
+  if (room.boundary.elements.size() >= fewer_than) {
+    problem = "its walls are " + std::to_string(room.boundary.elements.size()) +
+              " elements, fewer than " + std::to_string(fewer_than) + " are wanted";
     return room;
   }
   const CellMask open = outline.columns.empty()

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,12 +53,15 @@ struct RoomRecord {
  * least squares, the loop of walls along the outline of ceiling and details, the loops
  * of columns in it, and for every detail its plane and its loop.
  * @param[out] problem why there is no room, a sentence; empty otherwise
- * @param[out] record what else is known, if wanted */
+ * @param[out] record what else is known, if wanted
+ * @param fewer_than elements that its walls must be to be fitted on: otherwise the
+ * problem is that they are too many, which is known long before the details are */
 PlanRoom fitRoom(const PointView& points,
                  const RoomEvidence& evidence,
                  const RoomFitParameters& parameters,
                  std::string& problem,
-                 RoomRecord* record = nullptr);
+                 RoomRecord* record = nullptr,
+                 std::size_t fewer_than = std::numeric_limits<std::size_t>::max());
 
 } // namespace sedr
 } // namespace pcl
