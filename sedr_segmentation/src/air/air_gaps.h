@@ -33,7 +33,7 @@ struct AirParameters {
   double least_known = 0.15;  ///< of the rim of a hole that is filled: known air
   double most_open = 0.2;     ///< of its rim: neither air nor wall
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
-  double least_air = 0.2;     ///< of the rim of low gaps that are air: tall ones
+  double least_air = 0.1;     ///< of the rim of low gaps that are air: tall ones
   unsigned threads = 0;
 };
 

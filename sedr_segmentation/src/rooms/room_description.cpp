@@ -168,7 +168,12 @@ noRoomBecause(const BuildingRoom& room,
                   seen == floor_seen ? "floor" : "ceiling");
     return text;
   }
-  if (room.enclosure < parameters.minimum_enclosure) {
+  // Of a place too small for a scanner only what an opening shows may be seen.
+  constexpr double too_small = 4; // square metres
+  constexpr double closed = 0.6;  // of its outline
+  if (room.enclosure < (area < too_small
+                            ? std::max(closed, parameters.minimum_enclosure)
+                            : parameters.minimum_enclosure)) {
     kind = LeftOutKind::Open;
     std::snprintf(
         text, sizeof text,
