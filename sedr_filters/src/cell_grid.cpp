@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/disjoint_sets.h>
 
 #include <algorithm>
 #include <cassert>
@@ -14,39 +15,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief Disjoint sets with path halving; the smaller root wins, so that labels do not
- * depend on the order of unions. */
-class DisjointSets {
-public:
-  explicit DisjointSets(std::size_t n)
-      : parent_(n)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t root(std::size_t i)
-  {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void join(std::size_t a, std::size_t b)
-  {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
 /** @brief Joins every cell with its eight neighbours: the one before it in the row, and
  * of the up to three in the row below, which a second cursor follows, those that
  * nothing has joined with it yet. */
 void
-joinNeighbours(const CellSet& cells, DisjointSets& sets)
+joinNeighbours(const CellSet& cells, DisjointSets<std::size_t>& sets)
 {
   const std::vector<CellKey>& keys = cells.keys();
   const auto followsAnother = [&](std::size_t i) {
@@ -176,7 +149,7 @@ subtract(const CellSet& a, const CellSet& b)
 CellRegions
 labelRegions(const CellSet& cells)
 {
-  DisjointSets sets(cells.size());
+  DisjointSets<std::size_t> sets(cells.size());
   joinNeighbours(cells, sets);
 
   // Roots are the first cells of their regions, so regions are met in the order of the
@@ -186,7 +159,7 @@ labelRegions(const CellSet& cells)
   std::vector<std::size_t> region_of_root(cells.size());
   std::vector<std::size_t> sizes;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t root = sets.root(i);
+    const std::size_t root = sets.find(i);
     if (root == i) {
       region_of_root[i] = sizes.size();
       sizes.push_back(0);

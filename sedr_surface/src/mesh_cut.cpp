@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_edges.h"
 
+#include <pcl/sedr_filters/disjoint_sets.h>
 #include <pcl/sedr_surface/mesh_repair.h>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ pairSides(const TriangleMesh& mesh,
 }
 
 void
-joinSides(const EdgeUse& a, const EdgeUse& b, DisjointSets& corners)
+joinSides(const EdgeUse& a, const EdgeUse& b, DisjointSets<>& corners)
 {
   corners.join(lowCorner(a), lowCorner(b));
   corners.join(highCorner(a), highCorner(b));
@@ -95,7 +96,7 @@ joinSides(const EdgeUse& a, const EdgeUse& b, DisjointSets& corners)
 // Gives every fan a vertex of its own; the first fan of a vertex keeps it.
 // Returns which vertices had more than one fan, and their copies.
 std::vector<bool>
-separateFans(TriangleMesh& mesh, DisjointSets& corners, MeshRepairReport& report)
+separateFans(TriangleMesh& mesh, DisjointSets<>& corners, MeshRepairReport& report)
 {
   const auto corner_count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   std::vector<std::uint32_t> own_vertex(corner_count, none); // of the root of a fan
@@ -223,7 +224,7 @@ separateDoubledEdges(TriangleMesh& mesh,
 void
 cutNonManifold(TriangleMesh& mesh, KeepApart apart, MeshRepairReport& report)
 {
-  DisjointSets corners(3 * mesh.triangles.size());
+  DisjointSets<> corners(3 * mesh.triangles.size());
   std::vector<Sheet> sheets;
   forEachEdge(collectEdges(mesh.triangles), [&](auto first, auto last) {
     if (last - first == 2)

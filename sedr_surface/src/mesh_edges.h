@@ -72,36 +72,6 @@ forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
   }
 }
 
-/** @brief Disjoint sets of 0 .. n - 1; the lowest member stands for its set. */
-class DisjointSets {
-public:
-  explicit DisjointSets(std::size_t size)
-      : parent_(size)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-
-  std::uint32_t find(std::uint32_t i)
-  {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b)
-  {
-    a = find(a);
-    b = find(b);
-    if (a != b)
-      parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /** @brief Number of the corner of `use.triangle` that sits on the lower vertex of the
  * edge: 3 * triangle + corner. */
 inline std::uint32_t

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_edges.h"
 
+#include <pcl/sedr_filters/disjoint_sets.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ countFans(const TriangleMesh& mesh,
           const std::vector<EdgeUse>& uses,
           MeshTopology& topology)
 {
-  DisjointSets corners(3 * mesh.triangles.size());
+  DisjointSets<> corners(3 * mesh.triangles.size());
   forEachEdge(uses, [&corners](auto first, auto last) {
     for (auto use = first + 1; use != last; ++use) {
       corners.join(lowCorner(*first), lowCorner(*use));
@@ -88,7 +89,7 @@ labelComponents(const TriangleMesh& mesh,
                 const std::vector<EdgeUse>& uses,
                 std::uint32_t& count)
 {
-  DisjointSets sets(mesh.triangles.size());
+  DisjointSets<> sets(mesh.triangles.size());
   forEachEdge(uses, [&sets](auto first, auto last) {
     for (auto use = first + 1; use != last; ++use)
       sets.join(first->triangle, use->triangle);

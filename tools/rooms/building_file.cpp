@@ -180,9 +180,13 @@ buildingFrom(const Json& json)
 const char*
 nameOf(LeftOutKind kind)
 {
-  return kind == LeftOutKind::Open  ? "outdoors"
-         : kind == LeftOutKind::Low ? "no headroom"
-                                    : "void";
+  switch (kind) {
+  case LeftOutKind::Low: return "no headroom";
+  case LeftOutKind::Open: return "outdoors";
+  case LeftOutKind::Landing: return "landing";
+  case LeftOutKind::Void: break;
+  }
+  return "void";
 }
 
 std::string

@@ -3,6 +3,7 @@
 
 #include "air_holes.h"
 #include "low_air.h"
+#include "slab_faces.h"
 #include "slab_holes.h"
 
 #include <pcl/sedr_filters/parallel.h>
@@ -32,6 +33,7 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
 {
   findGaps();
   closeSlabs();
+  gaps_ = withBothFaces(*this);
   sortGaps(enclosedHolesOf(*this));
   linkGaps();
   keepAir();

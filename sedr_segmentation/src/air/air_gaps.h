@@ -25,6 +25,7 @@ struct AirParameters {
   double cell = 0.1; ///< edge of a column of the plan
   double voxel_height = 0.05;
   double thinnest = 0.15;     ///< lower gaps are noise between two surfaces
+  double thinnest_slab = 0.2; ///< of what is thinner one face was seen
   double headroom = 1.8;      ///< gaps as high as this are air
   double same_ceiling = 0.15; ///< a ceiling goes on where it rises by less a cell
   double highest_step = 1.2;  ///< floors farther apart are those of different levels

@@ -61,6 +61,36 @@ airParameters(const BuildingParameters& parameters, double cell)
   return air;
 }
 
+/** @brief Why each part of the air is no room, empty for rooms. */
+std::vector<std::string>
+reasonsOf(const std::vector<BuildingRoom>& parts,
+          const BuildingParameters& parameters,
+          double cell_size,
+          std::vector<LeftOutKind>& kinds)
+{
+  constexpr double smallest_level = 5; // square metres: less may be a landing
+  std::vector<std::string> reasons;
+  std::vector<double> floors; // of rooms that are large enough to make a level
+  kinds.assign(parts.size(), LeftOutKind::Low);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    reasons.push_back(noRoomBecause(parts[p], cell_size, parameters, kinds[p]));
+    if (reasons[p].empty() && parts[p].area >= smallest_level)
+      floors.push_back(parts[p].floor);
+  }
+  const auto isOnLevel = [&](const BuildingRoom& room) {
+    return floors.empty() ||
+           std::any_of(floors.begin(), floors.end(), [&](double floor) {
+             return std::abs(floor - room.floor) < parameters.storey_step / 2;
+           });
+  };
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (reasons[p].empty() && !isOnLevel(parts[p])) {
+      reasons[p] = "a landing of stairs, or above furniture: on the floor of no storey";
+      kinds[p] = LeftOutKind::Landing;
+    }
+  return reasons;
+}
+
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
@@ -69,20 +99,20 @@ keepRooms(std::vector<BuildingRoom> parts,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
+  std::vector<LeftOutKind> kinds;
+  const std::vector<std::string> reasons =
+      reasonsOf(parts, parameters, building.cell_size, kinds);
   std::vector<std::uint32_t> number(parts.size(), 0);
-  for (BuildingRoom& part : parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    BuildingRoom& part = parts[p];
     building.seen_area += part.area;
-    LeftOutKind kind = LeftOutKind::Low;
-    const std::string reason =
-        noRoomBecause(part, building.cell_size, parameters, kind);
-    if (reason.empty()) {
-      part.id = number[part.id - 1] =
-          static_cast<std::uint32_t>(building.rooms.size() + 1);
+    if (reasons[p].empty()) {
+      part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
       building.rooms.push_back(std::move(part));
     }
     else if (part.area >= worth_telling)
       building.left_out.push_back(
-          {kind, reason, part.area, part.floor, part.ceiling,
+          {kinds[p], reasons[p], part.area, part.floor, part.ceiling,
            CellGrid(building.cell_size)
                .centre(part.columns[part.columns.size() / 2].cell)});
   }

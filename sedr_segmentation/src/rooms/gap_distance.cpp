@@ -1,43 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gap_distance.h"
 
-#include <pcl/sedr_filters/parallel.h>
-
-#include <algorithm>
-#include <utility>
+#include <cstddef>
 
 namespace pcl {
 namespace sedr {
-
-namespace {
-
-constexpr std::size_t gaps_a_block = 16384;
-
-/** @brief The extreme of each gap's value and its four neighbours', `reach` times. */
-template <typename Better>
-std::vector<float>
-spread(const AirGaps& air, std::vector<float> values, int reach, Better better)
-{
-  std::vector<float> next(values.size());
-  for (int round = 0; round < reach; ++round) {
-    parallelBlocks(values.size(), gaps_a_block, air.parameters().threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t g = begin; g < end; ++g) {
-                       float best = values[g];
-                       for (int d = 0; d < 4; ++d) {
-                         const std::uint32_t o = air.link(g, d);
-                         if (o != AirGaps::none && better(values[o], best))
-                           best = values[o];
-                       }
-                       next[g] = best;
-                     }
-                   });
-    values.swap(next);
-  }
-  return values;
-}
-
-} // namespace
 
 std::vector<float>
 distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
@@ -90,23 +57,6 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
     if (steps[g] != unreached)
       distance[g] = static_cast<float>(steps[g]) / to_side;
   return distance;
-}
-
-std::vector<float>
-dipOfCeiling(const AirGaps& air, int reach)
-{
-  std::vector<float> high(air.size());
-  for (std::size_t g = 0; g < air.size(); ++g)
-    high[g] = static_cast<float>(air.columns().heightOf(air[g].high));
-  const auto higher = [](float a, float b) { return a > b; };
-  const auto lower = [](float a, float b) { return a < b; };
-  // What is narrower than a lintel is long is a hole in the ceiling, or between ribs.
-  const int narrow = reach / 2;
-  high = spread(air, spread(air, std::move(high), narrow, lower), narrow, higher);
-  std::vector<float> dip = spread(air, spread(air, high, reach, higher), reach, lower);
-  for (std::size_t g = 0; g < dip.size(); ++g)
-    dip[g] -= high[g];
-  return dip;
 }
 
 } // namespace sedr

@@ -15,10 +15,5 @@ namespace sedr {
 std::vector<float> distanceToRim(const AirGaps& air,
                                  const std::vector<std::uint8_t>& inside);
 
-/** @brief How far the ceiling of each gap dips below what it is on both sides within
- * `reach` cells (grey closing along the air), metres: lintels and beams. O(gaps
- * reach). */
-std::vector<float> dipOfCeiling(const AirGaps& air, int reach);
-
 } // namespace sedr
 } // namespace pcl

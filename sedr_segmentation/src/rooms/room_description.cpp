@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_description.h"
 
-#include "height_counts.h"
+#include "../air/height_counts.h"
 #include "wall_beside.h"
 
 #include <pcl/sedr_filters/parallel.h>

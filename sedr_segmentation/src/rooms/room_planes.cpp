@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "height_counts.h"
+#include "../air/height_counts.h"
 
 #include <pcl/sedr_filters/plane_fit.h>
 #include <pcl/sedr_segmentation/room_planes.h>

@@ -275,6 +275,24 @@ TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
   EXPECT_NEAR(found.building.left_out[2].area, 9, 0.6);
 }
 
+TEST(FindBuilding, ASmallPlaceOnTheFloorOfNoStoreyIsALanding)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 6.05, 4.05, 0.01, 2.51);
+  scene.room(6.35, 0.05, 7.85, 2.05, 1.41, 4.01); // between two storeys
+  scene.room(6.35, 2.35, 7.85, 4.05, 0.51, 2.51); // a closet two steps up
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 2u);
+  EXPECT_EQ(found.building.storeys.size(), 1u);
+  EXPECT_EQ(found.roomAt(7.1, 3.2), 2u);
+  ASSERT_FALSE(found.building.left_out.empty());
+  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Landing);
+  EXPECT_NEAR(found.building.left_out[0].area, 3, 0.4);
+
+  scene.room(6.35, 4.35, 9.35, 8.05, 1.41, 4.01); // now a level
+  EXPECT_EQ(Found(scene).building.rooms.size(), 4u);
+}
+
 TEST(FindBuilding, OfAScanWithoutRoomsTellsWhatWasLookedFor)
 {
   AirScene scene;

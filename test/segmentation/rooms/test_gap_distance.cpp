@@ -77,40 +77,4 @@ TEST(DistanceToRim, EndsAtADrop)
   EXPECT_NEAR(distance[air.at(6.05, 2.05, 4)] * 0.1, 2, 0.15) << "in its middle";
 }
 
-TEST(DipOfCeiling, IsTheDepthOfALintel)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 6.05, 3.05, 0.01, 2.51);
-  scene.hanging(2.95, 0.05, 3.15, 3.05, 2.11, 2.51);
-  const SceneAir air(scene);
-  const std::vector<float> dip = dipOfCeiling(air.gaps, 4);
-  EXPECT_NEAR(dip[air.at(3.05, 1.5, 1)], 0.4, 0.051);
-  EXPECT_EQ(dip[air.at(2.5, 1.5, 1)], 0);
-  EXPECT_EQ(dip[air.at(0.15, 0.15, 1)], 0);
-}
-
-TEST(DipOfCeiling, IsNoneBelowASoffitThatIsWiderThanTheReach)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 6.05, 3.05, 0.01, 2.51);
-  scene.hanging(2.05, 0.05, 3.55, 3.05, 2.11, 2.51);
-  const SceneAir air(scene);
-  EXPECT_EQ(dipOfCeiling(air.gaps, 4)[air.at(2.8, 1.5, 1)], 0);
-  EXPECT_GT(dipOfCeiling(air.gaps, 9)[air.at(2.8, 1.5, 1)], 0.3);
-}
-
-TEST(DipOfCeiling, IsNoneBelowASlope)
-{
-  AirScene scene;
-  const PlanLoop loop = rectangle(0.05, 0.05, 6.05, 3.05);
-  scene.points.slab(loop, 0.01);
-  scene.points.slab(loop, slabAt(2.5, 0.5, 0));
-  scene.sides(0.05, 0.05, 6.05, 3.05, 0.01, 2.51);
-  scene.wall(6.05, 0.05, 6.05, 3.05, 2.51, 5.5);
-  const SceneAir air(scene);
-  const std::vector<float> dip = dipOfCeiling(air.gaps, 4);
-  for (double x = 0.6; x < 5.5; x += 0.5)
-    EXPECT_LT(dip[air.at(x, 1.5, 1)], 0.06) << x;
-}
-
 } // namespace

@@ -88,6 +88,40 @@ TEST(PartRooms, ADoorWithALintelPartsTwoRooms)
   });
 }
 
+/** The same rooms, 4 m deep, with two openings of a width beside a pier of 40 cm. */
+void
+addRoomsWithPier(AirScene& scene, double width, double head)
+{
+  for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.15, 8.15)}) {
+    scene.slab(x0, 0.05, x1, 6.05, 0.01);
+    scene.slab(x0, 0.05, x1, 6.05, 2.91);
+    for (const double y : {0.05, 6.05})
+      scene.wall(x0, y, x1, y, 0.01, 2.91);
+  }
+  for (const double x : {0.05, 8.15})
+    scene.wall(x, 0.05, x, 6.05, 0.01, 2.91);
+  const double from = 3.05 - 0.2 - width;
+  const double to = 3.05 + 0.2 + width;
+  scene.partition(4.05, 0.05, 3.05, 0.01, 2.91, {from, 2.85, head});
+  scene.partition(4.05, 3.05, 6.05, 0.01, 2.91, {3.25, to, head});
+}
+
+TEST(PartRooms, AColumnInAWideOpeningBelowABeamPartsNothing)
+{
+  forBothTurns([](AirScene& scene) {
+    addRoomsWithPier(scene, 2.4, 2.51);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, TwoDoorsSideBySidePartTwoRooms)
+{
+  forBothTurns([](AirScene& scene) {
+    addRoomsWithPier(scene, 0.9, 2.11);
+    EXPECT_EQ(Parted(scene).rooms(), 2u);
+  });
+}
+
 TEST(PartRooms, ADoorAsHighAsTheCeilingPartsThemByItsJambs)
 {
   forBothTurns([](AirScene& scene) {

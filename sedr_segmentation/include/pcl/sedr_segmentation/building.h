@@ -52,9 +52,10 @@ struct BuildingRoom {
 
 /** @brief What is no room although it was seen. */
 enum class LeftOutKind {
-  Low,  ///< nowhere large enough to stand in
-  Open, ///< without walls around it: outdoors, or seen through an opening
-  Void  ///< within slabs, below furniture
+  Low,     ///< nowhere large enough to stand in
+  Open,    ///< without walls around it: outdoors, or seen through an opening
+  Landing, ///< small and on the floor of no storey
+  Void     ///< within slabs, below furniture
 };
 
 /** @brief Something that was seen and is no room. */

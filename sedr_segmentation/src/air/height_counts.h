@@ -20,6 +20,8 @@ public:
       bins_[at] += n;
   }
 
+  bool empty() const { return bins_.empty(); }
+
   /** @brief The lowest height around which at least `share` of all lie, metres. */
   double lowestOf(double share) const
   {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../air/air_gaps.h"
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief How far the ceiling of each gap dips below what it is on both sides within
+ * `reach` cells (grey closing along the air), metres: lintels and beams. Holes in the
+ * ceiling narrower than that, and the spaces between ribs, are closed first (grey
+ * opening). O(gaps reach). */
+std::vector<float> dipOfCeiling(const AirGaps& air, int reach);
+
+/** @brief Sets dips of at least `lintel` metres to 0 where fewer than `smallest` gaps
+ * with one hang together: points in the air below a ceiling. O(gaps). */
+void
+dropSpecks(const AirGaps& air, double lintel, int smallest, std::vector<float>& dip);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_borders.h"
+
+#include "gap_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::uint32_t none = AirGaps::none;
+
+RoomPair
+pairOf(std::uint32_t a, std::uint32_t b)
+{
+  return std::minmax(a, b);
+}
+
+/** @brief The gap that is first met behind what ends another, `none` where there is
+ * nothing within `reach` columns. */
+std::uint32_t
+facedFrom(const AirGaps& air, RoomLabels& labels, std::uint32_t g, int d, int reach)
+{
+  std::uint32_t column = air[g].column;
+  for (int step = 0; step <= reach; ++step) {
+    column = air.columns().neighbour(column, d);
+    if (column == VoxelColumns::none)
+      return none;
+    const std::uint32_t o = air.overlapping(column, air[g].low, air[g].high);
+    if (o != none && (step > 0 || !labels.isSameRoom(o, g)))
+      return o;
+  }
+  return none;
+}
+
+} // namespace
+
+std::map<RoomPair, std::vector<Crossing>>
+crossingsOf(const AirGaps& air, RoomLabels& labels)
+{
+  std::map<RoomPair, std::vector<Crossing>> crossings;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t o = air.link(g, d);
+      if (o != none && labels.hasRoom(g) && labels.hasRoom(o) &&
+          labels.roomOf(g) < labels.roomOf(o))
+        crossings[{labels.roomOf(g), labels.roomOf(o)}].push_back({g, o});
+    }
+  return crossings;
+}
+
+RoomBorders::RoomBorders(const AirGaps& air, double thickest_wall, RoomLabels& labels)
+    : labels_(labels)
+    , rooms_(labels.sizes().size())
+{
+  measureRooms(air);
+  for (auto& [pair, crossings] : crossingsOf(air, labels))
+    borders_[pair].crossings = std::move(crossings);
+  countWalls(air,
+             static_cast<int>(std::lround(thickest_wall / air.columns().cellSize())));
+  countStacked(air);
+  for (auto& [pair, border] : borders_) {
+    rooms_[pair.first].beside.insert(pair.second);
+    rooms_[pair.second].beside.insert(pair.first);
+  }
+}
+
+double
+RoomBorders::openShare(std::uint32_t room) const
+{
+  std::size_t open = 0;
+  for (const std::uint32_t other : rooms_[room].beside)
+    open += between(pairOf(room, other)).crossings.size();
+  return static_cast<double>(open) /
+         static_cast<double>(std::max<std::size_t>(1, open + rooms_[room].ends));
+}
+
+void
+RoomBorders::join(const RoomPair& pair)
+{
+  const auto [a, b] = pair;
+  labels_.join(a, b);
+  RoomExtent& into = rooms_[a];
+  RoomExtent& joined = rooms_[b];
+  into.area += joined.area;
+  into.depth = std::max(into.depth, joined.depth);
+  into.ends += joined.ends;
+  into.floors.add(joined.floors);
+  borders_.erase(pair);
+  into.beside.erase(b);
+  joined.beside.erase(a);
+  for (const std::uint32_t other : joined.beside) {
+    RoomBorder moved = std::move(borders_.extract(pairOf(b, other)).mapped());
+    RoomBorder& border = borders_[pairOf(a, other)];
+    for (Crossing c : moved.crossings) {
+      if (labels_.roomOf(c.from) > labels_.roomOf(c.to))
+        std::swap(c.from, c.to);
+      border.crossings.push_back(c);
+    }
+    border.walls += moved.walls;
+    border.stacked += moved.stacked;
+    rooms_[other].beside.erase(b);
+    rooms_[other].beside.insert(a);
+    into.beside.insert(other);
+  }
+  joined.beside.clear();
+}
+
+void
+RoomBorders::measureRooms(const AirGaps& air)
+{
+  const double cell = air.columns().cellSize();
+  for (std::size_t r = 0; r < rooms_.size(); ++r)
+    rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * cell * cell;
+  const std::vector<float> free =
+      distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1));
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (labels_.hasRoom(g)) {
+      RoomExtent& own = rooms_[labels_.roomOf(g)];
+      own.depth = std::max<double>(own.depth, free[g] * cell);
+      own.floors.add(air.columns().heightOf(air[g].low));
+    }
+}
+
+/** @brief Counts where rooms end, and where behind it another begins. */
+void
+RoomBorders::countWalls(const AirGaps& air, int reach)
+{
+  std::map<RoomPair, std::size_t> faces;
+  for (std::uint32_t g = 0; g < air.size(); ++g) {
+    if (!labels_.hasRoom(g))
+      continue;
+    for (int d = 0; d < 4; ++d) {
+      if (air.link(g, d) != none)
+        continue;
+      ++rooms_[labels_.roomOf(g)].ends;
+      const std::uint32_t faced = facedFrom(air, labels_, g, d, reach);
+      if (faced != none && labels_.hasRoom(faced) && !labels_.isSameRoom(faced, g))
+        ++faces[pairOf(labels_.roomOf(g), labels_.roomOf(faced))];
+    }
+  }
+  for (const auto& [pair, n] : faces)
+    borders_[pair].walls = (n + 1) / 2; // each is met from both sides
+}
+
+void
+RoomBorders::countStacked(const AirGaps& air)
+{
+  for (std::uint32_t g = 0; g + 1 < air.size(); ++g)
+    for (std::uint32_t o = g + 1; o < air.size() && air[o].column == air[g].column; ++o)
+      if (labels_.hasRoom(g) && labels_.hasRoom(o) && !labels_.isSameRoom(g, o))
+        ++borders_[pairOf(labels_.roomOf(g), labels_.roomOf(o))].stacked;
+}
+
+} // namespace sedr
+} // namespace pcl

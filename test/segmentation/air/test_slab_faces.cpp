@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segmentation/air/air_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Seen = std::function<bool(double x, double y)>;
+
+bool
+isAside(double x, double y)
+{
+  return x < 2 || x > 4 || y < 1 || y > 3;
+}
+
+bool
+always(double /*x*/, double /*y*/)
+{
+  return true;
+}
+
+/** Two rooms above each other, and which parts of the slab between them were seen. */
+AirScene
+storeys(const Seen& ceiling, const Seen& floor)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, ceiling);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, floor);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
+  return scene;
+}
+
+TEST(SlabFaces, AFloorThatWasNotSeenIsNotTheCeilingBelowIt)
+{
+  const AirScene scene = storeys(always, isAside);
+  const SceneAir air(scene);
+  const AirGap& upper = air.gaps[air.at(3, 2, 4)];
+  EXPECT_EQ(upper.low, 57);
+  EXPECT_FALSE(upper.floor_seen);
+  EXPECT_TRUE(upper.ceiling_seen);
+  const AirGap& lower = air.gaps[air.at(3, 2, 1)];
+  EXPECT_EQ(lower.high, 50);
+  EXPECT_TRUE(lower.ceiling_seen);
+  EXPECT_TRUE(air.gaps[air.at(1, 2, 4)].floor_seen) << "beside";
+}
+
+TEST(SlabFaces, ACeilingThatWasNotSeenIsNotTheFloorAboveIt)
+{
+  const AirScene scene = storeys(isAside, always);
+  const SceneAir air(scene);
+  const AirGap& lower = air.gaps[air.at(3, 2, 1)];
+  EXPECT_EQ(lower.high, 50);
+  EXPECT_FALSE(lower.ceiling_seen);
+  const AirGap& upper = air.gaps[air.at(3, 2, 4)];
+  EXPECT_EQ(upper.low, 57);
+  EXPECT_TRUE(upper.floor_seen);
+}
+
+TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
+{
+  AirScene scene = storeys(always, isAside);
+  // A sideboard along three sides of the place that it hides.
+  scene.slab(1.55, 0.55, 2.05, 3.45, 3.71);
+  scene.slab(2.05, 0.55, 4.05, 1.05, 3.71);
+  scene.slab(2.05, 3.05, 4.05, 3.45, 3.71);
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+}
+
+TEST(SlabFaces, APlateWithoutASlabBesideItStaysAsItWasSeen)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 2.66);
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 1)].high, 53);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 54);
+  EXPECT_TRUE(air.gaps[air.at(3, 2, 1)].ceiling_seen);
+  EXPECT_TRUE(air.gaps[air.at(3, 2, 4)].floor_seen);
+}
+
+TEST(SlabFaces, StairsBesideASlabKeepTheirTreads)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 8.05, 3.05, 0.01, 5.31);
+  scene.slab(4.05, 0.05, 8.05, 3.05, 2.51);
+  scene.slab(4.05, 0.05, 8.05, 3.05, 2.81);
+  for (int tread = 0; tread < 12; ++tread) // down from the slab, seen from both sides
+    scene.slab(4.05 - 0.25 * (tread + 1), 0.05, 4.05 - 0.25 * tread, 3.05,
+               2.66 - 0.18 * tread);
+  const SceneAir air(scene);
+  const std::uint32_t above = air.at(3.2, 1.5, 3.5);
+  ASSERT_NE(above, AirGaps::none);
+  EXPECT_TRUE(air.gaps[above].floor_seen);
+  EXPECT_NEAR(air.columns.heightOf(air.gaps[above].low), 2.15, 0.06);
+}
+
+} // namespace
