@@ -7,12 +7,12 @@
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/plan_regularisation.h>
+#include <pcl/sedr_segmentation/room_planes.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -65,24 +65,23 @@ sharesOf(const std::vector<int>& indices,
   return shares;
 }
 
-/** @brief The heights from floor to ceiling of each room, of points that are shared out
- * to the rooms; none where a room has no points of its floor. */
+/** @brief The heights that each room takes up, of points that are shared out to the
+ * rooms; none where a room has no points of its floor. */
 std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
-               const std::array<std::vector<std::vector<int>>, 3>& parts)
+               const std::vector<std::vector<int>>& floors,
+               const std::vector<std::vector<int>>& ceilings,
+               const std::vector<std::vector<int>>& details)
 {
-  std::vector<RoomHeights> heights(parts[0].size());
-  for (std::size_t r = 0; r < heights.size(); ++r) {
-    heights[r] = {std::numeric_limits<double>::infinity(),
-                  -std::numeric_limits<double>::infinity()};
-    for (const auto& part : parts)
-      for (const int i : part[r]) {
-        const double z = points[static_cast<std::size_t>(i)].z();
-        heights[r].low = std::min(heights[r].low, z);
-        heights[r].high = std::max(heights[r].high, z);
-      }
-    if (parts[2][r].empty())
+  std::vector<RoomHeights> heights;
+  for (std::size_t r = 0; r < floors.size(); ++r) {
+    if (floors[r].empty())
       return {};
+    std::vector<float> above;
+    for (const auto* part : {&ceilings[r], &details[r]})
+      for (const int i : *part)
+        above.push_back(points[static_cast<std::size_t>(i)].z());
+    heights.push_back(heightsFrom(floorLevel(points, floors[r]), std::move(above)));
   }
   return heights;
 }
@@ -195,7 +194,7 @@ fitPlan(const PointView& points,
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
   const std::vector<RoomHeights> heights =
-      heightsOfRooms(points, {ceilings, details, shareBy(evidence.floor, labelled)});
+      heightsOfRooms(points, shareBy(evidence.floor, labelled), ceilings, details);
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(territories.size(), 1, parameters.threads,
                  [&](std::size_t k, std::size_t) {
@@ -211,7 +210,10 @@ fitPlan(const PointView& points,
   const std::vector<std::int32_t> room_of =
       roomsOfPoints(points, territory, parameters.threads);
   const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
-  auto floors = shareBy(evidence.floor, nearest);
+  auto floors = shareBy(evidence.floor, [&](int i) {
+    const std::int32_t room = labelled(i);
+    return room < 0 ? nearest(i) : room;
+  });
   auto around = shareBy(evidence.all, nearest);
   auto behind = shareBy(evidence.all, [&](int i) {
     return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -56,6 +57,19 @@ awayFrom(const RoomHeights& range, double z)
 }
 
 } // namespace
+
+RoomHeights
+heightsFrom(double floor, std::vector<float> ceilings)
+{
+  constexpr double elsewhere = 0.05; // share
+  if (ceilings.empty())
+    return {floor, floor};
+  const auto top = ceilings.begin() +
+                   static_cast<std::ptrdiff_t>(
+                       (1 - elsewhere) * static_cast<double>(ceilings.size() - 1));
+  std::nth_element(ceilings.begin(), top, ceilings.end());
+  return {floor, *top};
+}
 
 RoomTerritory::RoomTerritory(const CellGrid& grid,
                              const std::vector<CellSet>& scopes,

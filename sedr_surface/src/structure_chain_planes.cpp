@@ -237,10 +237,10 @@ StructureChain::territory(double reach) const
 {
   std::vector<RoomHeights> heights;
   for (const BuildingRoom& room : getBuilding().rooms) {
-    double highest = room.ceiling;
+    std::vector<float> ceilings;
     for (const RoomColumn& column : room.columns)
-      highest = std::max<double>(highest, column.ceiling);
-    heights.push_back({room.floor, highest});
+      ceilings.push_back(column.ceiling);
+    heights.push_back(heightsFrom(room.floor, std::move(ceilings)));
   }
   return RoomTerritory(CellGrid(plane_detection.getGridSize()), scopes(), heights,
                        reach);

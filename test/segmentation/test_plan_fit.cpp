@@ -55,6 +55,35 @@ TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
   }
 }
 
+TEST(FitPlan, ARoomKeepsItsFloorThoughSomeOfItsCeilingIsThatOfTheStoreyAbove)
+{
+  RoomPoints points(0.05, 0.003);
+  const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+  PlanEvidence evidence;
+  for (const std::uint32_t storey : {1u, 2u}) {
+    const RoomParts parts = points.room(loop, 2.8 * (storey - 1), 2.8 * storey - 0.3);
+    evidence.room.resize(points.size(), storey);
+    evidence.ceiling = joined(evidence.ceiling, evidenceOf(points, parts).ceiling);
+    evidence.floor = joined(evidence.floor, parts.floor);
+    evidence.walls = joined(evidence.walls, parts.walls);
+  }
+  evidence.all = points.all();
+  int moved = 0;
+  for (const int i : evidence.ceiling)
+    if (points[i].z() > 5 && points[i].x() < 0.5F && moved < 100) { // through a hole
+      evidence.room[static_cast<std::size_t>(i)] = 1;
+      ++moved;
+    }
+  ASSERT_EQ(moved, 100);
+  std::string problem;
+  std::vector<std::string> warnings;
+  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_NEAR(plan.rooms[0].floor.heightAt({2, 1}), 0, 0.002);
+  EXPECT_NEAR(plan.rooms[0].ceiling.heightAt({2, 1}), 2.5, 0.002);
+  EXPECT_NEAR(plan.rooms[1].floor.heightAt({2, 1}), 2.8, 0.002);
+}
+
 TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
 {
   // The left room's face of the partition is hidden over half a metre, and a bit of

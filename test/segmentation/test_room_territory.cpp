@@ -23,6 +23,29 @@ cellsOf(const PlanLoop& loop)
   return CellSet(CellGrid(0.05), points.view(), points.all());
 }
 
+TEST(HeightsFrom, LeaveOutTheTwentiethThatWasSeenThroughAHole)
+{
+  std::vector<float> ceilings(97, 5.5F);
+  ceilings.insert(ceilings.end(), 3, 8.5F);
+  const RoomHeights heights = heightsFrom(3, ceilings);
+  EXPECT_EQ(heights.low, 3);
+  EXPECT_EQ(heights.high, 5.5);
+}
+
+TEST(HeightsFrom, HoldAVaultUpToItsCrown)
+{
+  std::vector<float> ceilings;
+  for (int k = 0; k <= 100; ++k)
+    ceilings.push_back(2.0F + 0.03F * static_cast<float>(k));
+  EXPECT_NEAR(heightsFrom(0, ceilings).high, 5, 0.2);
+}
+
+TEST(HeightsFrom, OfNoCeilingAreAnEmptyRange)
+{
+  const RoomHeights heights = heightsFrom(3, {});
+  EXPECT_EQ(heights.low, heights.high);
+}
+
 TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
 {
   const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),

@@ -4,7 +4,6 @@
 #include "tool_error.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -19,15 +18,14 @@ RoomHeights
 heightsOf(const FileRoom& room, const PointView& points)
 {
   constexpr double headroom = 1.8; // metres, of a room whose floor was not seen
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  std::vector<float> above;
   for (const auto* part : {&room.ceiling, &room.details})
-    for (const int i : *part) {
-      const double z = points[static_cast<std::size_t>(i)].z();
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-  return {room.floor.empty() ? low - headroom : floorLevel(points, room.floor), high};
+    for (const int i : *part)
+      above.push_back(points[static_cast<std::size_t>(i)].z());
+  const double floor = room.floor.empty() && !above.empty()
+                           ? *std::min_element(above.begin(), above.end()) - headroom
+                           : floorLevel(points, room.floor);
+  return heightsFrom(floor, std::move(above));
 }
 
 } // namespace

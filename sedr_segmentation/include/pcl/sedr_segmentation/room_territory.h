@@ -11,6 +11,12 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief What a room takes up of the height of a building: from its floor to its
+ * ceiling but for a twentieth of that, which may be what was seen through a hole. O(n).
+ * @param floor height of its floor, metres
+ * @param ceilings heights of what was seen of its ceiling; of none the range is empty */
+RoomHeights heightsFrom(double floor, std::vector<float> ceilings);
+
 /** @brief Which room a place belongs to: rooms grow from the cells of their ceilings
  * outwards until they meet or have gone as far as walls can be. So each face of a thin
  * partition lies in its own room. Rooms that lie above each other grow each in a layer
