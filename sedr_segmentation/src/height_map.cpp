@@ -27,6 +27,10 @@ constexpr double least_floor_step = 0.06;
 constexpr double shallow_step = 0.06;
 constexpr double least_shallow_area = 1.0;
 
+/** @brief Least width of a recess of a ceiling, metres: between closer ribs the ceiling
+ * is uneven. */
+constexpr double least_recess = 0.3;
+
 /** @brief The same of what is lower than the ceiling all around it: a lamp on the
  * ceiling is thicker than one in it. */
 constexpr double deepest_lamp = 0.15;
@@ -200,7 +204,6 @@ seenHeights(const PointView& points,
   // Furniture leaves small and thin pieces at the heights of a floor.
   const double least_area =
       evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
-  const double opening = evidence.is_floor ? 2 : 1;
   const double step = evidence.is_floor ? least_floor_step : least_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map;
@@ -226,8 +229,12 @@ seenHeights(const PointView& points,
                                      ? least_shallow_area / (grid.size() * grid.size())
                                      : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);
-    cells =
-        intersect(cells, unite(dilated(eroded(cells, opening), opening + 1), beams));
+    const bool is_recess = !evidence.is_floor && over > 0;
+    const double opening = evidence.is_floor ? 2
+                           : is_recess       ? cellsFor(least_recess / 2, grid.size())
+                                             : 1;
+    const CellMask wide = dilated(eroded(cells, opening), opening + 1);
+    cells = intersect(cells, is_recess ? wide : unite(wide, beams));
     const MaskRegions regions = labelRegions(cells, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
       if (regions.sizes[r] < std::max(least, enough))
