@@ -56,6 +56,8 @@ StructureChain::findDetails(StageReport& report)
   const CellGrid grid(plane_detection.getGridSize());
   const auto detect = [&](std::size_t r, std::size_t) {
     const ChainRoom& region = regions_[r];
+    if (region.scope.empty())
+      return;
     const Eigen::Vector2d middle = grid.centre(region.scope[region.scope.size() / 2]);
     Detection& own = detections[r];
     own.setIndices(territory_[r]);
@@ -68,6 +70,8 @@ StructureChain::findDetails(StageReport& report)
 
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
+    if (regions_[r].scope.empty())
+      warn(room, "no point of its ceiling was found: it is left out");
     slice_detail = std::move(detections[r]);
     if (!slice_detail.getErrorMessage().empty())
       warn(room, slice_detail.getErrorMessage());

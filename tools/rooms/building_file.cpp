@@ -184,6 +184,7 @@ nameOf(LeftOutKind kind)
   case LeftOutKind::Low: return "no headroom";
   case LeftOutKind::Open: return "outdoors";
   case LeftOutKind::Landing: return "landing";
+  case LeftOutKind::Mirror: return "mirror image";
   case LeftOutKind::Void: break;
   }
   return "void";

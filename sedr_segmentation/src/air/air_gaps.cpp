@@ -33,8 +33,8 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
 {
   findGaps();
   closeSlabs();
-  gaps_ = withBothFaces(*this);
   sortGaps(enclosedHolesOf(*this));
+  gaps_ = withBothFaces(*this);
   linkGaps();
   keepAir();
 }

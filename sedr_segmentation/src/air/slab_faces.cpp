@@ -26,14 +26,14 @@ class SlabFaces {
 public:
   explicit SlabFaces(const AirGaps& air)
       : air_(air)
+      , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), none)
       , is_met_(air.size(), 0)
   {
-    const int tall = air.voxels(air.parameters().headroom);
     std::uint32_t below = none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (air[g].high - air[g].low < tall)
+      if (air[g].high - air[g].low < tall_)
         continue;
       if (below != none && air[below].column == air[g].column)
         above_[below] = g;
@@ -74,12 +74,14 @@ private:
       if (std::abs(air_.columns().heightOf(lower.high) - seen) >
           air_.parameters().same_surface)
         continue; // of stairs
-      if (is_ceiling) {
-        upper.low = std::max(upper.low, voxelOf(floor));
+      const std::int32_t low = std::max(upper.low, voxelOf(floor));
+      const std::int32_t high = std::min(lower.high, voxelOf(ceiling));
+      if (is_ceiling && upper.high - low >= tall_) {
+        upper.low = low;
         upper.floor_seen = false;
       }
-      else {
-        lower.high = std::min(lower.high, voxelOf(ceiling));
+      if (!is_ceiling && high - lower.low >= tall_) {
+        lower.high = high;
         lower.ceiling_seen = false;
       }
     }
@@ -125,6 +127,7 @@ private:
   }
 
   const AirGaps& air_;
+  std::int32_t tall_;                ///< voxels of headroom
   std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
   std::vector<std::uint8_t> is_met_;
   std::vector<AirGap> gaps_;

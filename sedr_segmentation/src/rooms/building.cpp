@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mirror_images.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
@@ -61,20 +62,55 @@ airParameters(const BuildingParameters& parameters, double cell)
   return air;
 }
 
-/** @brief Why each part of the air is no room, empty for rooms. */
-std::vector<std::string>
-reasonsOf(const std::vector<BuildingRoom>& parts,
-          const BuildingParameters& parameters,
-          double cell_size,
-          std::vector<LeftOutKind>& kinds)
+/** @brief An opening that one walks through. */
+bool
+isWalkable(const RoomOpening& opening)
+{
+  constexpr double least_width = 0.5; // metres
+  constexpr double least_height = 1.5;
+  return opening.width >= least_width && opening.top - opening.bottom >= least_height;
+}
+
+/** @brief Which parts of the air one walks into from another, and the largest: 1. */
+std::vector<std::uint8_t>
+reachedParts(const std::vector<BuildingRoom>& parts,
+             const std::vector<RoomOpening>& openings)
+{
+  std::vector<std::uint8_t> is_reached(parts.size(), 0);
+  if (!parts.empty())
+    is_reached[0] = 1; // parts are by size
+  for (const RoomOpening& opening : openings)
+    if (isWalkable(opening))
+      is_reached[opening.a] = is_reached[opening.b] = 1;
+  return is_reached;
+}
+
+/** @brief Why a part of the air is no room; no reason for rooms. */
+struct Verdict {
+  std::string reason;
+  LeftOutKind kind = LeftOutKind::Low;
+};
+
+std::vector<Verdict>
+judge(const std::vector<BuildingRoom>& parts,
+      const std::vector<RoomOpening>& openings,
+      const BuildingParameters& parameters,
+      double cell_size)
 {
   constexpr double smallest_level = 5; // square metres: less may be a landing
-  std::vector<std::string> reasons;
+  constexpr double surface = 0.1;      // metres, of one that noise thickens
+  const std::vector<std::uint8_t> is_reached = reachedParts(parts, openings);
+  const std::vector<std::uint8_t> is_image = mirrorImages(parts, surface);
+  std::vector<Verdict> verdicts(parts.size());
   std::vector<double> floors; // of rooms that are large enough to make a level
-  kinds.assign(parts.size(), LeftOutKind::Low);
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    reasons.push_back(noRoomBecause(parts[p], cell_size, parameters, kinds[p]));
-    if (reasons[p].empty() && parts[p].area >= smallest_level)
+    Verdict& verdict = verdicts[p];
+    if (is_image[p] != 0)
+      verdict = {"what a floor mirrors of the room above it", LeftOutKind::Mirror};
+    else
+      verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
+                                     parameters, verdict.kind);
+    if (verdict.reason.empty() && parts[p].area >= smallest_level)
       floors.push_back(parts[p].floor);
   }
   const auto isOnLevel = [&](const BuildingRoom& room) {
@@ -84,35 +120,35 @@ reasonsOf(const std::vector<BuildingRoom>& parts,
            });
   };
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (reasons[p].empty() && !isOnLevel(parts[p])) {
-      reasons[p] = "a landing of stairs, or above furniture: on the floor of no storey";
-      kinds[p] = LeftOutKind::Landing;
-    }
-  return reasons;
+    if (verdicts[p].reason.empty() && !isOnLevel(parts[p]))
+      verdicts[p] = {
+          "a landing of stairs, or above furniture: on the floor of no storey",
+          LeftOutKind::Landing};
+  return verdicts;
 }
 
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
 keepRooms(std::vector<BuildingRoom> parts,
+          const std::vector<RoomOpening>& openings,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  std::vector<LeftOutKind> kinds;
-  const std::vector<std::string> reasons =
-      reasonsOf(parts, parameters, building.cell_size, kinds);
+  const std::vector<Verdict> verdicts =
+      judge(parts, openings, parameters, building.cell_size);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     BuildingRoom& part = parts[p];
     building.seen_area += part.area;
-    if (reasons[p].empty()) {
+    if (verdicts[p].reason.empty()) {
       part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
       building.rooms.push_back(std::move(part));
     }
     else if (part.area >= worth_telling)
       building.left_out.push_back(
-          {kinds[p], reasons[p], part.area, part.floor, part.ceiling,
+          {verdicts[p].kind, verdicts[p].reason, part.area, part.floor, part.ceiling,
            CellGrid(building.cell_size)
                .centre(part.columns[part.columns.size() / 2].cell)});
   }
@@ -125,13 +161,10 @@ tellOpenings(const std::vector<RoomOpening>& openings,
              const std::vector<std::uint32_t>& number,
              Building& building)
 {
-  constexpr double least_width = 0.5; // metres: one walks through
-  constexpr double least_height = 1.5;
   for (const RoomOpening& opening : openings) {
     const std::uint32_t a = number[opening.a];
     const std::uint32_t b = number[opening.b];
-    if (a == 0 || b == 0 || opening.width < least_width ||
-        opening.top - opening.bottom < least_height)
+    if (a == 0 || b == 0 || !isWalkable(opening))
       continue;
     const BuildingRoom& first = building.rooms[a - 1];
     const BuildingRoom& second = building.rooms[b - 1];
@@ -175,7 +208,7 @@ findBuilding(const PointView& points,
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted), parameters, building);
+      keepRooms(describeRooms(air, parted), parted.openings, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

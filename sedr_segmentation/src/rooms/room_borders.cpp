@@ -39,14 +39,14 @@ facedFrom(const AirGaps& air, RoomLabels& labels, std::uint32_t g, int d, int re
 } // namespace
 
 std::map<RoomPair, std::vector<Crossing>>
-crossingsOf(const AirGaps& air, RoomLabels& labels)
+crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops)
 {
   std::map<RoomPair, std::vector<Crossing>> crossings;
   for (std::uint32_t g = 0; g < air.size(); ++g)
     for (int d = 0; d < 4; ++d) {
       const std::uint32_t o = air.link(g, d);
       if (o != none && labels.hasRoom(g) && labels.hasRoom(o) &&
-          labels.roomOf(g) < labels.roomOf(o))
+          labels.roomOf(g) < labels.roomOf(o) && (with_drops || !air.isDrop(g, d)))
         crossings[{labels.roomOf(g), labels.roomOf(o)}].push_back({g, o});
     }
   return crossings;
@@ -57,7 +57,7 @@ RoomBorders::RoomBorders(const AirGaps& air, double thickest_wall, RoomLabels& l
     , rooms_(labels.sizes().size())
 {
   measureRooms(air);
-  for (auto& [pair, crossings] : crossingsOf(air, labels))
+  for (auto& [pair, crossings] : crossingsOf(air, labels, true))
     borders_[pair].crossings = std::move(crossings);
   countWalls(air,
              static_cast<int>(std::lround(thickest_wall / air.columns().cellSize())));

@@ -129,6 +129,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
 std::string
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
+              bool is_reached,
               const BuildingParameters& parameters,
               LeftOutKind& kind)
 {
@@ -168,12 +169,13 @@ noRoomBecause(const BuildingRoom& room,
                   seen == floor_seen ? "floor" : "ceiling");
     return text;
   }
-  // Of a place too small for a scanner only what an opening shows may be seen.
-  constexpr double too_small = 4; // square metres
-  constexpr double closed = 0.6;  // of its outline
-  if (room.enclosure < (area < too_small
-                            ? std::max(closed, parameters.minimum_enclosure)
-                            : parameters.minimum_enclosure)) {
+  // Of a place too small for a scanner only what an opening shows may be seen; into one
+  // without any a scanner looks through glass.
+  constexpr double too_small = 5;    // square metres
+  constexpr double closed = 0.6;     // of its outline
+  constexpr double not_glazed = 0.5; // likewise
+  const double least = area < too_small ? closed : is_reached ? 0 : not_glazed;
+  if (room.enclosure < std::max(least, parameters.minimum_enclosure)) {
     kind = LeftOutKind::Open;
     std::snprintf(
         text, sizeof text,

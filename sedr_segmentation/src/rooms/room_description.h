@@ -15,9 +15,11 @@ namespace sedr {
 std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& parted);
 
 /** @brief Why a part of the air is no room, for people; empty if it is one.
+ * @param is_reached whether one walks into it from another, or it is the largest
  * @param[out] kind what it is instead */
 std::string noRoomBecause(const BuildingRoom& room,
                           double cell_size,
+                          bool is_reached,
                           const BuildingParameters& parameters,
                           LeftOutKind& kind);
 

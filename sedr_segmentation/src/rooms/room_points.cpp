@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -42,19 +43,26 @@ public:
     StructureLabel label = StructureLabel::Other;
   };
 
-  /** @brief Which sheet of a column's rooms a height is on. */
+  /** @brief Which sheet of a column's rooms a height is on: the nearest, for a slab may
+   * be as thin as its noise. */
   Found sheetAt(std::uint32_t c, double z) const
   {
+    Found found;
     if (c == VoxelColumns::none)
-      return {};
+      return found;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto offer = [&](double into_air, std::uint32_t room, StructureLabel label) {
+      if (into_air < within_air && into_air > -behind && std::abs(into_air) < nearest) {
+        nearest = std::abs(into_air);
+        found = {room, label};
+      }
+    };
     for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k) {
-      const RoomColumn& column = *columns_[k].column;
-      if (z > column.ceiling - within_air && z < column.ceiling + behind)
-        return {columns_[k].room, StructureLabel::Ceiling};
-      if (z < column.floor + within_air && z > column.floor - behind)
-        return {columns_[k].room, StructureLabel::Floor};
+      const Entry& entry = columns_[k];
+      offer(entry.column->ceiling - z, entry.room, StructureLabel::Ceiling);
+      offer(z - entry.column->floor, entry.room, StructureLabel::Floor);
     }
-    return {};
+    return found;
   }
 
   /** @brief The same of a column or, where it has none, of one of the eight around. */

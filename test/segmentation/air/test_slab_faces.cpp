@@ -63,6 +63,20 @@ TEST(SlabFaces, ACeilingThatWasNotSeenIsNotTheFloorAboveIt)
   EXPECT_TRUE(upper.floor_seen);
 }
 
+TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
+{
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 0.01, isAside);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 2.51);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, isAside);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+  ASSERT_NE(air.at(3, 2, 1), AirGaps::none);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 1)].low, 1);
+}
+
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
   AirScene scene = storeys(always, isAside);

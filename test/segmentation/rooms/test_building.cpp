@@ -275,6 +275,54 @@ TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
   EXPECT_NEAR(found.building.left_out[2].area, 9, 0.6);
 }
 
+TEST(FindBuilding, EachFaceOfAThinSlabIsOfTheRoomThatSeesIt)
+{
+  AirScene scene; // the larger room above
+  scene.room(0.05, 0.05, 4.05, 4.05, 0.01, 2.51);
+  scene.room(0.05, 0.05, 8.05, 4.05, 2.59, 5.09);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 2u);
+  std::size_t wrong = 0;
+  std::size_t right = 0;
+  for (int i = 0; i < static_cast<int>(scene.points.size()); ++i) {
+    const Eigen::Vector3f& p = scene.points[i];
+    if (p.x() < 0.3F || p.x() > 3.8F || p.y() < 0.3F || p.y() > 3.8F)
+      continue;
+    const std::uint32_t room = found.building.room_of[static_cast<std::size_t>(i)];
+    if (std::abs(p.z() - 2.51F) < 0.01F)
+      ++(room == 2 ? right : wrong);
+    if (std::abs(p.z() - 2.59F) < 0.01F)
+      ++(room == 1 ? right : wrong);
+  }
+  EXPECT_GT(right, 5000u);
+  EXPECT_EQ(wrong, 0u);
+}
+
+/** A glass front along x = 4.15: what is behind it has walls on a side only. */
+TEST(FindBuilding, WhatIsSeenThroughGlassIsNoRoom)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 4.05, 0.01, 2.51);
+  scene.slab(4.15, 0.05, 7.05, 4.05, 0.01);
+  scene.slab(4.15, 0.05, 7.05, 4.05, 2.51);
+  scene.wall(4.15, 0.05, 4.15, 4.05, 0.01, 2.51);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Open);
+}
+
+TEST(FindBuilding, TheEdgeOfAGalleryIsNoStair)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 5.51);
+  scene.slab(5.05, 0.05, 8.05, 6.05, 2.51);
+  scene.slab(5.05, 0.05, 8.05, 6.05, 2.81);
+  scene.wall(5.05, 0.05, 5.05, 6.05, 2.51, 2.81);
+  const Found found(scene);
+  EXPECT_EQ(found.building.storeys.size(), 2u);
+  EXPECT_TRUE(found.building.stairs.empty());
+}
+
 TEST(FindBuilding, ASmallPlaceOnTheFloorOfNoStoreyIsALanding)
 {
   AirScene scene;

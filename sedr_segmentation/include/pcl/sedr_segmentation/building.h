@@ -55,6 +55,7 @@ enum class LeftOutKind {
   Low,     ///< nowhere large enough to stand in
   Open,    ///< without walls around it: outdoors, or seen through an opening
   Landing, ///< small and on the floor of no storey
+  Mirror,  ///< what a floor mirrors
   Void     ///< within slabs, below furniture
 };
 
