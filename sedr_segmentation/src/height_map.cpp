@@ -31,9 +31,8 @@ constexpr double least_shallow_area = 1.0;
  * is uneven. */
 constexpr double least_recess = 0.3;
 
-/** @brief The same of what is lower than the ceiling all around it: a lamp on the
- * ceiling is thicker than one in it. */
-constexpr double deepest_lamp = 0.15;
+/** @brief What is lower than the ceiling all around it and smaller than that hangs
+ * there, square metres. */
 constexpr double least_island_area = 1.0;
 constexpr double lamp_clearance = 0.15; ///< metres, from walls
 
@@ -82,9 +81,9 @@ detailSlab(const PointView& points,
   return is_wide && is_clear ? leaning : parallel;
 }
 
-/** @brief Whether a piece of a ceiling is a lamp below it: small, flat, away from the
- * walls, which beams and soffits start from, and the ceiling was seen all around it, as
- * it is not around the strip of a vault.
+/** @brief Whether a piece of a ceiling is a lamp below it: small, away from the walls,
+ * which beams and soffits start from, and the ceiling was seen all around it, as it is
+ * not around the strip of a vault.
  * @param main cells of the main ceiling */
 bool
 isLamp(const CellMask& region,
@@ -93,7 +92,7 @@ isLamp(const CellMask& region,
        const CellMask& room,
        double cell_size)
 {
-  if (height >= 0 || height < -deepest_lamp ||
+  if (height >= 0 ||
       static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
     return false;
   const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size, 2));

@@ -34,13 +34,19 @@ StructureChain::StructureChain()
 void
 StructureChain::setGridSize(double size)
 {
+  restoreCells();
+  setCells(size);
+}
+
+void
+StructureChain::setCells(double size)
+{
   plane_detection.setGridSize(size);
   room_segmentation.setGridSize(size);
   slice_detail.setGridSize(size);
   floor_recovery.setGridSize(size);
   floorplan_fitting.setGridSize(size);
   hole_repair.setGridSize(size);
-  enlarged_from_ = 0;
 }
 
 /** @brief Larger cells for what looks at the scan; repaired points stay as dense. */
@@ -49,7 +55,7 @@ StructureChain::enlargeCells(double size)
 {
   const double least = plane_detection.getGridSize();
   const double repaired = hole_repair.getGridSize();
-  setGridSize(size);
+  setCells(size);
   hole_repair.setGridSize(repaired);
   wall_growing.setDistanceThreshold(wall_growing.getDistanceThreshold() +
                                     2 * (size - least));
@@ -57,11 +63,17 @@ StructureChain::enlargeCells(double size)
 }
 
 void
-StructureChain::reset(const Cloud::ConstPtr& thinned)
+StructureChain::restoreCells()
 {
   if (enlarged_from_ > 0)
     enlargeCells(enlarged_from_); // smaller ones, in truth
   enlarged_from_ = 0;
+}
+
+void
+StructureChain::reset(const Cloud::ConstPtr& thinned)
+{
+  restoreCells();
   // Points are added where something hides a ceiling: a thirtieth at most, mostly.
   cloud.reset(new Cloud);
   reserveLarge(cloud->points, thinned->size() + thinned->size() / 30,

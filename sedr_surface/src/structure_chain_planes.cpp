@@ -69,6 +69,13 @@ StructureChain::partRooms(StageReport& report)
   if (!doubt.empty())
     return fail(doubt);
   const Building& building = getBuilding();
+  for (const LeftOut& thing : building.left_out)
+    if (thing.kind == LeftOutKind::Mirror) {
+      char text[120];
+      std::snprintf(text, sizeof text, "%.1f m2 at (%.1f, %.1f) are left out: %s",
+                    thing.area, thing.at.x(), thing.at.y(), thing.reason.c_str());
+      warnings.push_back(text);
+    }
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
     if (building.room_of[i] != 0) {
@@ -145,7 +152,10 @@ StructureChain::findPlanes(StageReport& report)
     report.points_out += addHiddenCeiling(r);
     room.scope = CellSet(grid, PointView(*cloud), room.ceiling);
   }
-  territory_ = territories();
+  const RoomTerritory of_rooms = territory();
+  if (!of_rooms.problem().empty())
+    return fail(of_rooms.problem());
+  territory_ = territories(of_rooms);
   findPlatforms();
   listPlanes();
   tellResult("HorizontalPlaneDetection");
@@ -247,14 +257,14 @@ StructureChain::territory(double reach) const
 }
 
 std::vector<pcl::IndicesPtr>
-StructureChain::territories() const
+StructureChain::territories(const RoomTerritory& of_rooms) const
 {
   std::vector<pcl::IndicesPtr> result;
   for (std::size_t r = 0; r < regions_.size(); ++r)
     result.emplace_back(new pcl::Indices);
   const PointView points(*cloud);
   const std::vector<std::int32_t> room =
-      territory().roomsAt(points, room_segmentation.getNumberOfThreads());
+      of_rooms.roomsAt(points, room_segmentation.getNumberOfThreads());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (room[i] >= 0)
       result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));

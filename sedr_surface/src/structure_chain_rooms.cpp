@@ -9,6 +9,8 @@
 #include <pcl/sedr_segmentation/scan_check.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace pcl {
@@ -88,6 +90,7 @@ StructureChain::findDetails(StageReport& report)
       rooms[static_cast<std::size_t>(i)] = room;
     }
     report.points_out += details[r].indices.size() + labelLowerCeilings(r);
+    warnOfVault(r);
   }
   return true;
 }
@@ -128,6 +131,36 @@ StructureChain::labelLowerCeilings(std::size_t region)
   if (found > 0 && !(slice < lowest))
     slice = lowest - plane_detection.getGridSize();
   return found;
+}
+
+void
+StructureChain::warnOfVault(std::size_t region)
+{
+  constexpr double off = 0.1;      // metres from the plane that stands for it
+  constexpr double worth_word = 1; // square metres
+  const Building& building = getBuilding();
+  const CellGrid columns(building.cell_size);
+  const PlanSlab& slab = regions_[region].ceiling_slab;
+  double area = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const RoomColumn& column : building.rooms[region].columns) {
+    const double modelled = slab.heightAt(columns.centre(column.cell));
+    if (column.is_level || !column.ceiling_seen ||
+        std::abs(column.ceiling - modelled) <= off)
+      continue;
+    area += building.cell_size * building.cell_size;
+    low = std::min<double>(low, column.ceiling);
+    high = std::max<double>(high, column.ceiling);
+  }
+  if (area < worth_word)
+    return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%.1f m2 of its ceiling are not level, from %.2f to %.2f m: they are "
+                "modelled by the main plane",
+                area, low, high);
+  warn(static_cast<std::uint32_t>(region + 1), text);
 }
 
 bool

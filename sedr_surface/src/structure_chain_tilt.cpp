@@ -32,8 +32,8 @@ StructureChain::levelScan()
 {
   if (trust_up)
     return;
-  const ScanTilt tilt =
-      tiltOf(PointView(*cloud), *allIndices(cloud->size()), room_segmentation.getNumberOfThreads());
+  const ScanTilt tilt = tiltOf(PointView(*cloud), *allIndices(cloud->size()),
+                               room_segmentation.getNumberOfThreads());
   if (!(tilt.angle > 0))
     return;
   levelling = Levelling::of(tilt.up, middleOf(*cloud));

@@ -117,7 +117,7 @@ TEST(FitDetails, ASoffitAllAroundHasAHole)
   EXPECT_LT(cornerError(details[0].boundary, room.boundary), 0.002);
 }
 
-TEST(FitDetails, ASmallShallowPieceAwayFromTheWallsIsALamp)
+TEST(FitDetails, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
 {
   struct Piece {
     PlanLoop outline;
@@ -126,7 +126,7 @@ TEST(FitDetails, ASmallShallowPieceAwayFromTheWallsIsALamp)
   };
   for (const Piece& piece : {
            Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.12, true},
-           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.2, false},  // thicker
+           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.3, true},   // on a rod
            Piece{rectangle(2.01, 2.01, 3.21, 3.01), 0.12, false}, // larger
            Piece{rectangle(0.26, 2.01, 1.46, 2.61), 0.12, true},
            Piece{rectangle(0.11, 2.01, 1.31, 2.61), 0.12, false},  // at the wall

@@ -42,7 +42,7 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
 VoxelColumns
 withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 {
-  constexpr double widest_hole = 0.4; // metres: one does not walk through
+  constexpr double widest_hole = 0.2; // metres
   constexpr int least_closed = 6;     // neighbours, where each column has its points
   columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
                      threads);

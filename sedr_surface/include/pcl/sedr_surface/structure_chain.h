@@ -63,8 +63,8 @@ public:
   std::function<void(const std::string&)> on_stage;
 
   /** @brief Called with a stage's name and a room after every run of that stage's
-   * object, while its getters still tell what that run decided. Planes, details, floors,
-   * walls, refinement and repair run once a room; room 0 stands for all. */
+   * object, while its getters still tell what that run decided. Planes, details,
+   * floors, walls, refinement and repair run once a room; room 0 stands for all. */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
   /** @brief Who finds walls, refines, repairs and meshes the rooms, in this process or
@@ -168,7 +168,9 @@ private:
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
+  void setCells(double size);
   void enlargeCells(double size);
+  void restoreCells();
 
   /** @brief Adds to the floors of rooms the points of their platforms and steps. */
   void findPlatforms();
@@ -181,6 +183,10 @@ private:
   std::size_t addHiddenCeiling(std::size_t room);
 
   bool findDetails(StageReport& report);
+
+  /** @brief Warns of what of a room's ceiling is neither level nor on its main plane.
+   */
+  void warnOfVault(std::size_t region);
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
   bool fitPlan(StageReport& report);
@@ -232,7 +238,7 @@ private:
   RoomTerritory territory(double reach = RoomTerritory::farthest_wall) const;
 
   /** @brief Points that lie in each room's territory. */
-  std::vector<pcl::IndicesPtr> territories() const;
+  std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
 
   /** @brief The columns of a room, of the building's size, below level parts of its
    * ceiling. */
@@ -247,14 +253,14 @@ private:
    */
   void labelNiches();
 
-  double enlarged_from_ = 0;        ///< the size of cells that was set; 0: it was kept
+  double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
   /** @brief What is known of a room before its plan is fitted. */
   struct ChainRoom {
-    pcl::Indices ceiling;       ///< points of its ceiling, whatever its shape
-    pcl::Indices floor;         ///< points of its floor and its platforms
-    PlanSlab ceiling_slab;      ///< the largest of its ceiling
-    PlanSlab floor_slab;        ///< the largest of its floor
-    CellSet scope;              ///< cells of its ceiling
+    pcl::Indices ceiling;  ///< points of its ceiling, whatever its shape
+    pcl::Indices floor;    ///< points of its floor and its platforms
+    PlanSlab ceiling_slab; ///< the largest of its ceiling
+    PlanSlab floor_slab;   ///< the largest of its floor
+    CellSet scope;         ///< cells of its ceiling
   };
 
   std::vector<ChainRoom> regions_;
