@@ -22,6 +22,10 @@ constexpr double protrusion_radius = 0.15;
 constexpr double opening_radius = 0.45;
 constexpr double least_sight = 0.3;
 
+/** @brief A larger hole in what is known of a ceiling is no part of the room, square
+ * metres: a court, or a core of rooms. */
+constexpr double largest_unseen = 4;
+
 /** @brief What reaches further into a room than this may be a partition, metres. */
 constexpr double partition_reach = 0.4;
 
@@ -45,7 +49,9 @@ public:
       if (!walls_.isLargeEnough(regions.sizes[r]))
         continue;
       const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
-      if (walls_.isColumn(hole))
+      const double area =
+          static_cast<double>(regions.sizes[r]) * grid_.size() * grid_.size();
+      if (area > largest_unseen || walls_.isColumn(hole))
         result.columns.push_back(hole);
     }
     room = unite(room, holes);

@@ -122,11 +122,24 @@ cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
       details.end());
 }
 
+/** @brief Whether most of a loop lies in a hole of a room: a room of its core. */
+bool
+isInHole(const PlanLoop& loop, const PlanRoom& room)
+{
+  double area = 0;
+  for (const PlanLoop& hole : room.columns)
+    for (const PlanLoop& part : intersection(reversed(hole), loop))
+      area += part.area();
+  return 2 * area > loop.area();
+}
+
 /** @brief Takes the inside of `cutter` from a room.
  * @param parts what that leaves of its boundary */
 void
 cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& parts)
 {
+  if (isInHole(cutter, room))
+    return; // the hole would be lost, of which the cutter takes a part only
   room.boundary = parts.front();
   const auto isOutside = [&](const PlanLoop& column) {
     return overlap(column, cutter) ||

@@ -81,10 +81,9 @@ RoomTerritory::RoomTerritory(const CellGrid& grid,
   for (const auto& layer : layersOf(scopes.size(), heights))
     if (!addLayer(scopes, layer, steps))
       return;
-  if (layers_.size() > 1) {
+  heights_ = heights;
+  if (layers_.size() > 1)
     scopes_ = scopes;
-    heights_ = heights;
-  }
 }
 
 bool
@@ -133,8 +132,15 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
   if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
     return -1;
   const Cell cell = grid_.at(p.x(), p.y());
-  if (layers_.size() == 1)
-    return roomIn(layers_.front(), cell);
+  if (layers_.size() == 1) {
+    constexpr double deepest =
+        0.5; // metres below a floor: steps; a mirror image is not
+    const std::int32_t room = roomIn(layers_.front(), cell);
+    const bool is_below =
+        room >= 0 && !heights_.empty() &&
+        p.z() < heights_[static_cast<std::size_t>(room)].low - deepest;
+    return is_below ? -1 : room;
+  }
   std::int32_t best = -1;
   double least = reach + outside;
   for (const Layer& layer : layers_) {

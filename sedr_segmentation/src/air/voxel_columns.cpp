@@ -410,8 +410,19 @@ VoxelColumns::keepSurfaces(int company, unsigned threads)
     bits_[k] &= all[k];
 }
 
+std::uint32_t
+VoxelColumns::stepAlong(std::uint32_t column, int line, bool is_back) const
+{
+  static constexpr std::array<std::array<int, 2>, 4> steps{
+      {{0, -1}, {1, -1}, {0, 1}, {0, 3}}}; // x, y, both diagonals: plan_directions
+  for (const int d : steps[static_cast<std::size_t>(line)])
+    if (d >= 0 && column != none)
+      column = neighbour(column, is_back ? (d + 2) % 4 : d);
+  return column;
+}
+
 std::vector<std::uint64_t>
-VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) const
+VoxelColumns::spreadAlong(int line, int reach, bool widens, unsigned threads) const
 {
   std::vector<std::uint64_t> spread(bits_.size(), 0);
   parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
@@ -421,10 +432,10 @@ VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) co
       const auto own = static_cast<std::uint32_t>(t * tile_columns) + at;
       std::uint64_t* const result = spread.data() + tile.first + at * words;
       std::copy_n(wordsOf(own), words, result);
-      for (const int side : {axis, axis + 2}) {
+      for (const bool is_back : {false, true}) {
         std::uint32_t column = own;
         for (int step = 0; step < reach && column != none; ++step) {
-          column = neighbour(column, side);
+          column = stepAlong(column, line, is_back);
           for (std::size_t w = 0; w < words; ++w) {
             const std::uint64_t other =
                 column == none
@@ -440,7 +451,7 @@ VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) co
 }
 
 void
-VoxelColumns::closeHoles(int reach, unsigned threads)
+VoxelColumns::closeDots(int reach, unsigned threads)
 {
   const int each_way = reach / 2;
   if (each_way == 0)
@@ -451,6 +462,22 @@ VoxelColumns::closeHoles(int reach, unsigned threads)
       bits_ = spreadAlong(axis, each_way, widens, threads);
   for (std::size_t k = 0; k < bits_.size(); ++k)
     bits_[k] |= seen[k]; // at the rim of the tiles
+}
+
+void
+VoxelColumns::closeHoles(int reach, unsigned threads)
+{
+  const std::vector<std::uint64_t> seen = bits_;
+  std::vector<std::uint64_t> closed(bits_.size(), ~std::uint64_t{0});
+  for (int line = 0; line < 4; ++line) {
+    for (const bool widens : {true, false})
+      bits_ = spreadAlong(line, reach / 2, widens, threads);
+    for (std::size_t k = 0; k < bits_.size(); ++k)
+      closed[k] &= bits_[k];
+    bits_ = seen;
+  }
+  for (std::size_t k = 0; k < bits_.size(); ++k)
+    bits_[k] |= closed[k];
 }
 
 } // namespace sedr

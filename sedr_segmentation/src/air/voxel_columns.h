@@ -119,9 +119,15 @@ public:
    * as many. Unlike dropStrays() it keeps the edges of surfaces. O(columns). */
   void keepSurfaces(int company, unsigned threads);
 
-  /** @brief Closes holes in surfaces that are narrower than `reach` columns along x or
-   * y: a morphological closing of every layer of voxels, so that what a sparse scan
-   * shows in dots is a surface. O(columns). */
+  /** @brief Closes what is narrower than `reach` columns along x or y: a morphological
+   * closing of every layer of voxels by a square, so that what a sparse scan shows in
+   * dots is a surface. O(columns). */
+  void closeDots(int reach, unsigned threads);
+
+  /** @brief Closes holes in surfaces that are narrower than `reach` columns in all
+   * directions: what closings of every layer along x, y and both diagonals have in
+   * common. A strip between two surfaces, behind a duct, stays open along itself.
+   * O(columns). */
   void closeHoles(int reach, unsigned threads);
 
 private:
@@ -165,10 +171,13 @@ private:
     return begin < tile.low || w >= tile.words ? 0 : wordsOf(column)[w];
   }
 
-  /** @brief Each voxel with those of its layer up to `reach` columns away along an
-   * axis of the plan: occupied where one of them is (`widens`), or all. */
+  /** @brief The next column along x (line 0), y (1) or a diagonal (2, 3), or `none`. */
+  std::uint32_t stepAlong(std::uint32_t column, int line, bool is_back) const;
+
+  /** @brief Each voxel with those of its layer up to `reach` columns away along a line
+   * of the plan, see stepAlong(): occupied where one of them is (`widens`), or all. */
   std::vector<std::uint64_t>
-  spreadAlong(int axis, int reach, bool widens, unsigned threads) const;
+  spreadAlong(int line, int reach, bool widens, unsigned threads) const;
 
   /** @brief Makes the tiles of some heights, which are sorted by their keys. */
   void makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights);

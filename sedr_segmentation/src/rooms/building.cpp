@@ -42,10 +42,14 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
 VoxelColumns
 withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 {
-  constexpr double widest_hole = 0.2; // metres
+  constexpr double widest_gap = 0.2;  // metres, between the dots of a surface
+  constexpr double widest_hole = 0.4; // in a surface
   constexpr int least_closed = 6;     // neighbours, where each column has its points
-  columns.closeHoles(static_cast<int>(std::lround(widest_hole / columns.cellSize())),
-                     threads);
+  const auto cells = [&](double metres) {
+    return static_cast<int>(std::lround(metres / columns.cellSize()));
+  };
+  columns.closeDots(cells(widest_gap), threads);
+  columns.closeHoles(cells(widest_hole), threads);
   if (is_dense)
     columns.keepSurfaces(least_closed, threads);
   return columns;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include <pcl/sedr_filters/disjoint_sets.h>
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/structure_fields.h>
 
@@ -19,23 +20,46 @@ namespace {
 constexpr double within_air = 0.1;
 constexpr double behind = 0.15;
 
-/** @brief The columns of all rooms, found by cell. */
-class RoomColumns {
+/** @brief A sheet of a room in a column. */
+struct ColumnSheet {
+  std::uint32_t column = 0;
+  std::uint32_t room = 0;
+  StructureLabel label = StructureLabel::Other;
+  double z = 0;
+};
+
+/** @brief Whether a wall goes on below a ceiling, or above a floor, in a column. */
+bool
+goesOn(const VoxelColumns& columns,
+       std::uint32_t column,
+       double z,
+       StructureLabel label)
+{
+  constexpr double near = 0.1; // metres: the surface's own noise
+  constexpr double far = 0.4;
+  constexpr double walled = 0.6; // share of the voxels between
+  const double sign = label == StructureLabel::Ceiling ? -1 : 1;
+  const std::int32_t a = columns.voxelAt(z + sign * near);
+  const std::int32_t b = columns.voxelAt(z + sign * far);
+  const std::int32_t from = std::min(a, b);
+  const std::int32_t to = std::max(a, b);
+  return columns.countBetween(column, from, to) >= walled * (to - from);
+}
+
+/** @brief The sheets of all rooms, found by column. */
+class RoomSheets {
 public:
-  RoomColumns(const Building& building, const VoxelColumns& coarse)
+  RoomSheets(const Building& building, const VoxelColumns& coarse)
       : coarse_(coarse)
-      , first_(coarse.size() + 1, 0)
   {
     for (const BuildingRoom& room : building.rooms)
-      for (const RoomColumn& column : room.columns)
-        ++first_[coarse.columnAt(column.cell) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c)
-      first_[c] += first_[c - 1];
-    columns_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const BuildingRoom& room : building.rooms)
-      for (const RoomColumn& column : room.columns)
-        columns_[next[coarse.columnAt(column.cell)]++] = {&column, room.id};
+      for (const RoomColumn& column : room.columns) {
+        const std::uint32_t c = coarse.columnAt(column.cell);
+        sheets_.push_back({c, room.id, StructureLabel::Ceiling, column.ceiling});
+        sheets_.push_back({c, room.id, StructureLabel::Floor, column.floor});
+      }
+    sortSheets();
+    continueCeilings();
   }
 
   struct Found {
@@ -51,16 +75,14 @@ public:
     if (c == VoxelColumns::none)
       return found;
     double nearest = std::numeric_limits<double>::infinity();
-    const auto offer = [&](double into_air, std::uint32_t room, StructureLabel label) {
+    for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k) {
+      const ColumnSheet& sheet = sheets_[k];
+      const double into_air =
+          sheet.label == StructureLabel::Ceiling ? sheet.z - z : z - sheet.z;
       if (into_air < within_air && into_air > -behind && std::abs(into_air) < nearest) {
         nearest = std::abs(into_air);
-        found = {room, label};
+        found = {sheet.room, sheet.label};
       }
-    };
-    for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k) {
-      const Entry& entry = columns_[k];
-      offer(entry.column->ceiling - z, entry.room, StructureLabel::Ceiling);
-      offer(z - entry.column->floor, entry.room, StructureLabel::Floor);
     }
     return found;
   }
@@ -79,30 +101,106 @@ public:
   }
 
 private:
-  struct Entry {
-    const RoomColumn* column = nullptr;
-    std::uint32_t room = 0;
-  };
+  void sortSheets()
+  {
+    std::stable_sort(
+        sheets_.begin(), sheets_.end(),
+        [](const ColumnSheet& a, const ColumnSheet& b) { return a.column < b.column; });
+    first_.assign(coarse_.size() + 1, 0);
+    for (const ColumnSheet& sheet : sheets_)
+      ++first_[sheet.column + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c)
+      first_[c] += first_[c - 1];
+  }
+
+  /** @brief Lets ceilings go on above furniture whose top was not seen: to columns of
+   * no room in which a surface is as high, up to walls. */
+  void continueCeilings()
+  {
+    constexpr double furniture_depth = 0.8; // metres
+    const int steps =
+        static_cast<int>(std::lround(furniture_depth / coarse_.cellSize()));
+    std::vector<ColumnSheet> added;
+    std::vector<int> depth; // of each, columns
+    std::vector<std::uint8_t> is_added(coarse_.size(), 0);
+    std::vector<ColumnSheet> front;
+    for (const ColumnSheet& sheet : sheets_)
+      if (sheet.label == StructureLabel::Ceiling)
+        front.push_back(sheet);
+    for (int step = 0; step < steps && !front.empty(); ++step) {
+      std::vector<ColumnSheet> next;
+      for (const ColumnSheet& sheet : front)
+        for (int d = 0; d < 4; ++d) {
+          const std::uint32_t c = coarse_.neighbour(sheet.column, d);
+          if (c == VoxelColumns::none || hasSheet(c) || is_added[c] != 0 ||
+              !goesOnTo(c, sheet.z, step == 0))
+            continue;
+          is_added[c] = 1;
+          next.push_back({c, sheet.room, StructureLabel::Ceiling, sheet.z});
+        }
+      added.insert(added.end(), next.begin(), next.end());
+      depth.resize(added.size(), step + 1);
+      front = std::move(next);
+    }
+    keepFurniture(depth, added);
+    sheets_.insert(sheets_.end(), added.begin(), added.end());
+    sortSheets();
+  }
+
+  /** @brief Whether a ceiling goes on to a column, above furniture. */
+  bool goesOnTo(std::uint32_t c, double z, bool is_front) const
+  {
+    constexpr double same_ceiling = 0.1; // metres
+    constexpr double tallest_gap = 1.8;  // between furniture and ceiling
+    return hasPointsBetween(c, z - same_ceiling, z + same_ceiling) &&
+           (!is_front || hasPointsBetween(c, z - tallest_gap, z - same_ceiling)) &&
+           !goesOn(coarse_, c, z, StructureLabel::Ceiling);
+  }
+
+  /** @brief Keeps the sheets that hang together over as much as furniture takes up:
+   * neither less deep, as recesses are, nor larger. */
+  void keepFurniture(const std::vector<int>& depth,
+                     std::vector<ColumnSheet>& added) const
+  {
+    constexpr double least_depth = 0.3;                   // metres
+    constexpr double largest = 3;                         // square metres
+    std::vector<std::uint32_t> number(coarse_.size(), 0); // from 1
+    for (std::uint32_t k = 0; k < added.size(); ++k)
+      number[added[k].column] = k + 1;
+    DisjointSets<> sets(added.size());
+    for (std::uint32_t k = 0; k < added.size(); ++k)
+      for (int d = 0; d < 2; ++d) {
+        const std::uint32_t c = coarse_.neighbour(added[k].column, d);
+        if (c != VoxelColumns::none && number[c] != 0)
+          sets.join(k, number[c] - 1);
+      }
+    std::vector<std::size_t> size(added.size(), 0);
+    std::vector<int> deepest(added.size(), 0);
+    for (std::uint32_t k = 0; k < added.size(); ++k) {
+      ++size[sets.find(k)];
+      deepest[sets.find(k)] = std::max(deepest[sets.find(k)], depth[k]);
+    }
+    std::vector<ColumnSheet> kept;
+    for (std::uint32_t k = 0; k < added.size(); ++k)
+      if (static_cast<double>(size[sets.find(k)]) * coarse_.cellSize() *
+                  coarse_.cellSize() <=
+              largest &&
+          deepest[sets.find(k)] * coarse_.cellSize() > least_depth)
+        kept.push_back(added[k]);
+    added = std::move(kept);
+  }
+
+  bool hasPointsBetween(std::uint32_t c, double low, double high) const
+  {
+    return coarse_.countBetween(c, coarse_.voxelAt(low), coarse_.voxelAt(high) + 1) > 0;
+  }
+
+  bool hasSheet(std::uint32_t c) const { return first_[c] < first_[c + 1]; }
 
   const VoxelColumns& coarse_;
+  std::vector<ColumnSheet> sheets_; ///< by column
   std::vector<std::uint32_t> first_;
-  std::vector<Entry> columns_;
 };
-
-/** @brief Whether a wall goes on below a ceiling, or above a floor, in a column. */
-bool
-goesOn(const VoxelColumns& fine, std::uint32_t column, double z, StructureLabel label)
-{
-  constexpr double near = 0.1; // metres: the surface's own noise
-  constexpr double far = 0.4;
-  constexpr double walled = 0.6; // share of the voxels between
-  const double sign = label == StructureLabel::Ceiling ? -1 : 1;
-  const std::int32_t a = fine.voxelAt(z + sign * near);
-  const std::int32_t b = fine.voxelAt(z + sign * far);
-  const std::int32_t from = std::min(a, b);
-  const std::int32_t to = std::max(a, b);
-  return fine.countBetween(column, from, to) >= walled * (to - from);
-}
 
 } // namespace
 
@@ -117,7 +215,7 @@ labelSheets(const PointView& points,
   constexpr std::size_t points_a_block = 32768;
   building.room_of.assign(points.size(), 0);
   building.label_of.assign(points.size(), 0);
-  const RoomColumns columns(building, coarse);
+  const RoomSheets sheets(building, coarse);
   const std::size_t n = indices.empty() ? points.size() : indices.size();
   parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -130,7 +228,7 @@ labelSheets(const PointView& points,
       if (column == VoxelColumns::none)
         continue;
       const auto found =
-          columns.sheetNear(coarse.columnAt(coarse.grid().at(p.x(), p.y())), p.z());
+          sheets.sheetNear(coarse.columnAt(coarse.grid().at(p.x(), p.y())), p.z());
       if (found.room == 0 || goesOn(fine, column, p.z(), found.label))
         continue;
       building.room_of[i] = found.room;

@@ -231,7 +231,7 @@ TEST(VoxelColumns, AreTheSameForAnyNumberOfThreads)
               1u);
 }
 
-TEST(VoxelColumns, HolesNarrowerThanTheReachAreClosedAndWiderOnesAreNot)
+TEST(VoxelColumns, DotsNearerThanTheReachAreClosedAndWiderHolesAreNot)
 {
   RoomPoints points(0.05);
   const auto isSeen = [](double x, double y) {
@@ -245,11 +245,34 @@ TEST(VoxelColumns, HolesNarrowerThanTheReachAreClosedAndWiderOnesAreNot)
     const Voxels before = voxelsOf(columns);
     ASSERT_EQ(before.count({-8, 10, 0}), 0u);
     ASSERT_EQ(before.count({13, 3, 0}), 0u);
-    columns.closeHoles(4, threads);
+    columns.closeDots(4, threads);
     const Voxels after = voxelsOf(columns);
     EXPECT_EQ(after.count({-8, 10, 0}), 1u);
     EXPECT_EQ(after.count({13, 3, 0}), 0u);
     EXPECT_EQ(after.size(), before.size() + 4u * 20u) << "nothing grows outwards";
+    for (const auto& voxel : before)
+      ASSERT_EQ(after.count(voxel), 1u);
+  }
+}
+
+TEST(VoxelColumns, HolesAreClosedButNotTheStripBetweenTwoSurfaces)
+{
+  RoomPoints points(0.05);
+  const auto isSeen = [](double x, double y) {
+    const bool is_hole = x > -1 && x < -0.6 && y > 0 && y < 0.4; // four by four
+    const bool is_strip = x > 1 && x < 1.4;                      // four, all along y
+    return !is_hole && !is_strip;
+  };
+  points.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01, isSeen);
+  for (const unsigned threads : {1u, 3u}) {
+    VoxelColumns columns = columnsOf(points);
+    const Voxels before = voxelsOf(columns);
+    ASSERT_EQ(before.count({-8, 2, 0}), 0u);
+    ASSERT_EQ(before.count({11, 2, 0}), 0u);
+    columns.closeHoles(4, threads);
+    const Voxels after = voxelsOf(columns);
+    EXPECT_EQ(after.count({-8, 2, 0}), 1u);
+    EXPECT_EQ(after.count({11, 2, 0}), 0u);
     for (const auto& voxel : before)
       ASSERT_EQ(after.count(voxel), 1u);
   }
