@@ -133,7 +133,7 @@ private:
         for (int d = 0; d < 4; ++d) {
           const std::uint32_t c = coarse_.neighbour(sheet.column, d);
           if (c == VoxelColumns::none || hasSheet(c) || is_added[c] != 0 ||
-              !goesOnTo(c, sheet.z, step == 0))
+              !goesOnTo(c, sheet.z))
             continue;
           is_added[c] = 1;
           next.push_back({c, sheet.room, StructureLabel::Ceiling, sheet.z});
@@ -148,12 +148,12 @@ private:
   }
 
   /** @brief Whether a ceiling goes on to a column, above furniture. */
-  bool goesOnTo(std::uint32_t c, double z, bool is_front) const
+  bool goesOnTo(std::uint32_t c, double z) const
   {
     constexpr double same_ceiling = 0.1; // metres
     constexpr double tallest_gap = 1.8;  // between furniture and ceiling
     return hasPointsBetween(c, z - same_ceiling, z + same_ceiling) &&
-           (!is_front || hasPointsBetween(c, z - tallest_gap, z - same_ceiling)) &&
+           hasPointsBetween(c, z - tallest_gap, z - same_ceiling) &&
            !goesOn(coarse_, c, z, StructureLabel::Ceiling);
   }
 
