@@ -176,8 +176,8 @@ AirGaps::keepAir()
   for (std::size_t g = 0; g < gaps_.size(); ++g)
     if (is_air[g])
       kept.push_back(gaps_[g]);
-  void_area_ = static_cast<double>(gaps_.size() - kept.size()) * parameters_.cell *
-               parameters_.cell;
+  void_area_ = static_cast<double>(gaps_.size() - kept.size()) * columns_.cellSize() *
+               columns_.cellSize();
   gaps_.clear();
   sortGaps(std::move(kept));
   linkGaps();

@@ -22,8 +22,6 @@ struct AirGap {
 
 /** @brief What is believed of air in buildings; lengths in metres. */
 struct AirParameters {
-  double cell = 0.1; ///< edge of a column of the plan
-  double voxel_height = 0.05;
   double thinnest = 0.15;     ///< lower gaps are noise between two surfaces
   double thinnest_slab = 0.2; ///< of what is thinner one face was seen
   double headroom = 1.8;      ///< gaps as high as this are air

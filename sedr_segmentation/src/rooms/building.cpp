@@ -56,11 +56,9 @@ withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 }
 
 AirParameters
-airParameters(const BuildingParameters& parameters, double cell)
+airParameters(const BuildingParameters& parameters)
 {
   AirParameters air;
-  air.cell = cell;
-  air.voxel_height = voxel_height;
   air.headroom = parameters.headroom;
   air.threads = parameters.threads;
   return air;
@@ -205,7 +203,7 @@ findBuilding(const PointView& points,
   const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
   const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
   building.cell_size = columns.cellSize();
-  const AirGaps air(columns, airParameters(parameters, columns.cellSize()));
+  const AirGaps air(columns, airParameters(parameters));
   PartingParameters of_parting;
   of_parting.widest_door = parameters.widest_door;
   of_parting.widest_passage = parameters.widest_passage;
