@@ -170,9 +170,9 @@ widened(const PlanLoop& loop, double by)
 {
   std::vector<PlanElement> moved;
   for (const auto& e : loop.elements)
-    if (!e.isArc() || e.counter_clockwise || e.radius > by)
+    if (!e.isArc() || e.radius > (e.counter_clockwise ? -by : by))
       moved.push_back(shifted(e, by));
-  const double reach = 4 * by;
+  const double reach = 4 * std::abs(by);
   PlanLoop wide;
   for (std::size_t i = 0; i < moved.size(); ++i) {
     PlanElement& next = moved[(i + 1) % moved.size()];

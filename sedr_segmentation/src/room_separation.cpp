@@ -63,14 +63,19 @@ overlap(const PlanLoop& a, const PlanLoop& b)
   return !of_a.empty() || !of_b.empty();
 }
 
-/** @brief Whether a room lies within a column of another one: it was cut out of it. */
-bool
-standsFreeIn(const PlanRoom& room, const PlanRoom& around)
+/** @brief The hole of another room in which most of a room lies, or none: it stands in
+ * a core of that, or was cut out of it. */
+const PlanLoop*
+holeAround(const PlanRoom& room, const PlanRoom& other)
 {
-  return std::any_of(around.columns.begin(), around.columns.end(),
-                     [&](const PlanLoop& column) {
-                       return column.contains(room.boundary.elements[0].start);
-                     });
+  for (const PlanLoop& hole : other.columns) {
+    double area = 0;
+    for (const PlanLoop& part : intersection(room.boundary, reversed(hole)))
+      area += part.area();
+    if (2 * area > room.boundary.area())
+      return &hole;
+  }
+  return nullptr;
 }
 
 /** @brief Length of those walls of a room that were seen inside of another one. */
@@ -122,24 +127,11 @@ cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
       details.end());
 }
 
-/** @brief Whether most of a loop lies in a hole of a room: a room of its core. */
-bool
-isInHole(const PlanLoop& loop, const PlanRoom& room)
-{
-  double area = 0;
-  for (const PlanLoop& hole : room.columns)
-    for (const PlanLoop& part : intersection(reversed(hole), loop))
-      area += part.area();
-  return 2 * area > loop.area();
-}
-
 /** @brief Takes the inside of `cutter` from a room.
  * @param parts what that leaves of its boundary */
 void
 cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& parts)
 {
-  if (isInHole(cutter, room))
-    return; // the hole would be lost, of which the cutter takes a part only
   room.boundary = parts.front();
   const auto isOutside = [&](const PlanLoop& column) {
     return overlap(column, cutter) ||
@@ -231,12 +223,29 @@ cutBack(PlanRoom& room, const PlanRoom& from)
     for (const auto& part : parts)
       lost -= part.area();
     if (lost < cutter.area() + slack && !crossesItself(left->boundary.polygon(chord)) &&
-        (standsFreeIn(from, *left) || !overlap(left->boundary, from.boundary)))
+        (holeAround(from, *left) || !overlap(left->boundary, from.boundary)))
       break;
   }
   if (!left)
     return false;
   room = std::move(*left);
+  return true;
+}
+
+/** @brief Ends a room that lies mostly in a hole of another one at that hole.
+ * @return whether it lies there */
+bool
+keepInHole(PlanRoom& room, const PlanRoom& other)
+{
+  const PlanLoop* const hole = holeAround(room, other);
+  if (!hole)
+    return false;
+  if (!partsInside(room.boundary, reversed(*hole)).second.empty()) {
+    const std::vector<PlanLoop> parts =
+        intersection(room.boundary, widened(reversed(*hole), -least_partition));
+    if (!parts.empty())
+      room.boundary = parts.front();
+  }
   return true;
 }
 
@@ -259,8 +268,8 @@ separateOnce(Floorplan& plan,
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
       if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
-          !shareHeights(first, second) || standsFreeIn(first, second) ||
-          standsFreeIn(second, first) || !overlap(first.boundary, second.boundary))
+          !shareHeights(first, second) || keepInHole(first, second) ||
+          keepInHole(second, first) || !overlap(first.boundary, second.boundary))
         continue;
       has_changed = true;
       const double seen_first = seenInside(first, second.boundary, points, indices);

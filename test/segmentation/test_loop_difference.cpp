@@ -128,4 +128,10 @@ TEST(LoopDifference, AWidenedLoopHasItsParallelsAndCorners)
   EXPECT_NEAR(round.area(), M_PI * 0.36, 1e-9);
 }
 
+TEST(Widened, FartherInWhereTheDistanceIsNegative)
+{
+  EXPECT_NEAR(widened(rectangle(0, 0, 4, 3), -0.1).area(), 3.8 * 2.8, 1e-9);
+  EXPECT_NEAR(widened(circle({1, 2}, 0.5), -0.1).area(), 0.16 * M_PI, 1e-9);
+}
+
 } // namespace

@@ -104,6 +104,16 @@ TEST(OutlineRoom, TheHoleOfALampIsFilled)
   EXPECT_TRUE(outline.columns.empty());
 }
 
+TEST(OutlineRoom, AHoleTooLargeForWhatHangsThereStaysThoughNoWallIsAroundIt)
+{
+  for (const bool is_court : {true, false}) { // 4.2 or 3.2 square metres
+    const double to = is_court ? 3.1 : 2.6;
+    const Scene scene(
+        [&](double x, double y) { return !within(x, y, 1, 0.5, to, 2.5); });
+    EXPECT_EQ(scene.outline().columns.size(), is_court ? 1u : 0u);
+  }
+}
+
 TEST(OutlineRoom, ALampAboveACupboardIsNoColumn)
 {
   Scene scene([](double x, double y) { return !within(x, y, 1.5, 1, 2.1, 1.6); });

@@ -108,6 +108,26 @@ TEST(SeparateRooms, ARoomWithinAnotherStandsFreeInIt)
   EXPECT_NEAR(plan.rooms[0].boundary.area(), 36, 1e-9);
 }
 
+TEST(SeparateRooms, ARoomOfACoreEndsAtTheHoleOfTheRoomAroundIt)
+{
+  for (const double beyond : {0.0, 0.2}) { // of the hole
+    Floorplan plan;
+    plan.rooms = {roomAt(1, rectangle(0, 0, 10, 10)),
+                  roomAt(2, rectangle(3.5, 3.5, 7 + beyond, 5)),
+                  roomAt(3, rectangle(3.5, 5.5, 6.5, 6.5))};
+    plan.rooms[0].columns = {reversed(rectangle(3, 3, 7, 7))};
+    separate(plan, RoomPoints());
+    ASSERT_EQ(plan.rooms.size(), 3u);
+    EXPECT_NEAR(plan.rooms[0].boundary.area(), 100, 1e-9);
+    ASSERT_EQ(plan.rooms[0].columns.size(), 1u);
+    EXPECT_NEAR(plan.rooms[0].columns[0].area(), -16, 1e-9);
+    EXPECT_NEAR(plan.rooms[1].boundary.area(), 1.5 * 3.5, 0.02);
+    for (const PlanElement& e : plan.rooms[1].boundary.elements)
+      EXPECT_LT(e.start.x(), beyond > 0 ? 7 : 7 + 1e-9);
+    EXPECT_NEAR(plan.rooms[2].boundary.area(), 3, 1e-9);
+  }
+}
+
 TEST(SeparateRooms, CutsThatCoincideAreMadeApart)
 {
   // The second is cut back from the first, and the third from the arc that leaves.

@@ -57,6 +57,15 @@ TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
   EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
 }
 
+TEST(RoomTerritory, WhatIsFarBelowTheFloorOfAllRoomsIsOfNone)
+{
+  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))},
+                                {{0, 2.5}});
+  EXPECT_EQ(territory.roomAt({2, 1, -0.3F}), 0) << "a step down";
+  EXPECT_EQ(territory.roomAt({2, 1, -1}), -1) << "mirrored";
+  EXPECT_EQ(territory.roomAt({2, 1, 4}), 0) << "below a vault";
+}
+
 TEST(RoomTerritory, TellsTheRoomsOfManyPointsByAnyNumberOfThreads)
 {
   const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),

@@ -82,6 +82,83 @@ TEST(RoomSegmentation, TakesItsDefaultsFromTheParameters)
   EXPECT_EQ(segmentation.getNumberOfThreads(), defaults.threads);
 }
 
+/** A hall of 6 m x 4 m and another behind an opening in the wall between them. */
+std::size_t
+roomsWithOpening(double width,
+                 double head,
+                 void (*set)(pcl::RoomSegmentation<pcl::PointXYZ>&))
+{
+  RoomPoints points;
+  for (const auto& [x0, x1] : {std::pair(0.05, 6.05), std::pair(6.15, 12.15)}) {
+    points.slab(rectangle(x0, 0.05, x1, 4.05), 0.01);
+    points.slab(rectangle(x0, 0.05, x1, 4.05), 2.81);
+    for (const double y : {0.05, 4.05})
+      points.wall(segment({x0, y}, {x1, y}), 0.01, 2.81);
+  }
+  points.wall(segment({0.05, 0.05}, {0.05, 4.05}), 0.01, 2.81);
+  points.wall(segment({12.15, 0.05}, {12.15, 4.05}), 0.01, 2.81);
+  const double from = 2 - width / 2;
+  for (const double x : {6.05, 6.15})
+    points.wall(segment({x, 0.05}, {x, 4.05}), 0.01, 2.81, [&](double s, double z) {
+      return s < from || s > from + width || z > head;
+    });
+  points.slab(rectangle(6.05, 0.05 + from, 6.15, 0.05 + from + width), 0.01);
+  points.slab(rectangle(6.05, 0.05 + from, 6.15, 0.05 + from + width), head);
+  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setInputCloud(points.cloud());
+  set(segmentation);
+  std::vector<pcl::PointIndices> rooms;
+  EXPECT_TRUE(segmentation.segment(rooms)) << segmentation.getErrorMessage();
+  return rooms.size();
+}
+
+TEST(RoomSegmentation, AnOpeningWiderThanThePassagesAskedForPartsNothing)
+{
+  using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+  EXPECT_EQ(roomsWithOpening(2.8, 2.21, [](Segmentation&) {}), 2u);
+  EXPECT_EQ(roomsWithOpening(2.8, 2.21, [](Segmentation& s) { s.setWidestPassage(2); }),
+            1u);
+}
+
+TEST(RoomSegmentation, AnOpeningWithoutALintelPartsUpToTheWidestDoor)
+{
+  using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation&) {}), 1u);
+  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation& s) { s.setWidestDoor(2.4); }),
+            2u);
+}
+
+TEST(RoomSegmentation, FloorsApartByMoreThanTheStoreyStepAreTwoStoreys)
+{
+  RoomPoints points;
+  points.room(rectangle(0.05, 0.05, 4.05, 3.05), 0.01, 2.51);
+  points.room(rectangle(4.25, 0.05, 10.25, 3.05), 1.21, 3.71);
+  for (const auto& [step, storeys] : {std::pair(1.6, 1u), std::pair(1.0, 2u)}) {
+    pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
+    segmentation.setInputCloud(points.cloud());
+    segmentation.setStoreyStep(step);
+    std::vector<pcl::PointIndices> rooms;
+    ASSERT_TRUE(segmentation.segment(rooms));
+    EXPECT_EQ(segmentation.getBuilding().storeys.size(), storeys);
+  }
+}
+
+TEST(RoomSegmentation, WantsWallsAlongTheShareOfAnOutlineThatIsAskedFor)
+{
+  RoomPoints points; // a wall is missing
+  const auto loop = rectangle(0.05, 0.05, 4.05, 4.05);
+  points.slab(loop, 0.01);
+  points.slab(loop, 2.51);
+  for (std::size_t e = 0; e < 3; ++e)
+    points.wall(loop.elements[e], 0.01, 2.51);
+  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setInputCloud(points.cloud());
+  std::vector<pcl::PointIndices> rooms;
+  EXPECT_TRUE(segmentation.segment(rooms));
+  segmentation.setMinimumEnclosure(0.9);
+  EXPECT_FALSE(segmentation.segment(rooms));
+}
+
 TEST(RoomSegmentation, FindsWhatItsParametersAskFor)
 {
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
