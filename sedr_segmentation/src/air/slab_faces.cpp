@@ -4,6 +4,7 @@
 #include "height_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,11 +16,13 @@ namespace {
 
 constexpr std::uint32_t none = AirGaps::none;
 
-/** @brief What is along the rim of a region in which slabs have one face. */
-struct RegionRim {
-  HeightCounts ceilings; ///< of the air below slabs of two faces
-  HeightCounts floors;   ///< of the air above them
-  HeightCounts surfaces; ///< within the region
+/** @brief A region in which slabs have one face. */
+struct OneFaced {
+  std::vector<std::uint32_t> gaps;   ///< below them
+  std::array<HeightCounts, 2> sides; ///< of their face: where the gap below ends, and
+                                     ///< where that above begins
+  std::vector<std::array<double, 2>> rim; ///< both faces of the slabs beside, the lower
+                                          ///< first
 };
 
 class SlabFaces {
@@ -58,55 +61,66 @@ private:
 
   void completeRegion(std::uint32_t start)
   {
-    RegionRim rim;
-    const std::vector<std::uint32_t> region = regionFrom(start, rim);
-    if (rim.floors.empty())
-      return;
     constexpr double share_of_floor = 0.2; // of a rim; the rest may be furniture
-    const double surface = rim.surfaces.highestCount();
-    const double ceiling = rim.ceilings.highestCount();
-    const double floor = rim.floors.lowestOf(share_of_floor);
-    const bool is_ceiling = std::abs(surface - ceiling) < std::abs(surface - floor);
-    const double seen = is_ceiling ? ceiling : floor;
-    for (const std::uint32_t below : region) {
-      AirGap& lower = gaps_[below];
-      AirGap& upper = gaps_[above_[below]];
-      if (std::abs(air_.columns().heightOf(lower.high) - seen) >
-          air_.parameters().same_surface)
-        continue; // of stairs
-      const std::int32_t low = std::max(upper.low, voxelOf(floor));
-      const std::int32_t high = std::min(lower.high, voxelOf(ceiling));
-      if (is_ceiling && upper.high - low >= tall_) {
-        upper.low = low;
-        upper.floor_seen = false;
-      }
-      if (!is_ceiling && high - lower.low >= tall_) {
-        lower.high = high;
-        lower.ceiling_seen = false;
-      }
+    const OneFaced region = regionFrom(start);
+    const std::array<double, 2> seen{region.sides[0].highestCount(),
+                                     region.sides[1].highestCount()};
+    std::array<std::size_t, 2> goes_on{0, 0}; // as the lower or the upper face
+    std::array<HeightCounts, 2> others;       // of the slabs along which it does
+    for (const std::array<double, 2>& faces : region.rim)
+      for (std::size_t side = 0; side < 2; ++side)
+        if (std::abs(faces[side] - seen[side]) < air_.parameters().thinnest_slab / 2) {
+          ++goes_on[side];
+          others[side].add(faces[1 - side]);
+        }
+    if (goes_on[0] + goes_on[1] == 0)
+      return;
+    const bool is_ceiling = goes_on[0] >= goes_on[1];
+    const std::int32_t other = voxelOf(is_ceiling ? others[0].lowestOf(share_of_floor)
+                                                  : others[1].highestCount());
+    for (const std::uint32_t below : region.gaps)
+      if (std::abs(air_.columns().heightOf(air_[below].high) - seen[0]) <=
+          air_.parameters().same_surface) // else a tread of stairs
+        moveApart(gaps_[below], gaps_[above_[below]], other, is_ceiling);
+  }
+
+  /** @brief Gives the gap above or that below a surface the other face of the slab.
+   * @param is_ceiling whether the surface is the ceiling of the gap below */
+  void
+  moveApart(AirGap& lower, AirGap& upper, std::int32_t other, bool is_ceiling) const
+  {
+    const std::int32_t low = std::max(upper.low, other);
+    const std::int32_t high = std::min(lower.high, other);
+    if (is_ceiling && upper.high - low >= tall_) {
+      upper.low = low;
+      upper.floor_seen = false;
+    }
+    if (!is_ceiling && high - lower.low >= tall_) {
+      lower.high = high;
+      lower.ceiling_seen = false;
     }
   }
 
-  /** @brief The places with one face that hang together, and what is along their rim.
-   */
-  std::vector<std::uint32_t> regionFrom(std::uint32_t start, RegionRim& rim)
+  /** @brief The places with one face that hang together. */
+  OneFaced regionFrom(std::uint32_t start)
   {
-    std::vector<std::uint32_t> region{start};
+    OneFaced region;
+    region.gaps = {start};
     is_met_[start] = 1;
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      const AirGap& gap = air_[region[k]];
-      rim.surfaces.add(air_.columns().heightOf(gap.high));
+    for (std::size_t k = 0; k < region.gaps.size(); ++k) {
+      const AirGap& gap = air_[region.gaps[k]];
+      region.sides[0].add(air_.columns().heightOf(gap.high));
+      region.sides[1].add(air_.columns().heightOf(air_[above_[region.gaps[k]]].low));
       for (int d = 0; d < 4; ++d) {
-        const std::uint32_t o = slabBeside(region[k], d);
+        const std::uint32_t o = slabBeside(region.gaps[k], d);
         if (o == none)
           continue;
-        if (!hasOneFace(o)) {
-          rim.ceilings.add(air_.columns().heightOf(air_[o].high));
-          rim.floors.add(air_.columns().heightOf(air_[above_[o]].low));
-        }
+        if (!hasOneFace(o))
+          region.rim.push_back({air_.columns().heightOf(air_[o].high),
+                                air_.columns().heightOf(air_[above_[o]].low)});
         else if (is_met_[o] == 0) {
           is_met_[o] = 1;
-          region.push_back(o);
+          region.gaps.push_back(o);
         }
       }
     }

@@ -106,8 +106,9 @@ public:
       visit(begin, tile.low + 64 * tile.words);
   }
 
-  /** @brief How many of the 26 voxels around an occupied one are so, the median, at
-   * most 15: 8 and more where the scan is dense for this cell. O(columns). */
+  /** @brief How many of the 26 voxels around an occupied one are so, at most 15, in two
+   * thirds of all places: 8 and more where the scan is dense for this cell. A few dense
+   * surfaces do not make a sparse scan dense. O(columns). */
   int usualCompany(unsigned threads) const;
 
   /** @brief Empties the voxels that have fewer than `company` occupied ones among the

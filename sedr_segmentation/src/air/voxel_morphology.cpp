@@ -102,10 +102,10 @@ VoxelColumns::usualCompany(unsigned threads) const
   for (const auto& counts : of_tile)
     for (std::size_t n = 0; n < 16; ++n)
       all[n] += counts[n];
-  unsigned median = 0;
-  while (median < 15 && 2 * all[median + 1] >= all[0] && all[0] > 0)
-    ++median;
-  return static_cast<int>(median);
+  unsigned usual = 0;
+  while (usual < 15 && 3 * all[usual + 1] >= 2 * all[0] && all[0] > 0)
+    ++usual;
+  return static_cast<int>(usual);
 }
 
 void

@@ -88,6 +88,14 @@ TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
   EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
 }
 
+TEST(SlabFaces, ABeamBelowTheSurfaceDoesNotMakeAFloorOfIt)
+{
+  AirScene scene = storeys(always, isAside);
+  scene.slab(2.05, 1.05, 2.35, 3.05, 2.21);
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+}
+
 TEST(SlabFaces, APlateWithoutASlabBesideItStaysAsItWasSeen)
 {
   AirScene scene;

@@ -177,6 +177,19 @@ TEST(VoxelColumns, TellWhetherAScanFillsThem)
   EXPECT_EQ(columnsOf(RoomPoints()).usualCompany(1), 0);
 }
 
+TEST(VoxelColumns, ADenseSurfaceDoesNotMakeASparseScanDense)
+{
+  RoomPoints points(0.05);
+  const auto sparse =
+      points.slab(rectangle(-3, -3, 3, 3), 0.01, [](double x, double y) {
+        return std::lround(x / 0.05 - 0.5) % 4 == 0 &&
+               std::lround(y / 0.05 - 0.5) % 4 == 0;
+      });
+  const auto dense = points.slab(rectangle(10, 0, 12, 1.5), 0.01);
+  ASSERT_GT(dense.size(), sparse.size());
+  EXPECT_EQ(columnsOf(points).usualCompany(1), 0);
+}
+
 TEST(VoxelColumns, TakeNoPointsThatAreNotFiniteNorThoseWithoutAnIndex)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
