@@ -129,4 +129,48 @@ TEST(RealScan, studio_is_one_room_below_its_vault)
   ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1u);
 }
 
+double
+areaOf(const pcl::sedr::Floorplan& plan)
+{
+  double area = 0;
+  for (const auto& room : plan.rooms)
+    area += room.area();
+  return area;
+}
+
+TEST(RealScan, hall_is_one_room_below_its_dome)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "dome_hall");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1u);
+  EXPECT_GT(areaOf(*chain.getFloorplan()), 560);
+  EXPECT_LT(areaOf(*chain.getFloorplan()), 640);
+}
+
+TEST(RealScan, office_floor_is_found_below_its_ribbed_deck)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "office_floor");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  EXPECT_GE(chain.getFloorplan()->rooms.size(), 7u);
+  EXPECT_GE(areaOf(*chain.getFloorplan()), 2300);
+}
+
+TEST(RealScan, house_has_its_two_storeys)
+{
+  SEDR_LOAD_OR_SKIP(cloud, "ifc_house/scan");
+  Reconstruction chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  const pcl::sedr::Floorplan& plan = *chain.getFloorplan();
+  ASSERT_EQ(plan.storeys.size(), 2u);
+  EXPECT_NEAR(plan.storeys[0].floor, 0.0, 0.05);
+  EXPECT_NEAR(plan.storeys[1].floor, 2.7, 0.05);
+  EXPECT_GE(plan.rooms.size(), 6u);
+  EXPECT_LE(plan.rooms.size(), 9u);
+}
+
 } // namespace
