@@ -213,6 +213,16 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
   return room;
 }
 
+Origin
+originFrom(const Json& json)
+{
+  const auto numbers = json.get<std::vector<double>>();
+  if (numbers.size() != 3)
+    throw std::invalid_argument("an origin has 3 coordinates, not " +
+                                std::to_string(numbers.size()));
+  return {{numbers[0], numbers[1], numbers[2]}};
+}
+
 } // namespace
 
 Eigen::Vector2d
@@ -246,6 +256,8 @@ floorplanFromJson(const std::string& text, std::string& problem)
     for (const auto& room : json.at("rooms"))
       plan.rooms.push_back(roomFrom(room, plan.rooms));
     readStoreys(json, plan);
+    if (json.contains("origin"))
+      plan.origin = originFrom(json.at("origin"));
   }
   catch (const std::exception& error) {
     problem = std::string("the floor plan cannot be read: ") + error.what();

@@ -59,7 +59,10 @@ public:
          << mm(size_.x()) << "mm\" height=\"" << mm(size_.y()) << "mm\" viewBox=\"0 0 "
          << mm(size_.x()) << ' ' << mm(size_.y())
          << "\">\n<title>Floor plan 1:" << mm(scale_) << (name_.empty() ? "" : ", ")
-         << name_ << "</title>\n<style>" << svg_style << "</style>\n"
+         << name_ << "</title>\n";
+    if (!plan_.origin.isZero())
+      out_ << "<desc>" << plan_.origin.comment() << "</desc>\n";
+    out_ << "<style>" << svg_style << "</style>\n"
          << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (const PlanRoom& room : plan_.rooms)
       writeRoom(room);
@@ -300,6 +303,9 @@ private:
               "1:" + shortDecimalText(scale_, 2));
     if (!name_.empty())
       writeText("name start", {margin_left, size_.y() - 4.5}, room_font, name_);
+    if (!plan_.origin.isZero())
+      writeText("size start", {margin_left, size_.y() - 1.5}, size_font,
+                "origin " + plan_.origin.text(", ") + " m");
   }
 
   Floorplan plan_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/origin.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,6 +35,7 @@ enum class Encoding { Ascii, LittleEndian, BigEndian };
 struct Header {
   Encoding encoding = Encoding::Ascii;
   std::vector<Element> elements;
+  Origin origin;        ///< as a comment tells it
   std::size_t size = 0; ///< bytes up to the first value
 };
 

@@ -162,7 +162,11 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
          runStage("CeilingBoundaryWallGrowing", n,
                   [&](auto& r) { return growWalls(r); }) &&
          runStage("FloorplanFitting", cloud->size(),
-                  [&](auto& r) { return fitPlan(r); }) &&
+                  [&](auto& r) {
+                    const bool is_fit = fitPlan(r);
+                    plan->origin = origin;
+                    return is_fit;
+                  }) &&
          runStage("StructureRefinement", cloud->size(),
                   [&](auto& r) { return refine(r); }) &&
          runStage("VerticalHoleRepair", reports.back().points_out,

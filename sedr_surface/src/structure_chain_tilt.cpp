@@ -55,6 +55,7 @@ StructureChain::levelScan()
 TriangleMesh
 StructureChain::inScanFrame(TriangleMesh mesh) const
 {
+  mesh.origin = origin;
   if (!levelling || keep_levelled)
     return mesh;
   for (Eigen::Vector3d& v : mesh.vertices)

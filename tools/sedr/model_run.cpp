@@ -111,17 +111,27 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   return figures;
 }
 
+/** @brief What the header of a mesh that does not know its origin says of it. */
+std::vector<std::string>
+originComments(const Origin& origin)
+{
+  if (origin.isZero())
+    return {};
+  return {origin.comment()};
+}
+
 /** @brief Writes the model: all but drawings and report. */
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
   const StructureChain& c = chain.getChain();
-  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame());
+  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
   const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
       !with_mesh  ? std::string()
       : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame())
-                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh());
+                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
+                            originComments(c.origin));
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
@@ -200,7 +210,7 @@ makeModel(const ModelSettings& settings,
   }
   RunRecord record;
   record.path = settings.input;
-  record.unit = settings.unit;
+  record.unit = settings.scan.settings.unit;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });

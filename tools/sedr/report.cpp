@@ -234,12 +234,15 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
+            {"origin", nullptr}, // has its place here
             {"levelling", levellingOf(chain.getChain())},
             {"rooms", roomsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);
+  const Eigen::Vector3d& origin = chain.getOrigin().place;
+  json["origin"] = {origin.x(), origin.y(), origin.z()}; // all digits
   // A path may hold any bytes: what is no UTF-8 becomes U+FFFD.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief A floor plan as JSON: {"format": "sedr-floorplan", "version": 1, "unit": "m",
- * "rooms":
- * [...]}. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers,
+ * "origin": [x, y, z], "rooms": [...]}: all places are counted from the origin. A room
+ * has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers,
  * residual), boundary, columns and details. A loop is a list of elements: start and
  * end, for arcs centre, radius and counter_clockwise, inliers and residual. Numbers are
  * written so that they read back exactly.

@@ -94,6 +94,10 @@ public:
    * fitted in, see `levelling`. */
   bool keep_levelled = false;
 
+  /** @brief What the coordinates of the scan are counted from: goes with the plan and
+   * with the meshes in its frame. */
+  Origin origin;
+
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);
 
