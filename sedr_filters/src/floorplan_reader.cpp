@@ -213,16 +213,6 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
   return room;
 }
 
-Origin
-originFrom(const Json& json)
-{
-  const auto numbers = json.get<std::vector<double>>();
-  if (numbers.size() != 3)
-    throw std::invalid_argument("an origin has 3 coordinates, not " +
-                                std::to_string(numbers.size()));
-  return {{numbers[0], numbers[1], numbers[2]}};
-}
-
 } // namespace
 
 Eigen::Vector2d
@@ -256,14 +246,32 @@ floorplanFromJson(const std::string& text, std::string& problem)
     for (const auto& room : json.at("rooms"))
       plan.rooms.push_back(roomFrom(room, plan.rooms));
     readStoreys(json, plan);
-    if (json.contains("origin"))
-      plan.origin = originFrom(json.at("origin"));
   }
   catch (const std::exception& error) {
     problem = std::string("the floor plan cannot be read: ") + error.what();
     plan = {};
   }
   return plan;
+}
+
+bool
+originFromJson(const std::string& text, Origin& origin)
+{
+  origin = {};
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("origin"))
+    return true;
+  const Json& place = json["origin"];
+  if (!place.is_array() || place.size() != 3)
+    return false;
+  Origin read;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!place[axis].is_number())
+      return false;
+    read.place[static_cast<Eigen::Index>(axis)] = place[axis].get<double>();
+  }
+  origin = read;
+  return true;
 }
 
 } // namespace sedr

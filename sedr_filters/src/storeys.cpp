@@ -196,7 +196,6 @@ partOf(const Floorplan& plan, const PlanStorey& storey)
            isListed(storey.rooms, link.rooms[1]);
   };
   Floorplan part;
-  part.origin = plan.origin;
   for (const PlanRoom& room : plan.rooms)
     if (isListed(storey.rooms, room.id))
       part.rooms.push_back(room);

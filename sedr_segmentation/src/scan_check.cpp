@@ -185,10 +185,29 @@ upProblem(const PointView& points,
   return side.axis ? sideProblem(side, z, up) : std::string();
 }
 
+namespace {
+
+/** @brief Whether the middle one of the doorways is as high as a door is in feet. */
+bool
+hasDoorsAsHighAsInFeet(const Floorplan& plan)
+{
+  constexpr double lowest_door = 5.9;
+  constexpr double highest_door = 8.5;
+  std::vector<double> heights;
+  for (const PlanDoorway& doorway : plan.doorways)
+    heights.push_back(doorway.top - doorway.bottom);
+  if (heights.empty())
+    return false;
+  const double height = middleValue(heights);
+  return height >= lowest_door && height <= highest_door;
+}
+
+} // namespace
+
 std::string
 footProblem(const Floorplan& plan)
 {
-  constexpr std::size_t fewest = 3;
+  constexpr std::size_t pair = 2;
   constexpr double lowest = 7;
   constexpr double highest = 12;
   constexpr double largest = 300;
@@ -201,11 +220,18 @@ footProblem(const Floorplan& plan)
     heights.push_back(room.ceiling.heightAt(corner) - room.floor.heightAt(corner));
     areas.push_back(room.area());
   }
-  if (heights.size() < fewest || middleValue(areas) > largest)
+  if (heights.empty() || middleValue(areas) > largest)
+    return {};
+  if (heights.size() == pair && !hasDoorsAsHighAsInFeet(plan))
     return {};
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   if (*low < lowest || *high > highest)
     return {};
+  if (heights.size() == 1)
+    return text("the room is %.1f m high, as rooms of homes and offices are in feet: if "
+                "the foot is the unit of the scan, scale it by 0.3048 (--unit 0.3048 in "
+                "pcl_sedr)",
+                *low);
   return text("all %.0f rooms are %.1f to %.1f m high, as rooms of homes and offices "
               "are in feet: if the foot is the unit of the scan, scale it by 0.3048 "
               "(--unit 0.3048 in pcl_sedr)",

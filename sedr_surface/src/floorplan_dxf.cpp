@@ -211,14 +211,14 @@ writeBelow(DxfText& dxf,
 } // namespace
 
 std::string
-floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
+floorplanToDxf(const Floorplan& whole, const PlanStorey* storey, const Origin& origin)
 {
   const Floorplan plan = storey ? partOf(whole, *storey) : whole;
   DxfText dxf;
   Eigen::AlignedBox2d bounds = boundsOf(whole);
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
-  writeHeader(dxf, bounds, whole.origin);
+  writeHeader(dxf, bounds, origin);
   writeTables(dxf);
   dxf.group(0, "SECTION").group(2, "ENTITIES");
   for (const DrawnElement& drawn : drawnElements(plan))
@@ -231,8 +231,8 @@ floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
   writeWays(dxf, plan);
   if (storey)
     writeBelow(dxf, bounds, storey->name, 2);
-  if (!plan.origin.isZero())
-    writeBelow(dxf, bounds, "origin " + plan.origin.text(", ") + " m", 4);
+  if (!origin.isZero())
+    writeBelow(dxf, bounds, "origin " + origin.text(", ") + " m", 4);
   dxf.group(0, "ENDSEC").group(0, "EOF");
   return dxf.text();
 }

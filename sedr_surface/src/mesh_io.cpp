@@ -41,8 +41,6 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
   std::ostringstream header;
   header << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
-  if (!mesh.origin.isZero())
-    header << "comment " << mesh.origin.comment() << '\n';
   for (const std::string& comment : comments)
     header << "comment " << comment << '\n';
   header << "element vertex " << mesh.vertices.size() << '\n';

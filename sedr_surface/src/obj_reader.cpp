@@ -58,8 +58,6 @@ parseObj(const std::string& content, TriangleMesh& mesh)
     std::istringstream words(line);
     std::string word;
     words >> word;
-    if (word == "#")
-      Origin::fromComment(line, mesh.origin);
     if (word == "v") {
       Eigen::Vector3d vertex;
       if (!(words >> vertex.x() >> vertex.y() >> vertex.z()))

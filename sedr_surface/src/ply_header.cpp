@@ -41,8 +41,6 @@ parseHeaderLine(const std::string& line, Header& header)
     else if (encoding != "ascii")
       return "has the unknown PLY format '" + encoding + "'";
   }
-  else if (keyword == "comment")
-    Origin::fromComment(line, header.origin);
   else if (keyword == "element") {
     Element element;
     if (!(words >> element.name >> element.count))

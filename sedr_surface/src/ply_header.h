@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/origin.h>
-
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -35,7 +33,6 @@ enum class Encoding { Ascii, LittleEndian, BigEndian };
 struct Header {
   Encoding encoding = Encoding::Ascii;
   std::vector<Element> elements;
-  Origin origin;        ///< as a comment tells it
   std::size_t size = 0; ///< bytes up to the first value
 };
 

@@ -210,7 +210,6 @@ parsePly(const std::string& content, TriangleMesh& mesh)
 {
   ply::Header header;
   std::string reason = ply::parseHeader(content, header);
-  mesh.origin = header.origin;
   ValueReader reader(content.data() + header.size, content.data() + content.size(),
                      header.encoding);
   for (const ply::Element& element : header.elements) {

@@ -34,8 +34,6 @@ solidToObj(const TriangleMesh& mesh,
 {
   std::ostringstream obj;
   obj << "# metres, z up, faces outwards\n";
-  if (!mesh.origin.isZero())
-    obj << "# " << mesh.origin.comment() << '\n';
   if (!material_file.empty())
     obj << "mtllib " << material_file << '\n';
   for (const Eigen::Vector3d& v : mesh.vertices)

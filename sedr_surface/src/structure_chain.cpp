@@ -162,11 +162,7 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
          runStage("CeilingBoundaryWallGrowing", n,
                   [&](auto& r) { return growWalls(r); }) &&
          runStage("FloorplanFitting", cloud->size(),
-                  [&](auto& r) {
-                    const bool is_fit = fitPlan(r);
-                    plan->origin = origin;
-                    return is_fit;
-                  }) &&
+                  [&](auto& r) { return fitPlan(r); }) &&
          runStage("StructureRefinement", cloud->size(),
                   [&](auto& r) { return refine(r); }) &&
          runStage("VerticalHoleRepair", reports.back().points_out,

@@ -55,7 +55,6 @@ StructureChain::levelScan()
 TriangleMesh
 StructureChain::inScanFrame(TriangleMesh mesh) const
 {
-  mesh.origin = origin;
   if (!levelling || keep_levelled)
     return mesh;
   for (Eigen::Vector3d& v : mesh.vertices)

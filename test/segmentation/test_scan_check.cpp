@@ -133,6 +133,19 @@ TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
   EXPECT_TRUE(mentions(problem, "--unit 0.3048")) << problem;
 }
 
+TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
+{
+  const std::string alone = footProblem(planOf({10.6}, 240));
+  EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
+  EXPECT_EQ(footProblem(planOf({10.6}, 600)), "") << "a hall";
+  Floorplan two = planOf({8, 8}, 150);
+  two.doorways.resize(1);
+  two.doorways[0].top = 6.7;
+  EXPECT_TRUE(mentions(footProblem(two), "--unit 0.3048"));
+  two.doorways[0].top = 2.1;
+  EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
+}
+
 TEST(FootProblem, HallsAndRoomsInMetresAreNone)
 {
   EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");

@@ -206,11 +206,12 @@ private:
 
   std::string packetsOf(const std::vector<E57TestField>& fields) const
   {
-    std::vector<std::string> left;
+    std::vector<std::string> streams;
+    std::vector<std::size_t> done(fields.size(), 0); // bytes of each
     std::size_t total = 0;
     for (const E57TestField& field : fields) {
-      left.push_back(field.stream());
-      total += left.back().size();
+      streams.push_back(field.stream());
+      total += streams.back().size();
     }
     const std::size_t packets = std::max<std::size_t>(1, total / packet_bytes);
     std::string all;
@@ -219,14 +220,16 @@ private:
       std::string content;
       putShort(packet, fields.size());
       for (std::size_t f = 0; f < fields.size(); ++f) {
-        std::size_t part = left[f].size() / std::max<std::size_t>(1, packets - p);
+        const std::size_t left = streams[f].size() - done[f];
+        std::size_t part = p < packets ? left / (packets - p) : left;
         if (is_uneven && p % fields.size() == f)
           part /= 3;
         if (p + 1 >= packets)
-          part = std::min<std::size_t>(left[f].size(), 60000 / fields.size());
+          part = left;
+        part = std::min<std::size_t>(part, 60000 / fields.size());
         putShort(packet, part);
-        content += left[f].substr(0, part);
-        left[f].erase(0, part);
+        content += streams[f].substr(done[f], part);
+        done[f] += part;
         total -= part;
       }
       packet += content;

@@ -20,11 +20,19 @@ originOfModel(const std::string& path)
     const fs::path plan = fs::path(path) / "floorplan.json";
     if (!fs::exists(plan, error))
       throw ToolError("'" + path + "' holds no floorplan.json, which pcl_sedr writes");
-    return loadFloorplan(plan.string())->origin;
+    return planOrigin(plan.string());
   }
   if (fs::path(path).extension() == ".json")
-    return loadFloorplan(path)->origin;
-  return readLayout(MappedFile(path), path, ScanSettings()).counted_from;
+    return planOrigin(path);
+  constexpr int most_lines = 20; // of a header
+  const MappedFile file(path);
+  TextCursor cursor(file, 0);
+  Origin origin;
+  std::string_view line;
+  for (int k = 0; k < most_lines && cursor.nextLine(line); ++k)
+    if (Origin::fromComment(std::string(line.substr(0, 256)), origin))
+      break;
+  return origin;
 }
 
 ScanSettings

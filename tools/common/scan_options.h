@@ -37,7 +37,7 @@ void addUnitOption(Options& options, ScanOptions& scan);
 void addScanOptions(Options& options, ScanOptions& scan);
 
 /** @brief What the coordinates of a model are counted from: a folder that pcl_sedr has
- * left, its floorplan.json, or a PCD or PLY. */
+ * left, its floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 where that tells none. */
 Origin originOfModel(const std::string& path);
 
 } // namespace tools

@@ -111,15 +111,6 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   return figures;
 }
 
-/** @brief What the header of a mesh that does not know its origin says of it. */
-std::vector<std::string>
-originComments(const Origin& origin)
-{
-  if (origin.isZero())
-    return {};
-  return {origin.comment()};
-}
-
 /** @brief Writes the model: all but drawings and report. */
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
@@ -129,18 +120,19 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
   const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
       !with_mesh  ? std::string()
-      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame())
+      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
+                            originComments(c.origin))
                   : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
                             originComments(c.origin));
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
     stream << floorplanToJson(*chain.getFloorplan(),
-                              c.levelling ? &*c.levelling : nullptr);
+                              c.levelling ? &*c.levelling : nullptr, c.origin);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), solid, c.extrusion.getElements());
+    saveSolid(folder.file(name), solid, c.extrusion.getElements(), c.origin);
 }
 
 void
@@ -210,7 +202,7 @@ makeModel(const ModelSettings& settings,
   }
   RunRecord record;
   record.path = settings.input;
-  record.unit = settings.scan.settings.unit;
+  record.reading = settings.scan.settings;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });
@@ -231,7 +223,7 @@ makeModel(const ModelSettings& settings,
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain, !settings.no_mesh);
-      writeDrawings(folder, *chain.getFloorplan(), settings.input);
+      writeDrawings(folder, *chain.getFloorplan(), chain.getOrigin(), settings.input);
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/origin.h>
 #include <pcl/sedr_filters/point_types.h>
 
 #include <Eigen/Core>
@@ -223,7 +222,6 @@ struct Floorplan {
   std::vector<PlanStorey> storeys{};   ///< from the lowest up; empty: see storeysOf()
   std::vector<PlanDoorway> doorways{}; ///< those that were found
   std::vector<PlanStair> stairs{};     ///< likewise
-  Origin origin{}; ///< what all of its places are counted from
 };
 
 } // namespace sedr

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/levelling.h>
+#include <pcl/sedr_filters/origin.h>
 
 #include <string>
 
@@ -16,9 +17,16 @@ namespace sedr {
  * end, for arcs centre, radius and counter_clockwise, inliers and residual. Numbers are
  * written so that they read back exactly.
  * @param levelling how the scan was made level for the plan, if it was: `levelling`
- * with angle and direction in degrees, `rotation` by rows, and `about` */
+ * with angle and direction in degrees, `rotation` by rows, and `about`
+ * @param origin what the places of the plan are counted from */
 std::string floorplanToJson(const Floorplan& plan,
-                            const Levelling* levelling = nullptr);
+                            const Levelling* levelling = nullptr,
+                            const Origin& origin = {});
+
+/** @brief The origin that floorplanToJson() wrote, or that of report.json; 0, 0, 0 where
+ * there is none.
+ * @return false if it is there, but no three numbers */
+bool originFromJson(const std::string& text, Origin& origin);
 
 /** @brief Reads what floorplanToJson() wrote.
  *

@@ -77,8 +77,8 @@ public:
   }
 
   /** @brief What was subtracted from the coordinates of the scan before they became
-   * floats, metres: it is not applied here, but goes with the floor plan and all that is
-   * written of it. Default 0, 0, 0. */
+   * floats, metres: nothing is computed with it, it is for who writes the results, as
+   * sedr::floorplanToJson() does. Default 0, 0, 0. */
   void setOrigin(const sedr::Origin& origin) { chain_.origin = origin; }
   const sedr::Origin& getOrigin() const { return chain_.origin; }
 

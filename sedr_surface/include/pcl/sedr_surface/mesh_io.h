@@ -13,8 +13,8 @@ namespace sedr {
  * file.
  *
  * Polygons are cut into triangles; the face properties `label`, `room` and `element` of
- * a PLY are kept, other properties and elements skipped; the origin is what a comment
- * tells of it. Told apart by their content, not by the file's name.
+ * a PLY are kept, other properties and elements skipped. Told apart by their content,
+ * not by the file's name.
  *
  * @return an empty string, or a sentence that says why there is no mesh: the file is
  * missing, truncated, of another format, has indices out of range, no triangles. `mesh`
@@ -23,7 +23,7 @@ std::string loadMesh(const std::string& path, TriangleMesh& mesh);
 
 /** @brief Writes a binary little-endian PLY: x, y, z, floats unless a coordinate of 256
  * m or more calls for doubles; faces with int `label`, `room` and `element` if the mesh
- * has them, and a comment with its origin unless that is 0. Written beside and then renamed: the file is whole or not there.
+ * has them. Written beside and then renamed: the file is whole or not there.
  *
  * @param comments lines for the header
  * @return an empty string, or a sentence that says why nothing was written */

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/origin.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -38,7 +36,6 @@ struct TriangleMesh {
   std::vector<std::uint32_t>
       elements; ///< a number a triangle (0 none), or empty: which
                 ///< part of a plan it is, of FloorplanExtrusion
-  Origin origin; ///< what the vertices are counted from
 
   /** @brief True without triangles. */
   bool empty() const { return triangles.empty(); }
