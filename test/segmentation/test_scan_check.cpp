@@ -138,6 +138,10 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   const std::string alone = footProblem(planOf({10.6}, 240));
   EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
   EXPECT_EQ(footProblem(planOf({10.6}, 600)), "") << "a hall";
+  Floorplan with_sliver = planOf({9.2, 3}, 20);
+  with_sliver.rooms[0].boundary = rectangle(0, 20, 16, 36);
+  const std::string beside = footProblem(with_sliver);
+  EXPECT_TRUE(mentions(beside, "the room is 9.2 m high")) << beside;
   Floorplan two = planOf({8, 8}, 150);
   two.doorways.resize(1);
   two.doorways[0].top = 6.7;

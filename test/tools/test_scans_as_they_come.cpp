@@ -6,13 +6,8 @@
 #include "tool_cloud.h"
 #include "tools/e57_writer.h"
 #include "tools/las_writer.h"
-#include "tools/option_help.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
-
-#include <pcl/sedr_filters/floorplan_io.h>
-
-#include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
