@@ -32,8 +32,8 @@ listScans(const std::string& path)
       position = pcl::sedr::Origin{scan.translation}.text(", ");
     std::printf("%4zu %10llu %-35s %s%s%s\n", scan.number,
                 static_cast<unsigned long long>(scan.points), position.c_str(),
-                scan.name.c_str(), entry.problem.empty() ? "" : " broken: ",
-                entry.problem.c_str());
+                scan.name.c_str(),
+                entry.problem.empty() ? "" : " broken: ", entry.problem.c_str());
   }
   return Done;
 }

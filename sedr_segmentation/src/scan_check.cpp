@@ -234,11 +234,10 @@ footProblem(const Floorplan& plan)
     return {};
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const std::string which =
-      heights.size() == 1
-          ? text("the room is %.1f m high", *low)
-          : (heights.size() == plan.rooms.size() ? "all " : "") +
-                text("%.0f rooms are %.1f to %.1f m high",
-                     static_cast<double>(heights.size()), *low, *high);
+      heights.size() == 1 ? text("the room is %.1f m high", *low)
+                          : (heights.size() == plan.rooms.size() ? "all " : "") +
+                                text("%.0f rooms are %.1f to %.1f m high",
+                                     static_cast<double>(heights.size()), *low, *high);
   return which + ", as rooms of homes and offices are in feet: if the foot is the unit "
                  "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
 }

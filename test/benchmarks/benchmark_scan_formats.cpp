@@ -136,7 +136,8 @@ main(int argc, char** argv)
     writeScans(folder, n);
   for (const char* name : {"scan.pcd", "scan.e57", "scan.las", "scan.xyz"}) {
     const std::string path = (folder / name).string();
-    for (const auto& [what, run] : {std::make_pair("read ", &readAll), {"thin ", &thin}})
+    for (const auto& [what, run] :
+         {std::make_pair("read ", &readAll), {"thin ", &thin}})
       benchmark::RegisterBenchmark(
           (what + std::string(name)).c_str(),
           [run = run, path](benchmark::State& state) { run(state, path); })

@@ -19,7 +19,8 @@ struct E57TestField {
   unsigned bits = 0;
   std::vector<std::uint64_t> stored; ///< what the bits hold
 
-  static E57TestField ofFloats(const std::string& name, const std::vector<float>& values)
+  static E57TestField ofFloats(const std::string& name,
+                               const std::vector<float>& values)
   {
     E57TestField field{name, "type=\"Float\" precision=\"single\"", 32, {}};
     for (const float value : values) {
@@ -53,8 +54,8 @@ struct E57TestField {
     E57TestField field{name,
                        std::string("type=\"") +
                            (scaling.empty() ? "Integer" : "ScaledInteger") +
-                           "\" minimum=\"" + std::to_string(minimum) +
-                           "\" maximum=\"" + std::to_string(maximum) + "\" " + scaling,
+                           "\" minimum=\"" + std::to_string(minimum) + "\" maximum=\"" +
+                           std::to_string(maximum) + "\" " + scaling,
                        0,
                        {}};
     const auto low = static_cast<std::uint64_t>(minimum);
@@ -100,9 +101,8 @@ public:
     put<std::uint64_t>(physical(section + 32));
     put<std::uint64_t>(0);
     bytes_ += packets;
-    const auto points = claimed_points >= 0
-                            ? static_cast<std::size_t>(claimed_points)
-                            : fields.front().stored.size();
+    const auto points = claimed_points >= 0 ? static_cast<std::size_t>(claimed_points)
+                                            : fields.front().stored.size();
     xml_ << "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[" << name
          << "]]></name>" << inner_xml
          << "<points type=\"CompressedVector\" fileOffset=\"" << physical(section)

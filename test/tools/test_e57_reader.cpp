@@ -130,11 +130,11 @@ TEST_F(E57Files, WidthsOfNoBitAndOf64AreRead)
   constexpr auto highest = std::numeric_limits<std::int64_t>::max();
   E57Writer writer;
   writer.packet_bytes = 37; // eight bytes straddle
-  writer.addScan("", {E57TestField::ofIntegers("cartesianX", {5, 5, 5, 5}, 5, 5),
-                      E57TestField::ofIntegers("cartesianY", {-3, 0, 7, 900}, lowest,
-                                               highest),
-                      E57TestField::ofIntegers("cartesianZ", {1, -1, 0, 2}, -(1ll << 60),
-                                               1ll << 60, "scale=\"0.5\"")});
+  writer.addScan(
+      "", {E57TestField::ofIntegers("cartesianX", {5, 5, 5, 5}, 5, 5),
+           E57TestField::ofIntegers("cartesianY", {-3, 0, 7, 900}, lowest, highest),
+           E57TestField::ofIntegers("cartesianZ", {1, -1, 0, 2}, -(1ll << 60),
+                                    1ll << 60, "scale=\"0.5\"")});
   const ToolCloud cloud = load(writer);
   ASSERT_EQ(cloud.size(), 4u);
   expectPoint(cloud, 0, 5, -3, 0.5);
@@ -153,9 +153,10 @@ TEST_F(E57Files, SphericalPointsOfSeveralPosesStandInOneFrame)
                   E57TestField::ofDoubles("sphericalElevation", {0, 0, M_PI / 2}),
                   E57TestField::ofIntegers("sphericalInvalidState", {0, 0, 0}, 0, 2)},
                  E57Writer::pose(half, 0, 0, half, 10, 20, 1.5));
-  writer.addScan("b", {E57TestField::ofFloats("cartesianX", {1}),
-                       E57TestField::ofFloats("cartesianY", {2}),
-                       E57TestField::ofFloats("cartesianZ", {3})},
+  writer.addScan("b",
+                 {E57TestField::ofFloats("cartesianX", {1}),
+                  E57TestField::ofFloats("cartesianY", {2}),
+                  E57TestField::ofFloats("cartesianZ", {3})},
                  E57Writer::pose(1, 0, 0, 0, -1, -1, 0));
   const ToolCloud cloud = load(writer);
   ASSERT_EQ(cloud.size(), 4u);
@@ -182,16 +183,16 @@ TEST_F(E57Files, SphericalPointsOfSeveralPosesStandInOneFrame)
 TEST_F(E57Files, InvalidPointsAreNaNAndColoursAndIntensitiesStay)
 {
   E57Writer writer;
-  writer.addScan(
-      "", {E57TestField::ofIntegers("colorRed", {0, 512, 1023}, 0, 1023),
-           E57TestField::ofIntegers("colorGreen", {255, 0, 9}, 0, 255),
-           E57TestField::ofIntegers("colorBlue", {1, 2, 3}, 0, 255),
-           E57TestField::ofFloats("cartesianX", {1, 2, 3}),
-           E57TestField::ofFloats("cartesianY", {1, 2, 3}),
-           E57TestField::ofFloats("cartesianZ", {1, 2, 3}),
-           E57TestField::ofIntegers("cartesianInvalidState", {0, 1, 2}, 0, 2),
-           {"note", "type=\"String\"", 8, {1, 2, 3}},
-           E57TestField::ofFloats("intensity", {0.25f, 0.5f, 1})});
+  writer.addScan("",
+                 {E57TestField::ofIntegers("colorRed", {0, 512, 1023}, 0, 1023),
+                  E57TestField::ofIntegers("colorGreen", {255, 0, 9}, 0, 255),
+                  E57TestField::ofIntegers("colorBlue", {1, 2, 3}, 0, 255),
+                  E57TestField::ofFloats("cartesianX", {1, 2, 3}),
+                  E57TestField::ofFloats("cartesianY", {1, 2, 3}),
+                  E57TestField::ofFloats("cartesianZ", {1, 2, 3}),
+                  E57TestField::ofIntegers("cartesianInvalidState", {0, 1, 2}, 0, 2),
+                  {"note", "type=\"String\"", 8, {1, 2, 3}},
+                  E57TestField::ofFloats("intensity", {0.25f, 0.5f, 1})});
   const ToolCloud cloud = load(writer);
   ASSERT_EQ(cloud.size(), 3u);
   expectPoint(cloud, 0, 1, 1, 1);
@@ -277,7 +278,8 @@ TEST_F(E57Files, WhatIsBrokenIsToldWithNumbers)
   expect(blind.file(), "neither cartesian nor spherical");
   E57Writer negative;
   auto shrunk = fields;
-  shrunk[1].attributes = "type=\"ScaledInteger\" minimum=\"0\" maximum=\"9\" scale=\"-1\"";
+  shrunk[1].attributes =
+      "type=\"ScaledInteger\" minimum=\"0\" maximum=\"9\" scale=\"-1\"";
   negative.addScan("", shrunk);
   expect(negative.file(), "the scale of 'cartesianY' is -1.0");
   E57Writer turned;

@@ -60,8 +60,7 @@ TEST_F(ScanSamples, E57OfTheSamePointsAsIntegersAndAsDoublesAgree)
   ASSERT_EQ(whole.size(), 30571u);
   ASSERT_EQ(real.size(), whole.size());
   for (std::size_t i = 0; i < real.size(); ++i)
-    ASSERT_LT(((*real.points)[i].getVector3fMap() -
-               (*whole.points)[i].getVector3fMap())
+    ASSERT_LT(((*real.points)[i].getVector3fMap() - (*whole.points)[i].getVector3fMap())
                   .norm(),
               1e-6f);
   // The box that the file states.
@@ -112,13 +111,21 @@ TEST_F(ScanSamples, LasFilesFillTheBoxesOfTheirHeaders)
   const std::vector<Sample> samples{
       {"1.0_0.las", 1, {470692.44, 4602888.9, 16}, {470692.44, 4602888.9, 16}},
       {"1.2_3.las", 1, {470692.44, 4602888.9, 16}, {470692.44, 4602888.9, 16}},
-      {"1.2-with-color.las", 1065, {635619.85, 848899.7, 406.59},
+      {"1.2-with-color.las",
+       1065,
+       {635619.85, 848899.7, 406.59},
        {638982.55, 853535.43, 586.38}},
-      {"extrabytes.las", 1065, {635619.85, 848899.7, 406.59},
+      {"extrabytes.las",
+       1065,
+       {635619.85, 848899.7, 406.59},
        {638982.55, 853535.43, 586.38}},
-      {"sample_c.las", 14408, {674521.92, 1206740.08, 627.529},
+      {"sample_c.las",
+       14408,
+       {674521.92, 1206740.08, 627.529},
        {674605.32, 1206814.96, 656.2299}},
-      {"test1_4.las", 1000, {1694038.4456, 1816492.7063, 5592.7499},
+      {"test1_4.las",
+       1000,
+       {1694038.4456, 1816492.7063, 5592.7499},
        {1694539.677, 1816497.9763, 5599.0697}}};
   for (const Sample& sample : samples) {
     const ToolCloud cloud = load(sample.name);

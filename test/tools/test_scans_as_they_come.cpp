@@ -84,8 +84,8 @@ protected:
     writer.is_uneven = true;
     for (std::size_t scan = 0; scan < 3; ++scan) {
       const double angle = 0.5 + static_cast<double>(scan);
-      const Eigen::Quaterniond turn(Eigen::AngleAxisd(
-          angle, Eigen::Vector3d(0.1, 0.2, 1).normalized()));
+      const Eigen::Quaterniond turn(
+          Eigen::AngleAxisd(angle, Eigen::Vector3d(0.1, 0.2, 1).normalized()));
       const Eigen::Vector3d station =
           place + Eigen::Vector3d(1.5, 1 + static_cast<double>(scan), 1.6);
       std::vector<Eigen::Vector3d> local;
@@ -164,9 +164,9 @@ protected:
       for (const auto& element : found) {
         double nearest = 1;
         for (const auto& other : expected)
-          nearest = std::min(nearest, (element.start + (origin.place - place).head<2>() -
-                                       other.start)
-                                          .norm());
+          nearest = std::min(
+              nearest,
+              (element.start + (origin.place - place).head<2>() - other.start).norm());
         EXPECT_LT(nearest, tolerance);
       }
       // In the middle: tilts that are within the noise add up towards the corners.
@@ -199,8 +199,8 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
   const Origin origin = planOrigin(in("of_e57/floorplan.json"));
   EXPECT_FALSE(origin.isZero());
   EXPECT_EQ(origin, planOrigin(in("of_e57/report.json")));
-  for (const char* name : {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg",
-                           "floorplan.dxf"})
+  for (const char* name :
+       {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg", "floorplan.dxf"})
     EXPECT_NE(bytesOf(in("of_e57/") + name).find(origin.comment()), std::string::npos)
         << name;
   for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
@@ -225,12 +225,12 @@ TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
 {
   writeFile(in("site.las"), las());
   ASSERT_EQ(model(in("site.las"), "one").exit_code, 0);
-  ASSERT_EQ(
-      model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code, 0);
+  ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
+            0);
   ASSERT_EQ(model(in("site.las"), "three", {"--origin-of", in("two")}).exit_code, 0);
-  EXPECT_EQ(planOrigin(in("two/floorplan.json")),
-            (Origin{{691590.5, 5335990, 0}}));
-  EXPECT_EQ(planOrigin(in("three/floorplan.json")), planOrigin(in("two/floorplan.json")));
+  EXPECT_EQ(planOrigin(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
+  EXPECT_EQ(planOrigin(in("three/floorplan.json")),
+            planOrigin(in("two/floorplan.json")));
   const ProgramRun compared = run(STRUCTURE_COMPARE, {in("one"), in("two")});
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_EQ(compared.out, "nothing has changed\n");
@@ -259,7 +259,8 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
   const ProgramRun listed = run(E57_TO_PCD, {in("scan.e57"), "--list"});
   EXPECT_EQ(listed.exit_code, 0);
   EXPECT_NE(listed.out.find("station 2"), std::string::npos) << listed.out;
-  EXPECT_NE(listed.out.find("691601.5, 5336002, 13.6"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("691601.5, 5336002, 13.6"), std::string::npos)
+      << listed.out;
   ASSERT_EQ(run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
             0);
   const ToolCloud one = loadCloud(in("one.pcd"));

@@ -89,7 +89,8 @@ TEST_F(TextFiles, ABrokenLineIsNamed)
 
 TEST_F(TextFiles, DigitsOfAGridAreNotLost)
 {
-  const ToolCloud cloud = load("691600.125 5335900.25 512\n691600.125 5335902.75 515\n");
+  const ToolCloud cloud =
+      load("691600.125 5335900.25 512\n691600.125 5335902.75 515\n");
   EXPECT_EQ(cloud.origin.place.x(), 691600);
   EXPECT_EQ((*cloud.points)[0].x, 0.125f);
   EXPECT_EQ((*cloud.points)[1].y - (*cloud.points)[0].y, 2.5f);

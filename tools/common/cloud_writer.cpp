@@ -83,12 +83,13 @@ pcdHeader(const std::vector<pcl::PCLPointField>& fields,
   header << "# .PCD v0.7 - Point Cloud Data file format\n";
   if (!frame.origin.isZero())
     header << "# " << frame.origin.comment() << '\n';
-  header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
-         << "\nCOUNT" << counts.str() << "\nWIDTH " << rows << "\nHEIGHT 1\nVIEWPOINT "
-         << frame.viewpoint.x() << ' ' << frame.viewpoint.y() << ' '
-         << frame.viewpoint.z() << ' ' << frame.orientation.w() << ' '
-         << frame.orientation.x() << ' ' << frame.orientation.y() << ' '
-         << frame.orientation.z() << "\nPOINTS " << rows << "\nDATA " << data << '\n';
+  header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
+         << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
+         << "\nHEIGHT 1\nVIEWPOINT " << frame.viewpoint.x() << ' '
+         << frame.viewpoint.y() << ' ' << frame.viewpoint.z() << ' '
+         << frame.orientation.w() << ' ' << frame.orientation.x() << ' '
+         << frame.orientation.y() << ' ' << frame.orientation.z() << "\nPOINTS " << rows
+         << "\nDATA " << data << '\n';
   return header.str();
 }
 

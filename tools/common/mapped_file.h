@@ -12,8 +12,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The bytes of a file, read as they are needed; "-" is the standard input. A file that is missing, a
- * folder or empty is a ToolError of one sentence. */
+/** @brief The bytes of a file, read as they are needed; "-" is the standard input. A
+ * file that is missing, a folder or empty is a ToolError of one sentence. */
 class MappedFile {
 public:
   explicit MappedFile(const std::string& path);
@@ -32,8 +32,8 @@ public:
    * program's, and are read again if they are. */
   void release(std::size_t begin, std::size_t size) const;
 
-  /** @brief Throws a ToolError if bytes that were looked at could not be read: they were
-   * zeros then, as the file has become shorter or its disk has failed. */
+  /** @brief Throws a ToolError if bytes that were looked at could not be read: they
+   * were zeros then, as the file has become shorter or its disk has failed. */
   void checkWhole() const;
 
 private:

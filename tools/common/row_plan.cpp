@@ -54,9 +54,9 @@ RowPlan::RowPlan(const std::vector<pcl::PCLPointField>& raw,
     move.from = field.offset;
     move.datatype = field.datatype;
     move.shift = axis < 0 ? 0 : shift[axis];
-    move.converts = axis >= 0 &&
-                    (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 ||
-                     field.count != 1 || move.shift != 0);
+    move.converts =
+        axis >= 0 && (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 ||
+                      field.count != 1 || move.shift != 0);
     fields_.push_back(field);
     if (move.converts) {
       fields_.back().datatype = pcl::PCLPointField::FLOAT32;

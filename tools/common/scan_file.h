@@ -39,9 +39,9 @@ using ScanPlaces = std::array<std::vector<double>, 3>;
  * more memory than two pieces, and one more where they are copied. binary_compressed
  * and ascii are unpacked into memory first.
  *
- * Coordinates that the file has as doubles or whole numbers, and that lie more than 1 km
- * from 0, are counted from an origin: whole metres in the middle of the points, for each
- * axis by itself. One line says so, once in a process.
+ * Coordinates that the file has as doubles or whole numbers, and that lie more than 1
+ * km from 0, are counted from an origin: whole metres in the middle of the points, for
+ * each axis by itself. One line says so, once in a process.
  *
  * Of a mesh the vertices are the points, and a warning says so where the first of them
  * is read, once in a process.
@@ -87,7 +87,8 @@ public:
   Eigen::Vector4f viewpoint() const;
   const Eigen::Quaternionf& orientation() const { return layout_.orientation; }
 
-  /** @brief Where its parts were seen from, metres, where the file tells that of all. */
+  /** @brief Where its parts were seen from, metres, where the file tells that of all.
+   */
   std::vector<ScanStation> stations() const;
 
 private:
@@ -119,7 +120,7 @@ private:
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero(); ///< subtracted at reading, metres
   Origin origin_;                 ///< that and what was subtracted before
   std::unique_ptr<RowPlan> plan_; ///< of the rows that are given out
-  bool is_plain_ = false; ///< whether they stand in the file like that
+  bool is_plain_ = false;         ///< whether they stand in the file like that
 };
 
 } // namespace tools

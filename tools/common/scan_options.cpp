@@ -48,7 +48,8 @@ ScanOptions::resolved() const
     return all;
   Origin given;
   if (!Origin::fromText(origin, given))
-    throw ToolError("--origin '" + origin + "' is not of the form x,y,z, three numbers");
+    throw ToolError("--origin '" + origin +
+                    "' is not of the form x,y,z, three numbers");
   all.origin = given;
   return all;
 }
@@ -61,15 +62,17 @@ addOriginOptions(Options& options, ScanOptions& scan)
                "middle of scans that lie more than 1 km from 0, else 0,0,0");
   options.text("origin-of", scan.origin_of,
                "count from the origin of this model, so that both have one frame");
-  options.flag("no-shift", scan.no_shift, "take coordinates as they are, however large");
+  options.flag("no-shift", scan.no_shift,
+               "take coordinates as they are, however large");
 }
 
 void
 addColumnsOption(Options& options, ScanOptions& scan)
 {
-  options.text("columns", scan.settings.columns,
-               "names of the columns of a text, such as x,y,z,intensity,red,green,blue; "
-               "_ is skipped");
+  options.text(
+      "columns", scan.settings.columns,
+      "names of the columns of a text, such as x,y,z,intensity,red,green,blue; "
+      "_ is skipped");
 }
 
 void

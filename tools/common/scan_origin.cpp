@@ -21,8 +21,8 @@ namespace {
 
 constexpr double float_step = 1.0 / (1 << 23); // between floats, relative
 constexpr double coarsest = 0.001;             // metres
-constexpr double far_away = 1000; // metres, where floats are 0.1 mm apart
-constexpr double farthest_grid = 1e8; // metres, beyond all grids of the earth
+constexpr double far_away = 1000;              // metres, where floats are 0.1 mm apart
+constexpr double farthest_grid = 1e8;          // metres, beyond all grids of the earth
 constexpr std::size_t sample_size = 20000;
 
 /** @brief Whether heights spread, but for a hundredth at each end, over more metres
@@ -36,8 +36,8 @@ couldBeMillimetres(std::vector<double> heights)
   return heights[heights.size() - 1 - cut] - heights[cut] > highest;
 }
 
-/** @brief The middle of all sizes along the axis that is farthest off, when counted from
- * `shift`. */
+/** @brief The middle of all sizes along the axis that is farthest off, when counted
+ * from `shift`. */
 double
 farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
 {
@@ -157,9 +157,8 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   else if (finds_shift)
     shift = wholeMetresNear(places);
   // What floats have lost already, no origin brings back.
-  const double farthest =
-      are_floats ? std::max(given, farthestFrom(shift, places))
-                 : farthestFrom(shift, places);
+  const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
+                                     : farthestFrom(shift, places);
   if (farthest * float_step > coarsest) {
     if (unit_ == 1 && couldBeMillimetres(places[2]))
       throw ToolError(

@@ -15,8 +15,8 @@ isStandardInput(const std::string& path)
 }
 
 /** @brief Opens what comes by the standard input as a file that has no name, in TMPDIR
- * or /tmp: it is read to its end once in a process, and gone when that ends. What fails,
- * a terminal too, is a ToolError.
+ * or /tmp: it is read to its end once in a process, and gone when that ends. What
+ * fails, a terminal too, is a ToolError.
  * @return a descriptor to be closed */
 int openStandardInput();
 

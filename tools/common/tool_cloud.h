@@ -23,7 +23,7 @@ struct ToolCloud {
   std::vector<std::uint32_t>
       label; ///< a StructureLabel a row, zeros if the file has none
   std::vector<std::uint32_t> room; ///< 0 none, zeros if the file has none
-  Origin origin; ///< what coordinates are counted from
+  Origin origin;                   ///< what coordinates are counted from
   bool has_label = false;
   bool has_room = false;
 
@@ -66,8 +66,8 @@ void saveStructure(const std::string& path,
 
 class ScanFile;
 
-/** @brief Writes a scan as it is read, piece by piece: binary PCD, or PLY if `path` ends
- * in .ply. */
+/** @brief Writes a scan as it is read, piece by piece: binary PCD, or PLY if `path`
+ * ends in .ply. */
 void saveScan(const std::string& path, const ScanFile& scan);
 
 } // namespace tools

@@ -75,8 +75,9 @@ findInputs(const std::vector<std::string>& paths, const ScanSettings& settings)
   };
   for (const std::string& path : paths) {
     if (isStandardInput(path))
-      throw ToolError("every rank reads the scan, which the standard input cannot serve: "
-                      "name a file");
+      throw ToolError(
+          "every rank reads the scan, which the standard input cannot serve: "
+          "name a file");
     std::error_code error;
     if (fs::is_directory(path, error))
       for (const std::string& scan : scansIn(path))

@@ -14,8 +14,8 @@ const std::vector<std::string> drawing_names{"floorplan.svg", "floorplan.dxf"};
 void
 writeDrawings(OutputFolder& folder,
               const Floorplan& plan,
-              const Origin& origin,
-              const std::string& input)
+              const std::string& input,
+              const Origin& origin)
 {
   std::vector<std::string> old = folder.filesLike("floorplan(_[0-9]+)?\\.(svg|dxf)");
   for (const std::string& name : drawing_names)

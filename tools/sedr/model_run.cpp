@@ -223,7 +223,7 @@ makeModel(const ModelSettings& settings,
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain, !settings.no_mesh);
-      writeDrawings(folder, *chain.getFloorplan(), chain.getOrigin(), settings.input);
+      writeDrawings(folder, *chain.getFloorplan(), settings.input, chain.getOrigin());
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

@@ -110,8 +110,9 @@ saveDrawing(const DrawingSheet& sheet,
 {
   const PlanStorey* storey = sheet.storey ? &*sheet.storey : nullptr;
   writeWhole(sheet.path, [&](std::ostream& stream) {
-    stream << (hasExtension(sheet.path, ".svg") ? floorplanToSvg(plan, scale, storey, origin)
-                                                : floorplanToDxf(plan, storey, origin));
+    stream << (hasExtension(sheet.path, ".svg")
+                   ? floorplanToSvg(plan, scale, storey, origin)
+                   : floorplanToDxf(plan, storey, origin));
   });
 }
 

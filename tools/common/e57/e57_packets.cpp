@@ -190,8 +190,7 @@ E57Packets::markBefore(const std::vector<Part>& parts) const
 std::uint64_t
 E57Packets::placeOf(std::uint64_t point) const
 {
-  return mark_places_.empty() ? end_
-                              : mark_places_[markBefore(partsOf(point, point))];
+  return mark_places_.empty() ? end_ : mark_places_[markBefore(partsOf(point, point))];
 }
 
 std::vector<E57Bytes>

@@ -28,7 +28,9 @@ class E57Packets {
 public:
   /** @param wanted numbers of the fields that are read, for which there must be bytes
    * for all points */
-  E57Packets(const E57Pages& pages, const E57Scan& scan, std::vector<std::size_t> wanted);
+  E57Packets(const E57Pages& pages,
+             const E57Scan& scan,
+             std::vector<std::size_t> wanted);
 
   /** @brief The bytes of the points [begin, end), a list for each wanted field; from
    * several threads at once. */

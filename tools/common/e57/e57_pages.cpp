@@ -42,8 +42,8 @@ E57Pages::E57Pages(const MappedFile& file)
 {
   const auto number = [](std::uint64_t value) { return std::to_string(value); };
   if (file.size() < header_size)
-    throw ToolError("the file is cut off, it has " + number(file.size()) + " bytes of the " +
-           number(header_size) + " of its header");
+    throw ToolError("the file is cut off, it has " + number(file.size()) +
+                    " bytes of the " + number(header_size) + " of its header");
   const auto version = valueAt<std::uint32_t>(file, 8);
   const auto length = valueAt<std::uint64_t>(file, 16);
   const auto xml_physical = valueAt<std::uint64_t>(file, 24);
@@ -56,18 +56,19 @@ E57Pages::E57Pages(const MappedFile& file)
   if (page_size_ < least_page || page_size_ > largest_page)
     throw ToolError("its pages are said to have " + number(page_size_) + " bytes");
   if (length > file.size())
-    throw ToolError("the file is cut off, its header promises " + number(length) + " bytes, " +
-           number(file.size()) + " are there");
+    throw ToolError("the file is cut off, its header promises " + number(length) +
+                    " bytes, " + number(file.size()) + " are there");
   if (length == 0 || length % page_size_ != 0)
-    throw ToolError("its " + number(length) + " bytes are no whole number of pages of " +
-           number(page_size_));
+    throw ToolError("its " + number(length) +
+                    " bytes are no whole number of pages of " + number(page_size_));
   payload_ = page_size_ - checksum_size;
   pages_ = length / page_size_;
   checkPage(0);
   xml_begin_ = logical(xml_physical, "its XML");
   if (xml_size_ > size() - xml_begin_)
-    throw ToolError("its XML is said to have " + number(xml_size_) + " bytes from byte " +
-           number(xml_physical) + " on, " + number(size() - xml_begin_) + " follow");
+    throw ToolError("its XML is said to have " + number(xml_size_) +
+                    " bytes from byte " + number(xml_physical) + " on, " +
+                    number(size() - xml_begin_) + " follow");
 }
 
 std::uint64_t
@@ -76,8 +77,8 @@ E57Pages::logical(std::uint64_t physical, const std::string& what) const
   if (physical < header_size || physical >= pages_ * page_size_ ||
       physical % page_size_ >= payload_)
     throw ToolError(what + " is said to begin at byte " + std::to_string(physical) +
-           ", which is not within the bytes of the " + std::to_string(pages_) +
-           " pages of " + std::to_string(page_size_) + " bytes");
+                    ", which is not within the bytes of the " + std::to_string(pages_) +
+                    " pages of " + std::to_string(page_size_) + " bytes");
   return physical / page_size_ * payload_ + physical % page_size_;
 }
 
@@ -95,7 +96,7 @@ E57Pages::checkPage(std::uint64_t page) const
   std::snprintf(text, sizeof text, "its checksum is %08x, that of its bytes %08x",
                 stored, computed);
   throw ToolError("page " + std::to_string(page + 1) + " of " + std::to_string(pages_) +
-         " is damaged, " + text);
+                  " is damaged, " + text);
 }
 
 void
@@ -103,7 +104,7 @@ E57Pages::copy(std::uint64_t begin, std::size_t size, std::uint8_t* to) const
 {
   if (begin > this->size() || size > this->size() - begin)
     throw ToolError(std::to_string(size) + " bytes are wanted from byte " +
-           std::to_string(physical(begin)) + " on, which is beyond its end");
+                    std::to_string(physical(begin)) + " on, which is beyond its end");
   while (size > 0) {
     const std::uint64_t page = begin / payload_;
     const std::uint64_t within = begin % payload_;

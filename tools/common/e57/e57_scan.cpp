@@ -164,7 +164,8 @@ readPose(const Tree& node, E57Scan& scan)
     scan.rotation.normalize();
   }
   if (const auto shift = pose->get_child_optional("translation"))
-    scan.translation = {realAt(*shift, "x", "its pose"), realAt(*shift, "y", "its pose"),
+    scan.translation = {realAt(*shift, "x", "its pose"),
+                        realAt(*shift, "y", "its pose"),
                         realAt(*shift, "z", "its pose")};
   if (!scan.translation.allFinite())
     throw ToolError("the translation of its pose is not finite");
@@ -203,9 +204,9 @@ readScan(const Tree& node, const E57Pages& pages, E57Scan& scan)
   readPose(node, scan);
   readColourLimits(node, scan);
   if (scan.points > 0)
-    scan.section = pages.logical(
-        attribute<std::uint64_t>(*points, "fileOffset", 0, "its points"),
-        "the list of its points");
+    scan.section =
+        pages.logical(attribute<std::uint64_t>(*points, "fileOffset", 0, "its points"),
+                      "the list of its points");
 }
 
 } // namespace

@@ -20,13 +20,13 @@ namespace tools {
 struct E57Field {
   enum class Kind { Float, Double, Integer, Other };
 
-  std::string name;          ///< of the XML, such as cartesianX
-  Kind kind = Kind::Other;   ///< Other is not read
-  unsigned bits = 0;         ///< of a value; 0 where all are `minimum`
-  std::int64_t minimum = 0;  ///< what the stored number 0 stands for
-  double scale = 1;          ///< of integers
-  double offset = 0;         ///< likewise
-  double low = 0, high = 0;  ///< the range it may take, scaled; 0, 0 if not told
+  std::string name;         ///< of the XML, such as cartesianX
+  Kind kind = Kind::Other;  ///< Other is not read
+  unsigned bits = 0;        ///< of a value; 0 where all are `minimum`
+  std::int64_t minimum = 0; ///< what the stored number 0 stands for
+  double scale = 1;         ///< of integers
+  double offset = 0;        ///< likewise
+  double low = 0, high = 0; ///< the range it may take, scaled; 0, 0 if not told
 };
 
 /** @brief What the XML says of a scan. */

@@ -79,8 +79,8 @@ readE57Tree(const E57Pages& pages)
   constexpr std::size_t deepest = 64;
   if (pages.xmlSize() > largest)
     throw ToolError("its XML is said to have " + std::to_string(pages.xmlSize()) +
-                 " bytes, more than the " + std::to_string(largest) +
-                 " that are taken for sane");
+                    " bytes, more than the " + std::to_string(largest) +
+                    " that are taken for sane");
   std::string xml(static_cast<std::size_t>(pages.xmlSize()), '\0');
   pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
   // Some writers count the bytes that fill up the last page.
@@ -89,7 +89,7 @@ readE57Tree(const E57Pages& pages)
     throw ToolError("its XML defines a document type, which E57 does not have");
   if (nestingOf(xml, deepest) > deepest)
     throw ToolError("the elements of its XML are nested deeper than " +
-                 std::to_string(deepest));
+                    std::to_string(deepest));
   boost::property_tree::ptree tree;
   std::istringstream stream(xml);
   try {
@@ -98,7 +98,7 @@ readE57Tree(const E57Pages& pages)
   }
   catch (const boost::property_tree::xml_parser_error& error) {
     throw ToolError("line " + std::to_string(error.line()) +
-                 " of its XML cannot be read: " + error.message());
+                    " of its XML cannot be read: " + error.message());
   }
   return tree;
 }

@@ -107,8 +107,8 @@ readScales(const MappedFile& file, const std::string& path, LasHeader& header)
 std::uint64_t
 pointsOf(const MappedFile& file, std::size_t header_size)
 {
-  const bool has_both = file.data()[version_place + 1] == newest_minor &&
-                        header_size >= header_of_1_4;
+  const bool has_both =
+      file.data()[version_place + 1] == newest_minor && header_size >= header_of_1_4;
   const auto many =
       has_both ? valueAt<std::uint64_t>(file, points_place_of_1_4) : std::uint64_t{0};
   return many > 0 ? many : valueAt<std::uint32_t>(file, points_place);
@@ -138,8 +138,8 @@ readLasHeader(const MappedFile& file, const std::string& path)
   header.record = valueAt<std::uint16_t>(file, record_place);
   header.points = pointsOf(file, header_size);
   if (format >= formats.size())
-    refuse(path, "its points are of the format " + text(format) +
-                     ", known are 0 to " + text(formats.size() - 1));
+    refuse(path, "its points are of the format " + text(format) + ", known are 0 to " +
+                     text(formats.size() - 1));
   header.colour_offset = formats[format].colour_offset;
   if (header.record < formats[format].record)
     refuse(path, "its points are said to have " + text(header.record) +

@@ -18,8 +18,8 @@ struct LasHeader {
   std::uint64_t points = 0;
   std::size_t record = 0;        ///< bytes a point
   std::size_t colour_offset = 0; ///< of red, green and blue in a record; 0: none
-  Eigen::Vector3d scale; ///< of the whole numbers that stand for coordinates
-  Eigen::Vector3d shift; ///< added to them, then
+  Eigen::Vector3d scale;         ///< of the whole numbers that stand for coordinates
+  Eigen::Vector3d shift;         ///< added to them, then
 };
 
 bool looksLikeLas(const MappedFile& file);

@@ -90,10 +90,10 @@ void
 nameAsFields(std::vector<std::string>& names)
 {
   const std::map<std::string, std::string> known{
-      {"r", "red"},        {"g", "green"},       {"b", "blue"},
-      {"i", "intensity"},  {"int", "intensity"}, {"reflectance", "intensity"},
-      {"nx", "normal_x"},  {"ny", "normal_y"},   {"nz", "normal_z"},
-      {"easting", "x"},    {"northing", "y"},    {"elevation", "z"},
+      {"r", "red"},       {"g", "green"},       {"b", "blue"},
+      {"i", "intensity"}, {"int", "intensity"}, {"reflectance", "intensity"},
+      {"nx", "normal_x"}, {"ny", "normal_y"},   {"nz", "normal_z"},
+      {"easting", "x"},   {"northing", "y"},    {"elevation", "z"},
       {"height", "z"}};
   for (auto& name : names) {
     const auto it = known.find(name);
@@ -155,8 +155,8 @@ readColumns(std::string_view line,
     if (has_decimal_comma) {
       std::string number(begin, c);
       std::replace(number.begin(), number.end(), ',', '.');
-      result = std::from_chars(number.data(), number.data() + number.size(),
-                               numbers[read]);
+      result =
+          std::from_chars(number.data(), number.data() + number.size(), numbers[read]);
       result.ptr = begin + (result.ptr - number.data());
     }
     else
@@ -190,7 +190,8 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
   if (columns.names.size() > first.numbers.size())
     throw ToolError("the first line of numbers of '" + path + "' has " +
                     std::to_string(first.numbers.size()) + " of the " +
-                    std::to_string(columns.names.size()) + " columns that are asked for");
+                    std::to_string(columns.names.size()) +
+                    " columns that are asked for");
   return columns;
 }
 

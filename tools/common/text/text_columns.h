@@ -26,9 +26,8 @@ bool looksLikeColumns(const MappedFile& file);
  * commas, says; as a line of names before the numbers does, such as "//X Y Z Intensity"
  * or "x,y,z"; else x y z, then intensity (of 4 columns), red green blue (of 6, if they
  * are whole numbers up to 255) or both (of 7). What lacks x, y or z is a ToolError. */
-TextColumns findColumns(const MappedFile& file,
-                        const std::string& path,
-                        const std::string& asked);
+TextColumns
+findColumns(const MappedFile& file, const std::string& path, const std::string& asked);
 
 /** @brief Reads up to `most` numbers of a line.
  * @return how many there are before the end of the line or something else */

@@ -105,8 +105,9 @@ TextReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
     writeRow(numbers.data(), rows + (row - 1 - first) * row_size);
   }
   if (row < first + size)
-    throw ToolError("cannot read '" + path_ + "' as columns of numbers: it ends after " +
-                    std::to_string(row) + " of " + std::to_string(size_) + " points");
+    throw ToolError("cannot read '" + path_ +
+                    "' as columns of numbers: it ends after " + std::to_string(row) +
+                    " of " + std::to_string(size_) + " points");
 }
 
 void

@@ -14,7 +14,9 @@ namespace tools {
  * had. A line with too few numbers is a ToolError that names it. */
 class TextReader : public PointReader {
 public:
-  TextReader(const MappedFile& file, const std::string& path, const std::string& columns);
+  TextReader(const MappedFile& file,
+             const std::string& path,
+             const std::string& columns);
 
   const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
   std::size_t size() const override { return size_; }
