@@ -233,8 +233,9 @@ E57Packets::read(std::uint64_t begin, std::uint64_t end) const
       }
     }
   }
-  for (auto& list : lists)
-    list.bytes.resize(list.bytes.size() + spare, 0);
+  for (std::size_t w = 0; w < parts.size(); ++w) // whole, even if the file has changed
+    lists[w].bytes.resize(
+        static_cast<std::size_t>(parts[w].end - parts[w].begin) + spare, 0);
   return lists;
 }
 
