@@ -14,7 +14,7 @@ TEST(Origin, TextAndCommentReadBack)
   const Origin origin{{691600, -5335900.125, 0.000001}};
   EXPECT_EQ(origin.text(", "), "691600, -5335900.125, 0.000001");
   EXPECT_EQ(Origin{}.text(), "0 0 0");
-  for (const std::string& before : {"", "# ", "comment "}) {
+  for (const std::string before : {"", "# ", "comment "}) {
     Origin read;
     ASSERT_TRUE(Origin::fromComment(before + origin.comment(), read));
     EXPECT_EQ(read, origin);
