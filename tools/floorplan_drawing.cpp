@@ -52,16 +52,17 @@ main(int argc, char** argv)
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
     const auto drawn = loadFloorplan(plan);
+    const auto origin = planOrigin(plan);
     if (storey > 0) {
       saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,
-                  scale);
+                  scale, origin);
       return Done;
     }
     const auto sheets = drawingSheets(output, *drawn);
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.path);
     for (const DrawingSheet& sheet : sheets)
-      saveDrawing(sheet, *drawn, scale);
+      saveDrawing(sheet, *drawn, scale, origin);
     return Done;
   });
 }

@@ -54,7 +54,8 @@ run(const Settings& settings, Extrusion& extrusion)
     tell(report);
   if (extrusion.getMesh().empty())
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
-  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements());
+  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(),
+            planOrigin(settings.plan));
   if (!settings.picture.empty())
     saveSolidPicture(settings.picture, extrusion.getMesh());
   for (const auto& warning : extrusion.getWarnings())

@@ -73,8 +73,11 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.building.empty())
     building = loadBuilding(settings.building);
   setEvidence(cloud, fitting);
-  if (!settings.raw.empty())
-    fitting.setRawCloud<pcl::PointXYZ>(loadCloud(settings.raw).points);
+  if (!settings.raw.empty()) {
+    ScanSettings in_same_frame;
+    in_same_frame.origin = cloud.origin;
+    fitting.setRawCloud<pcl::PointXYZ>(loadCloud(settings.raw, in_same_frame).points);
+  }
   pcl::sedr::Floorplan plan;
   {
     const Progress progress("fitting walls");
@@ -83,8 +86,9 @@ run(const Settings& settings, Fitting& fitting)
   }
   if (!settings.building.empty())
     giveStoreys(building, plan);
-  writeWhole(settings.output,
-             [&](std::ostream& stream) { stream << pcl::sedr::floorplanToJson(plan); });
+  writeWhole(settings.output, [&](std::ostream& stream) {
+    stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
+  });
   if (!settings.picture.empty())
     savePicture(settings.picture, drawPlan(plan, fitting.getBoundaries()));
   for (const auto& warning : fitting.getWarnings())

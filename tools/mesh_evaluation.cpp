@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.h"
 #include "run_tool.h"
+#include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -32,6 +33,7 @@ struct Settings {
   std::string near;
   double near_distance = 0.05;
   std::string json;
+  ScanSettings reading; ///< of the cloud
 };
 
 std::shared_ptr<const TriangleMesh>
@@ -42,6 +44,20 @@ load(const std::string& path)
   if (!problem.empty())
     throw ToolError(problem);
   return mesh;
+}
+
+/** @brief A mesh counted from `origin`. */
+std::shared_ptr<const TriangleMesh>
+loadFrom(const pcl::sedr::Origin& origin, const std::string& path)
+{
+  const auto mesh = load(path);
+  const Eigen::Vector3d shift = originOfModel(path).place - origin.place;
+  if (shift.isZero(0))
+    return mesh;
+  auto moved = std::make_shared<TriangleMesh>(*mesh);
+  for (auto& vertex : moved->vertices)
+    vertex += shift;
+  return moved;
 }
 
 /** @brief The labels of a list such as "1,2,3". */
@@ -83,7 +99,7 @@ withLabels(const ToolCloud& cloud, const std::string& list)
 pcl::Indices
 nearMesh(const Settings& settings, const ToolCloud& cloud, const pcl::Indices& indices)
 {
-  const auto reference = load(settings.near);
+  const auto reference = loadFrom(originOfModel(settings.model), settings.near);
   const std::string problem = reference->problem();
   if (!problem.empty() || reference->triangles.empty())
     throw ToolError(settings.near + " cannot be measured from: " +
@@ -200,10 +216,12 @@ run(const Settings& settings, pcl::MeshEvaluation& evaluation)
   if (!settings.near.empty() && settings.cloud.empty())
     throw ToolError("--near chooses points of a cloud, but there is no --cloud");
   evaluation.setInputMesh(load(settings.model));
+  ScanSettings reading = settings.reading;
+  reading.origin = originOfModel(settings.model);
   if (!settings.truth.empty())
-    evaluation.setTruth(load(settings.truth));
+    evaluation.setTruth(loadFrom(*reading.origin, settings.truth));
   if (!settings.cloud.empty()) {
-    const ToolCloud cloud = loadCloud(settings.cloud);
+    const ToolCloud cloud = loadCloud(settings.cloud, reading);
     evaluation.setInputCloud(cloud.points);
     if (!settings.labels.empty() || !settings.near.empty())
       evaluation.setIndices(select(settings, cloud));

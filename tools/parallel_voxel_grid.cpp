@@ -3,6 +3,7 @@
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_file.h"
+#include "scan_options.h"
 #include "thinning_picture.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -16,6 +17,7 @@ namespace {
 
 struct Settings {
   std::string input;
+  ScanOptions reading;
   std::string output;
   float leaf = 0;
   unsigned int minimum_points = 0;
@@ -67,12 +69,13 @@ run(const Settings& settings)
 {
   checkCloudOutput(settings.output);
   checkPictureOutput(settings.picture);
-  const ScanFile scan(settings.input);
+  const ScanFile scan(settings.input, settings.reading.resolved());
   ToolCloud cloud;
   cloud.path = settings.input;
+  cloud.origin = scan.origin();
   cloud.blob = compute(settings, scan);
   cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
-  cloud.points->sensor_origin_ = scan.origin();
+  cloud.points->sensor_origin_ = scan.viewpoint();
   cloud.points->sensor_orientation_ = scan.orientation();
   if (rowsOf(cloud.blob) == 0)
     throw ToolError("no voxel of " + std::to_string(settings.leaf) + " m holds " +
@@ -102,7 +105,7 @@ main(int argc, char** argv)
   Options options(
       "pcl_parallel_voxel_grid",
       "Thins a cloud to the mean of the points of each voxel, all fields averaged.");
-  options.file("INPUT", settings.input, "PCD or PLY file to thin");
+  options.file("INPUT", settings.input, "PCD, PLY, E57, LAS or text to thin; - is the standard input");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
   options.number("min-points", settings.minimum_points, "",
@@ -118,6 +121,7 @@ main(int argc, char** argv)
                "use the points outside the limits instead");
   options.flag("only-xyz", settings.only_xyz,
                "average x, y and z alone, other fields become 0");
+  addScanOptions(options, settings.reading);
   addPictureOption(options, settings.picture);
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] { return run(settings); });

@@ -18,7 +18,7 @@ main(int argc, char** argv)
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
       "floorplan.svg, floorplan.dxf and report.json; of several storeys one drawing "
       "each, floorplan_1.svg, ...");
-  options.file("INPUT", settings.input, "PCD or PLY file, z up");
+  options.file("INPUT", settings.input, "PCD, PLY, E57, LAS or text, z up; - is the standard input");
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, settings);
@@ -29,8 +29,10 @@ main(int argc, char** argv)
     settings.inputs = {settings.input};
     return makeModel(settings, chain, [&] {
       // What is not in its header is read while it is thinned.
-      const auto scan = std::make_shared<ScanFile>(settings.input, settings.unit);
+      const auto scan =
+          std::make_shared<ScanFile>(settings.input, settings.scan.resolved());
       chain.setInputSource(scan);
+      chain.setOrigin(scan->origin());
       return scan->size();
     });
   });

@@ -56,7 +56,9 @@ joined(const std::vector<std::string>& paths)
 }
 
 std::vector<ThinOrder>
-thinOrders(const std::vector<ScanInput>& inputs, double unit, std::size_t ranks)
+thinOrders(const std::vector<ScanInput>& inputs,
+           const ScanSettings& settings,
+           std::size_t ranks)
 {
   std::vector<ThinOrder> orders;
   for (const auto& ranges : dealRows(inputs, ranks)) {
@@ -65,7 +67,7 @@ thinOrders(const std::vector<ScanInput>& inputs, double unit, std::size_t ranks)
     order.rows = rowsOf(inputs);
     order.excerpt_step =
         pcl::sedr::rawStep(order.rows, pcl::sedr::RefitParameters().most_points);
-    order.unit = unit;
+    order.settings = settings;
     orders.push_back(order);
   }
   return orders;
@@ -111,9 +113,13 @@ makeModelTogether(const std::string& tool,
   const std::vector<std::string>& losses = orders.rooms()->losses();
   try {
     makeModel(settings, chain, [&] {
-      const std::vector<ScanInput> inputs = findInputs(call.scans);
+      ScanSettings reading = settings.scan.resolved();
+      const std::vector<ScanInput> inputs = findInputs(call.scans, reading);
+      if (!reading.origin) // one frame for all files
+        reading.origin = ScanFile(inputs.front().path, reading).origin();
+      chain.setOrigin(*reading.origin);
       auto thin_orders =
-          thinOrders(inputs, settings.unit, static_cast<std::size_t>(mail.size()));
+          thinOrders(inputs, reading, static_cast<std::size_t>(mail.size()));
       chain.setThinning([&orders, &chain, thin_orders]() mutable {
         for (ThinOrder& order : thin_orders) {
           order.inverse_leaf =
@@ -152,7 +158,7 @@ lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threa
       "Every machine needs the scan under the same name. Exit code 3: a rank has "
       "failed, and rooms are missing.");
   options.files("SCAN", call.scans,
-                "PCD or PLY file, z up, or a folder of them; several are one scan");
+                "PCD, PLY, E57, LAS or text, z up, or a folder of them; several are one scan");
   options.file("OUTPUT_DIR", call.settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, call.settings);

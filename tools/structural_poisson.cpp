@@ -4,6 +4,8 @@
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
+#include "scan_options.h"
+#include "sedr/solid_files.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -94,7 +96,9 @@ run(const Settings& settings, Poisson& poisson)
     tell(report);
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
-  const std::string problem = pcl::sedr::savePly(settings.output, poisson.getMesh());
+  const std::string source = settings.plan.empty() ? settings.input : settings.plan;
+  const std::string problem = pcl::sedr::savePly(
+      settings.output, poisson.getMesh(), originComments(originOfModel(source)));
   if (!problem.empty())
     throw ToolError(problem);
   if (!settings.picture.empty())

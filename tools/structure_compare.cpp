@@ -8,7 +8,8 @@
 #include "progress.h"
 #include "run_tool.h"
 #include "scale.h"
-#include "tool_cloud.h"
+#include "scan_file.h"
+#include "scan_options.h"
 #include "tool_error.h"
 #include "whole_file.h"
 
@@ -22,6 +23,7 @@
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::Floorplan;
+using pcl::sedr::Origin;
 
 namespace {
 
@@ -32,22 +34,29 @@ endsIn(const std::string& path, const std::string& end)
          path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
+/** @brief A plan, and what it is counted from. */
+struct PlacedPlan {
+  Floorplan plan;
+  Origin origin;
+};
+
 /** @brief The plan of a scan, as pcl_sedr finds it. */
-Floorplan
-planOfScan(const std::string& path)
+PlacedPlan
+planOfScan(const std::string& path, const ScanSettings& reading)
 {
   const Progress progress("reconstructing " + path);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
-  chain.setInputCloud(loadCloud(path).points);
+  const auto scan = std::make_shared<ScanFile>(path, reading);
+  chain.setInputSource(scan);
   if (!chain.findStructure())
     throw ToolError("'" + path + "': no structure found: " + chain.getErrorMessage(),
                     NothingFound);
-  return *chain.getFloorplan();
+  return {*chain.getFloorplan(), scan->origin()};
 }
 
 /** @brief The plan of a model: a folder of pcl_sedr's, a plan, or a scan. */
-Floorplan
-planOf(const std::string& path)
+PlacedPlan
+planOf(const std::string& path, const ScanSettings& reading)
 {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
@@ -56,17 +65,29 @@ planOf(const std::string& path)
       throw ToolError("'" + path +
                       "' holds no floorplan.json, which pcl_sedr writes; a scan is "
                       "named by its file");
-    return *loadFloorplan(plan.string());
+    return {*loadFloorplan(plan.string()), planOrigin(plan.string())};
   }
   if (endsIn(path, ".json"))
-    return *loadFloorplan(path);
-  return planOfScan(path);
+    return {*loadFloorplan(path), planOrigin(path)};
+  return planOfScan(path, reading);
+}
+
+/** @brief A plan counted from another origin. */
+Floorplan
+inFrameOf(const Origin& origin, const PlacedPlan& placed)
+{
+  if (placed.origin == origin)
+    return placed.plan;
+  PlanTransform shift;
+  shift.shift = placed.origin.place - origin.place;
+  return transformed(placed.plan, shift);
 }
 
 /** @brief What the command line sets. */
 struct Settings {
   std::string before;
   std::string after;
+  ScanOptions reading; ///< of scans
   bool align = false;
   double reach = 0.5; ///< metres
   std::string mesh;
@@ -81,8 +102,9 @@ addOptions(Options& options, Settings& s)
   options.file(
       "A", s.before,
       "model before: a folder that pcl_sedr has left, a floor plan (.json), or "
-      "a scan (PCD or PLY)");
+      "a scan");
   options.file("B", s.after, "model after, likewise, in the same frame");
+  addScanOptions(options, s.reading);
   options.number("tolerance", s.compare.tolerance, "m",
                  "what is less off its place has not moved", Range::between(0.001, 1));
   options.number("minimum-length", s.compare.minimum_length, "m",
@@ -112,8 +134,10 @@ run(const Settings& settings)
                     "' does not end in .ply");
   if (!settings.mesh.empty())
     checkWritable(settings.mesh);
-  const Floorplan before = planOf(settings.before);
-  Floorplan after = planOf(settings.after);
+  ScanSettings reading = settings.reading.resolved();
+  const auto [before, origin] = planOf(settings.before, reading);
+  reading.origin = origin; // one frame for both
+  Floorplan after = inFrameOf(origin, planOf(settings.after, reading));
   if (settings.align) {
     const auto transform = alignPlans(after, before, settings.reach);
     if (!transform)

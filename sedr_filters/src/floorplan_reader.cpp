@@ -254,5 +254,25 @@ floorplanFromJson(const std::string& text, std::string& problem)
   return plan;
 }
 
+bool
+originFromJson(const std::string& text, Origin& origin)
+{
+  origin = {};
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("origin"))
+    return true;
+  const Json& place = json["origin"];
+  if (!place.is_array() || place.size() != 3)
+    return false;
+  Origin read;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!place[axis].is_number())
+      return false;
+    read.place[static_cast<Eigen::Index>(axis)] = place[axis].get<double>();
+  }
+  origin = read;
+  return true;
+}
+
 } // namespace sedr
 } // namespace pcl

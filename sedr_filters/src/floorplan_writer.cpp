@@ -131,7 +131,9 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan, const Levelling* levelling)
+floorplanToJson(const Floorplan& plan,
+                const Levelling* levelling,
+                const Origin& origin)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
@@ -139,6 +141,7 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling)
   Json json{{"format", floorplan_format_name},
                   {"version", floorplan_format_version},
                   {"unit", "m"},
+                  {"origin", {origin.place.x(), origin.place.y(), origin.place.z()}},
                   {"rooms", rooms},
                   {"storeys", storeysToJson(plan)},
                   {"doorways", doorwaysToJson(plan)},

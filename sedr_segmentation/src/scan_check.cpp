@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -185,31 +186,60 @@ upProblem(const PointView& points,
   return side.axis ? sideProblem(side, z, up) : std::string();
 }
 
+namespace {
+
+/** @brief Whether the middle one of the doorways is as high as a door is in feet. */
+bool
+hasDoorsAsHighAsInFeet(const Floorplan& plan)
+{
+  constexpr double lowest_door = 5.9;
+  constexpr double highest_door = 8.5;
+  std::vector<double> heights;
+  for (const PlanDoorway& doorway : plan.doorways)
+    heights.push_back(doorway.top - doorway.bottom);
+  if (heights.empty())
+    return false;
+  const double height = middleValue(heights);
+  return height >= lowest_door && height <= highest_door;
+}
+
+} // namespace
+
 std::string
 footProblem(const Floorplan& plan)
 {
-  constexpr std::size_t fewest = 3;
   constexpr double lowest = 7;
   constexpr double highest = 12;
   constexpr double largest = 300;
+  constexpr double least_share = 0.8; // slivers beside the rooms tell nothing
   std::vector<double> heights;
   std::vector<double> areas;
+  double whole_area = 0;
   for (const PlanRoom& room : plan.rooms) {
     if (room.boundary.elements.empty())
       continue;
     const Eigen::Vector2d& corner = room.boundary.elements.front().start;
-    heights.push_back(room.ceiling.heightAt(corner) - room.floor.heightAt(corner));
+    const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
+    whole_area += room.area();
+    if (height < lowest || height > highest)
+      continue;
+    heights.push_back(height);
     areas.push_back(room.area());
   }
-  if (heights.size() < fewest || middleValue(areas) > largest)
+  if (heights.empty() || middleValue(areas) > largest ||
+      std::accumulate(areas.begin(), areas.end(), 0.0) < least_share * whole_area)
+    return {};
+  constexpr std::size_t pair = 2;
+  if (heights.size() == pair && !hasDoorsAsHighAsInFeet(plan))
     return {};
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  if (*low < lowest || *high > highest)
-    return {};
-  return text("all %.0f rooms are %.1f to %.1f m high, as rooms of homes and offices "
-              "are in feet: if the foot is the unit of the scan, scale it by 0.3048 "
-              "(--unit 0.3048 in pcl_sedr)",
-              static_cast<double>(heights.size()), *low, *high);
+  const std::string which =
+      heights.size() == 1 ? text("the room is %.1f m high", *low)
+                          : (heights.size() == plan.rooms.size() ? "all " : "") +
+                                text("%.0f rooms are %.1f to %.1f m high",
+                                     static_cast<double>(heights.size()), *low, *high);
+  return which + ", as rooms of homes and offices are in feet: if the foot is the unit "
+                 "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
 }
 
 } // namespace sedr

@@ -63,9 +63,11 @@ private:
 };
 
 void
-writeHeader(DxfText& dxf, const Eigen::AlignedBox2d& bounds)
+writeHeader(DxfText& dxf, const Eigen::AlignedBox2d& bounds, const Origin& origin)
 {
   dxf.group(999, "one unit is a metre");
+  if (!origin.isZero())
+    dxf.group(999, origin.comment());
   dxf.group(0, "SECTION").group(2, "HEADER");
   dxf.group(9, "$ACADVER").group(1, "AC1009");
   dxf.group(9, "$EXTMIN").place(bounds.min());
@@ -192,28 +194,31 @@ writeWays(DxfText& dxf, const Floorplan& plan)
     writeText(dxf, text_layer, note.place, height, note.text);
 }
 
-/** @brief The name of a storey below the plan. Not ASCII: "?". */
+/** @brief A line of text below the plan, `lines` heights below it. Not ASCII: "?". */
 void
-writeName(DxfText& dxf, const Eigen::AlignedBox2d& bounds, std::string name)
+writeBelow(DxfText& dxf,
+           const Eigen::AlignedBox2d& bounds,
+           std::string name,
+           double lines)
 {
   constexpr double height = 0.25;
   for (char& c : name)
     c = c >= ' ' && c <= '~' ? c : '?';
-  writeText(dxf, text_layer, {bounds.center().x(), bounds.min().y() - 2 * height},
+  writeText(dxf, text_layer, {bounds.center().x(), bounds.min().y() - lines * height},
             height, name);
 }
 
 } // namespace
 
 std::string
-floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
+floorplanToDxf(const Floorplan& whole, const PlanStorey* storey, const Origin& origin)
 {
   const Floorplan plan = storey ? partOf(whole, *storey) : whole;
   DxfText dxf;
   Eigen::AlignedBox2d bounds = boundsOf(whole);
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
-  writeHeader(dxf, bounds);
+  writeHeader(dxf, bounds, origin);
   writeTables(dxf);
   dxf.group(0, "SECTION").group(2, "ENTITIES");
   for (const DrawnElement& drawn : drawnElements(plan))
@@ -225,7 +230,9 @@ floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
   }
   writeWays(dxf, plan);
   if (storey)
-    writeName(dxf, bounds, storey->name);
+    writeBelow(dxf, bounds, storey->name, 2);
+  if (!origin.isZero())
+    writeBelow(dxf, bounds, "origin " + origin.text(", ") + " m", 4);
   dxf.group(0, "ENDSEC").group(0, "EOF");
   return dxf.text();
 }

@@ -39,11 +39,13 @@ public:
   SvgPage(const Floorplan& plan,
           double scale,
           const Eigen::AlignedBox2d& bounds,
-          const std::string& name)
+          const std::string& name,
+          const Origin& origin)
       : plan_(plan)
       , scale_(scale)
       , bounds_(bounds)
       , name_(svgText(name))
+      , origin_(origin)
   {
     if (bounds_.isEmpty())
       bounds_.extend(Eigen::Vector2d(0, 0));
@@ -59,7 +61,10 @@ public:
          << mm(size_.x()) << "mm\" height=\"" << mm(size_.y()) << "mm\" viewBox=\"0 0 "
          << mm(size_.x()) << ' ' << mm(size_.y())
          << "\">\n<title>Floor plan 1:" << mm(scale_) << (name_.empty() ? "" : ", ")
-         << name_ << "</title>\n<style>" << svg_style << "</style>\n"
+         << name_ << "</title>\n";
+    if (!origin_.isZero())
+      out_ << "<desc>" << origin_.comment() << "</desc>\n";
+    out_ << "<style>" << svg_style << "</style>\n"
          << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (const PlanRoom& room : plan_.rooms)
       writeRoom(room);
@@ -300,12 +305,16 @@ private:
               "1:" + shortDecimalText(scale_, 2));
     if (!name_.empty())
       writeText("name start", {margin_left, size_.y() - 4.5}, room_font, name_);
+    if (!origin_.isZero())
+      writeText("size start", {margin_left, size_.y() - 1.5}, size_font,
+                "origin " + origin_.text(", ") + " m");
   }
 
   Floorplan plan_;
   double scale_;
   Eigen::AlignedBox2d bounds_;
   std::string name_;
+  Origin origin_;
   Eigen::Vector2d drawn_; ///< size of the plan on paper
   Eigen::Vector2d size_;  ///< of the page
   TextPlaces texts_;
@@ -334,11 +343,14 @@ drawingScale(const Floorplan& plan)
 }
 
 std::string
-floorplanToSvg(const Floorplan& plan, double scale, const PlanStorey* storey)
+floorplanToSvg(const Floorplan& plan,
+               double scale,
+               const PlanStorey* storey,
+               const Origin& origin)
 {
   return SvgPage(storey ? partOf(plan, *storey) : plan,
                  scale > 0 ? scale : drawingScale(plan), boundsOf(plan),
-                 storey ? storey->name : "")
+                 storey ? storey->name : "", origin)
       .write();
 }
 

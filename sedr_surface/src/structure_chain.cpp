@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/large_memory.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -20,6 +21,31 @@ secondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
+}
+
+/** @brief What to try where no structure was found in a scan that is as high as a room,
+ * or a building, in inches, and no building in metres; the outermost hundredths do not
+ * count. */
+std::string
+inchDoubt(const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  constexpr float lowest = 60; // metres, if the metre is the unit
+  constexpr float highest = 200; // above, the check of the scan tells the unit
+  if (cloud.empty())
+    return {};
+  std::vector<float> heights;
+  for (const auto& p : cloud)
+    heights.push_back(p.z);
+  const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 100);
+  std::nth_element(heights.begin(), heights.begin() + cut, heights.end());
+  const float low = heights[static_cast<std::size_t>(cut)];
+  std::nth_element(heights.begin(), heights.end() - 1 - cut, heights.end());
+  const float height = *(heights.end() - 1 - cut) - low;
+  if (!(height > lowest && height < highest))
+    return {};
+  return "; the scan is " + std::to_string(std::lround(height)) +
+         " m high: if its unit is the inch, scale it by 0.0254 (--unit 0.0254 in "
+         "pcl_sedr)";
 }
 
 } // namespace
@@ -122,7 +148,7 @@ StructureChain::runStage(const std::string& name, std::size_t points_in, Step st
 bool
 StructureChain::fail(const std::string& reason)
 {
-  problem = reason;
+  problem = reason + inchDoubt(*cloud);
   return false;
 }
 

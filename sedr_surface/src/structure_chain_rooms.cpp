@@ -260,13 +260,13 @@ StructureChain::fitPlan(StageReport& report)
   tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
+  giveStoreys(getBuilding(), *plan);
   const std::string doubt = footProblem(*plan);
   if (!doubt.empty())
     warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
-  giveStoreys(getBuilding(), *plan);
   giveUpRoomsWithoutPlan();
   labelNiches();
   return true;

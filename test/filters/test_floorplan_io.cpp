@@ -150,6 +150,20 @@ TEST(FloorplanJson, WithoutFloorDetailsAndNichesIsReadAsOneThatHasNone)
   EXPECT_TRUE(plan.rooms[0].niches.empty());
 }
 
+TEST(FloorplanJson, TheOriginReadsBackAndMayBeMissing)
+{
+  const Origin origin{{691600.1, 5335900 + 1.0 / 3, -12}};
+  Origin read;
+  ASSERT_TRUE(originFromJson(floorplanToJson(samplePlan(), nullptr, origin), read));
+  EXPECT_EQ(read, origin);
+  EXPECT_TRUE(originFromJson(floorplanToJson(samplePlan()), read));
+  EXPECT_TRUE(read.isZero());
+  EXPECT_TRUE(originFromJson("{\"rooms\": []}", read));
+  EXPECT_TRUE(read.isZero());
+  EXPECT_FALSE(originFromJson("{\"origin\": [1, 2]}", read));
+  EXPECT_FALSE(originFromJson("{\"origin\": [1, 2, \"3\"]}", read));
+}
+
 TEST(FloorplanJson, OfAnEmptyPlanReadsBackAsOne)
 {
   std::string problem;

@@ -133,6 +133,23 @@ TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
   EXPECT_TRUE(mentions(problem, "--unit 0.3048")) << problem;
 }
 
+TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
+{
+  const std::string alone = footProblem(planOf({10.6}, 240));
+  EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
+  EXPECT_EQ(footProblem(planOf({10.6}, 600)), "") << "a hall";
+  Floorplan with_sliver = planOf({9.2, 3}, 20);
+  with_sliver.rooms[0].boundary = rectangle(0, 20, 16, 36);
+  const std::string beside = footProblem(with_sliver);
+  EXPECT_TRUE(mentions(beside, "the room is 9.2 m high")) << beside;
+  Floorplan two = planOf({8, 8}, 150);
+  two.doorways.resize(1);
+  two.doorways[0].top = 6.7;
+  EXPECT_TRUE(mentions(footProblem(two), "--unit 0.3048"));
+  two.doorways[0].top = 2.1;
+  EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
+}
+
 TEST(FootProblem, HallsAndRoomsInMetresAreNone)
 {
   EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");

@@ -308,6 +308,45 @@ TEST_F(ScanFiles, NearlyAllNaNIsToldFromNothingButNaN)
   EXPECT_THROW(ScanFile(in("b.pcd")), ToolError);
 }
 
+TEST_F(ScanFiles, LargeDoublesAndTextAreCountedFromAnOriginThatGoesOn)
+{
+  const std::string far = "691600.125 5335900.5 512\n691601.125 5335902.5 514\n";
+  const std::string pcd = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\n"
+                          "VIEWPOINT 691600.25 5335901 513 1 0 0 0\nDATA ascii\n";
+  writeFile(in("far.pcd"), pcd + far);
+  std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
+                    "property double x\nproperty double y\nproperty double z\n"
+                    "end_header\n";
+  for (const double v : {691600.125, 5335900.5, 512., 691601.125, 5335902.5, 514.})
+    ply.append(reinterpret_cast<const char*>(&v), sizeof v);
+  writeFile(in("far.ply"), ply);
+  for (const char* name : {"far.pcd", "far.ply"}) {
+    const ToolCloud cloud = loadCloud(in(name));
+    EXPECT_FALSE(cloud.origin.isZero());
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Eigen::Vector3d p =
+          cloud.origin.toGiven((*cloud.points)[i].getVector3fMap().cast<double>());
+      EXPECT_EQ(p.x(), 691600.125 + static_cast<double>(i)) << name;
+      EXPECT_EQ(p.y(), 5335900.5 + 2 * static_cast<double>(i)) << name;
+    }
+    // What is written tells the origin, and what is read again keeps it.
+    for (const char* copy : {"copy.pcd", "copy.ply"}) {
+      saveCloud(in(copy), cloud);
+      const ToolCloud again = loadCloud(in(copy));
+      EXPECT_EQ(again.origin, cloud.origin) << copy;
+      EXPECT_EQ(again.blob.data, cloud.blob.data) << copy;
+      ScanSettings settings;
+      settings.origin = pcl::sedr::Origin{{691600, 5335900, 500}};
+      const ToolCloud moved = loadCloud(in(copy), settings);
+      EXPECT_EQ((*moved.points)[0].x, 0.125f);
+      EXPECT_EQ((*moved.points)[1].z, 14.f);
+    }
+  }
+  const ScanFile seen(in("far.pcd"));
+  EXPECT_EQ(seen.origin().toGiven(seen.viewpoint().head<3>().cast<double>()),
+            Eigen::Vector3d(691600.25, 5335901, 513));
+}
+
 TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
 {
   writeFile(in("room.pcd"), programs::pcdBytes(roomPoints(20000)));

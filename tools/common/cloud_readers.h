@@ -2,11 +2,14 @@
 #pragma once
 
 #include "mapped_file.h"
+#include "point_reader.h"
+#include "scan_settings.h"
 
 #include <pcl/PCLPointCloud2.h>
 
 #include <Eigen/Geometry>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +18,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-enum class FileData { Ascii, Binary, BinaryBigEndian, Compressed };
+enum class FileData { Ascii, Binary, BinaryBigEndian, Compressed, Decoded };
 
 /** @brief Where the points of a file stand, and how. */
 struct FileLayout {
@@ -24,9 +27,17 @@ struct FileLayout {
   std::size_t begin = 0; ///< of the points, bytes from the start of the file
   bool is_ply = false;
   std::uint64_t faces = 0; ///< of a mesh, or its strips of triangles
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero(); ///< in the unit of the file
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  Origin counted_from; ///< what was subtracted when the file was written
+  std::shared_ptr<const PointReader> reader; ///< of Decoded points
 };
+
+/** @brief Tells a file by its content and reads its head. What is no scan, wrong or cut
+ * off is thrown as a ToolError. */
+FileLayout readLayout(const MappedFile& file,
+                      const std::string& path,
+                      const ScanSettings& settings);
 
 /** @brief Reads the header of a PCD 0.5 to 0.7, ascii, binary or binary_compressed, and
  * checks it against the size of the file: what is wrong, or cut off, is thrown as a

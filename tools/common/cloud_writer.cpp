@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"
@@ -53,19 +54,25 @@ typeName(std::uint8_t datatype)
   }
 }
 
-/** @param rows of the file, of which the blob may be a piece */
+/** @brief Where a cloud was seen from, and what its coordinates are counted from. */
+struct Frame {
+  Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  Origin origin;
+};
+
+/** @param rows of the file, of which the fields are given */
 std::string
-pcdHeader(const pcl::PCLPointCloud2& blob,
+pcdHeader(const std::vector<pcl::PCLPointField>& fields,
           std::size_t rows,
-          const Eigen::Vector4f& origin,
-          const Eigen::Quaternionf& orientation,
+          const Frame& frame,
           const char* data)
 {
   std::ostringstream names;
   std::ostringstream sizes;
   std::ostringstream types;
   std::ostringstream counts;
-  for (const auto& field : blob.fields) {
+  for (const auto& field : fields) {
     names << ' ' << field.name;
     sizes << ' ' << fieldSize(field.datatype);
     types << ' ' << typeName(field.datatype).pcd;
@@ -73,12 +80,16 @@ pcdHeader(const pcl::PCLPointCloud2& blob,
   }
   std::ostringstream header;
   header.precision(std::numeric_limits<float>::max_digits10);
-  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS"
-         << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
-         << "\nCOUNT" << counts.str() << "\nWIDTH " << rows << "\nHEIGHT 1\nVIEWPOINT "
-         << origin.x() << ' ' << origin.y() << ' ' << origin.z() << ' '
-         << orientation.w() << ' ' << orientation.x() << ' ' << orientation.y() << ' '
-         << orientation.z() << "\nPOINTS " << rows << "\nDATA " << data << '\n';
+  header << "# .PCD v0.7 - Point Cloud Data file format\n";
+  if (!frame.origin.isZero())
+    header << "# " << frame.origin.comment() << '\n';
+  header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
+         << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
+         << "\nHEIGHT 1\nVIEWPOINT " << frame.viewpoint.x() << ' '
+         << frame.viewpoint.y() << ' ' << frame.viewpoint.z() << ' '
+         << frame.orientation.w() << ' ' << frame.orientation.x() << ' '
+         << frame.orientation.y() << ' ' << frame.orientation.z() << "\nPOINTS " << rows
+         << "\nDATA " << data << '\n';
   return header.str();
 }
 
@@ -133,10 +144,10 @@ struct Property {
 };
 
 std::vector<Property>
-plyProperties(const pcl::PCLPointCloud2& blob)
+plyProperties(const std::vector<pcl::PCLPointField>& fields)
 {
   std::vector<Property> properties;
-  for (const auto& field : blob.fields) {
+  for (const auto& field : fields) {
     if (isColour(field)) {
       properties.push_back({"uchar", "red", field.offset + 2, 1});
       properties.push_back({"uchar", "green", field.offset + 1, 1});
@@ -163,43 +174,63 @@ plyProperties(const pcl::PCLPointCloud2& blob)
 }
 
 void
-writePly(std::ostream& stream, const pcl::PCLPointCloud2& blob)
+writePlyHeader(std::ostream& stream,
+               const std::vector<Property>& properties,
+               std::size_t rows,
+               const Frame& frame)
 {
-  const auto properties = plyProperties(blob);
-  stream << "ply\nformat binary_little_endian 1.0\nelement vertex " << rowsOf(blob)
-         << '\n';
-  std::size_t step = 0;
-  for (const auto& property : properties) {
+  stream << "ply\nformat binary_little_endian 1.0\n";
+  if (!frame.origin.isZero())
+    stream << "comment " << frame.origin.comment() << '\n';
+  stream << "element vertex " << rows << '\n';
+  for (const auto& property : properties)
     stream << "property " << property.type << ' ' << property.name << '\n';
-    step += property.size;
-  }
   stream << "end_header\n";
-  std::vector<std::uint8_t> bytes(rowsOf(blob) * step);
+}
+
+void
+writePlyRows(std::ostream& stream,
+             const std::vector<Property>& properties,
+             const std::uint8_t* rows,
+             std::size_t size,
+             std::size_t row_size)
+{
+  std::size_t step = 0;
+  for (const auto& property : properties)
+    step += property.size;
+  std::vector<std::uint8_t> bytes(size * step);
   auto* to = bytes.data();
-  for (std::size_t i = 0; i < rowsOf(blob); ++i)
+  for (std::size_t i = 0; i < size; ++i)
     for (const auto& property : properties) {
-      std::memcpy(to, &blob.data[i * blob.point_step + property.offset], property.size);
+      std::memcpy(to, rows + i * row_size + property.offset, property.size);
       to += property.size;
     }
   writeBytes(stream, bytes);
 }
 
 void
+writePly(std::ostream& stream, const pcl::PCLPointCloud2& blob, const Frame& frame)
+{
+  const auto properties = plyProperties(blob.fields);
+  writePlyHeader(stream, properties, rowsOf(blob), frame);
+  writePlyRows(stream, properties, blob.data.data(), rowsOf(blob), blob.point_step);
+}
+
+void
 writePcd(std::ostream& stream,
          const pcl::PCLPointCloud2& blob,
-         const Eigen::Vector4f& origin,
-         const Eigen::Quaternionf& orientation,
+         const Frame& frame,
          PcdData data)
 {
   if (data == PcdData::Compressed) {
     const auto packed = compressed(blob);
     if (!packed.empty()) {
-      stream << pcdHeader(blob, rowsOf(blob), origin, orientation, "binary_compressed");
+      stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary_compressed");
       writeBytes(stream, packed);
       return;
     }
   }
-  stream << pcdHeader(blob, rowsOf(blob), origin, orientation, "binary");
+  stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary");
   writeBytes(stream, blob.data);
 }
 
@@ -215,14 +246,13 @@ endsIn(const std::string& path, const std::string& extension)
 void
 save(const std::string& path,
      const pcl::PCLPointCloud2& blob,
-     const Eigen::Vector4f& origin,
-     const Eigen::Quaternionf& orientation,
+     const Frame& frame,
      PcdData data)
 {
   checkCloudOutput(path);
   writeWhole(path, [&](std::ostream& stream) {
-    endsIn(path, ".ply") ? writePly(stream, blob)
-                         : writePcd(stream, blob, origin, orientation, data);
+    endsIn(path, ".ply") ? writePly(stream, blob, frame)
+                         : writePcd(stream, blob, frame, data);
   });
 }
 
@@ -263,21 +293,48 @@ checkCloudOutput(const std::string& path)
 void
 saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 {
-  save(path, cloud.blob, cloud.points->sensor_origin_,
-       cloud.points->sensor_orientation_, data);
+  save(path, cloud.blob,
+       {cloud.points->sensor_origin_, cloud.points->sensor_orientation_, cloud.origin},
+       data);
 }
 
 void
 saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
 {
-  save(path, withoutPadding(blob), Eigen::Vector4f::Zero(),
-       Eigen::Quaternionf::Identity(), data);
+  save(path, withoutPadding(blob), Frame(), data);
+}
+
+void
+saveScan(const std::string& path, const ScanFile& scan)
+{
+  checkCloudOutput(path);
+  const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin()};
+  const bool is_ply = endsIn(path, ".ply");
+  const auto properties =
+      is_ply ? plyProperties(scan.fields()) : std::vector<Property>();
+  writeWhole(path, [&](std::ostream& stream) {
+    if (is_ply)
+      writePlyHeader(stream, properties, scan.size(), frame);
+    else
+      stream << pcdHeader(scan.fields(), scan.size(), frame, "binary");
+    scan.forEachPiece([&](const RowSource::Piece& piece) {
+      if (is_ply)
+        writePlyRows(stream, properties, piece.rows, piece.size, scan.rowSize());
+      else
+        stream.write(reinterpret_cast<const char*>(piece.rows),
+                     static_cast<std::streamsize>(piece.size * scan.rowSize()));
+      return stream.good(); // a full disk is told when the file is closed
+    });
+  });
 }
 
 void
 saveStructure(const std::string& path,
-              const pcl::PointCloud<pcl::PointStructure>& structure)
+              const pcl::PointCloud<pcl::PointStructure>& structure,
+              const Origin& origin)
 {
+  Frame frame;
+  frame.origin = origin;
   constexpr std::size_t piece = 1 << 16;
   writeWhole(path, [&](std::ostream& stream) {
     std::size_t done = 0;
@@ -290,8 +347,7 @@ saveStructure(const std::string& path,
       pcl::toPCLPointCloud2(points, rows);
       rows = withoutPadding(rows);
       if (done == 0)
-        stream << pcdHeader(rows, structure.size(), Eigen::Vector4f::Zero(),
-                            Eigen::Quaternionf::Identity(), "binary");
+        stream << pcdHeader(rows.fields, structure.size(), frame, "binary");
       writeBytes(stream, rows.data);
       done = end;
     } while (done < structure.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapped_file.h"
 
+#include "standard_input.h"
 #include "tool_error.h"
 
 #include <fcntl.h>
@@ -17,11 +18,14 @@ namespace sedr {
 namespace tools {
 
 MappedFile::MappedFile(const std::string& path)
+    : path_(path)
 {
   const auto refuse = [&](const std::string& reason) {
     throw ToolError("cannot read '" + path + "': " + reason);
   };
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const int file = isStandardInput(path)
+                       ? openStandardInput()
+                       : open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0)
     refuse(errno == ENOENT ? "there is no such file" : std::strerror(errno));
   struct stat status {};
@@ -42,6 +46,23 @@ MappedFile::MappedFile(const std::string& path)
     refuse(std::strerror(map_error));
   data_ = static_cast<const std::uint8_t*>(mapped);
   size_ = static_cast<std::size_t>(status.st_size);
+  lost_ = std::make_unique<LostPages>(data_, size_);
+}
+
+void
+MappedFile::checkWhole() const
+{
+  if (!lost_->any())
+    return;
+  struct stat status {};
+  const bool is_shorter = stat(path_.c_str(), &status) == 0 &&
+                          static_cast<std::size_t>(status.st_size) < size_;
+  throw ToolError("'" + path_ + "' could not be read to its end: " +
+                  (is_shorter ? "it has become shorter meanwhile, " +
+                                    std::to_string(status.st_size) + " of its " +
+                                    std::to_string(size_) + " bytes are left"
+                              : "some of its " + std::to_string(size_) +
+                                    " bytes cannot be had from the disk"));
 }
 
 namespace {
@@ -73,6 +94,7 @@ MappedFile::release(std::size_t begin, std::size_t size) const
 
 MappedFile::~MappedFile()
 {
+  lost_.reset(); // before the place may be another's
   munmap(const_cast<std::uint8_t*>(data_), size_);
 }
 

@@ -99,7 +99,15 @@ Options::Options(std::string tool, std::string purpose)
 void
 Options::file(const std::string& name, std::string& value, const std::string& help)
 {
-  files_.push_back({name, help, &value, nullptr});
+  files_.push_back({name, help, &value, nullptr, true});
+}
+
+void
+Options::optionalFile(const std::string& name,
+                      std::string& value,
+                      const std::string& help)
+{
+  files_.push_back({name, help, &value, nullptr, false});
 }
 
 void
@@ -107,7 +115,7 @@ Options::files(const std::string& name,
                std::vector<std::string>& values,
                const std::string& help)
 {
-  files_.push_back({name, help, nullptr, &values});
+  files_.push_back({name, help, nullptr, &values, true});
 }
 
 std::string
@@ -232,9 +240,9 @@ Options::parse(int argc, const char* const* argv)
 void
 Options::readFiles(const std::vector<std::string>& names) const
 {
-  if (names.size() < files_.size())
+  if (names.size() < files_.size() && files_[names.size()].is_needed)
     throw ToolError(files_[names.size()].name + " is missing; usage: " + usage());
-  std::size_t in_list = names.size() - files_.size() + 1;
+  std::size_t in_list = names.size() + 1 - std::min(names.size() + 1, files_.size());
   const bool has_list = std::any_of(files_.begin(), files_.end(),
                                     [](const File& file) { return file.values; });
   if (in_list > 1 && !has_list)
@@ -242,9 +250,9 @@ Options::readFiles(const std::vector<std::string>& names) const
                     "' is one argument too many; usage: " + usage());
   auto name = names.begin();
   for (const File& file : files_)
-    if (file.value)
+    if (file.value && name != names.end())
       *file.value = *name++;
-    else
+    else if (file.values)
       for (; in_list > 0; --in_list)
         file.values->push_back(*name++);
 }
@@ -254,7 +262,8 @@ Options::usage() const
 {
   std::string usage = tool_;
   for (const auto& file : files_)
-    usage += " " + file.name + (file.values ? "..." : "");
+    usage += file.is_needed ? " " + file.name + (file.values ? "..." : "")
+                            : " [" + file.name + "]";
   return options_.empty() ? usage : usage + " [options]";
 }
 

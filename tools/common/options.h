@@ -60,6 +60,10 @@ public:
   /** @brief A file or folder that must be named, in the order of these calls. */
   void file(const std::string& name, std::string& value, const std::string& help);
 
+  /** @brief A last file that may be left out; there can be no list then. */
+  void
+  optionalFile(const std::string& name, std::string& value, const std::string& help);
+
   /** @brief One or more files or folders, at the place of this call among those of
    * file(); there can be one such list. */
   void files(const std::string& name,
@@ -127,6 +131,7 @@ private:
     std::string help;
     std::string* value;               ///< null of a list
     std::vector<std::string>* values; ///< of a list, else null
+    bool is_needed = true;
   };
   struct Option {
     std::string name;

@@ -22,6 +22,7 @@ using Words = std::vector<std::string_view>;
 struct PcdHeader {
   std::map<std::string, Words, std::less<>> lines;
   std::size_t data_begin = 0;
+  Origin origin; ///< as a comment tells it
 
   const Words* find(std::string_view keyword) const
   {
@@ -52,6 +53,8 @@ readHeader(const MappedFile& file, const std::string& path)
   TextCursor cursor(file, 0);
   for (std::string_view line; cursor.nextLine(line);) {
     const Words words = wordsOf(line);
+    if (!words.empty() && words[0][0] == '#')
+      Origin::fromComment(std::string(line.substr(0, 256)), header.origin);
     if (words.empty() || words[0][0] == '#')
       continue;
     if (!isKeyword(words[0]))
@@ -149,7 +152,7 @@ void
 readViewpoint(const PcdHeader& header, FileLayout& layout)
 {
   const Words* words = header.find("VIEWPOINT");
-  std::array<float, 7> v{0, 0, 0, 1, 0, 0, 0};
+  std::array<double, 7> v{0, 0, 0, 1, 0, 0, 0};
   if (!words || words->size() != v.size())
     return;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -157,8 +160,8 @@ readViewpoint(const PcdHeader& header, FileLayout& layout)
     if (std::from_chars(word.data(), word.data() + word.size(), v[i]).ec != std::errc())
       return;
   }
-  layout.origin = {v[0], v[1], v[2], 0};
-  layout.orientation = {v[3], v[4], v[5], v[6]};
+  layout.viewpoint = {v[0], v[1], v[2]};
+  layout.orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).cast<float>();
 }
 
 [[noreturn]] void
@@ -195,6 +198,7 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   blob.fields = readFields(header, path);
   layOut(blob, readSize(header, path), path);
   readViewpoint(header, layout);
+  layout.counted_from = header.origin;
   layout.begin = header.data_begin;
 
   const Words& format = *header.find("DATA");

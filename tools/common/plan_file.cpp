@@ -66,6 +66,17 @@ loadFloorplan(const std::string& path)
   return plan;
 }
 
+Origin
+planOrigin(const std::string& path)
+{
+  const MappedFile file(path);
+  Origin origin;
+  const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (!originFromJson(text, origin))
+    throw ToolError("the origin in '" + path + "' is no list of three numbers");
+  return origin;
+}
+
 void
 checkJsonOutput(const std::string& path)
 {

@@ -18,6 +18,10 @@ namespace tools {
  * sentence. */
 std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
 
+/** @brief What the places of a floor plan, or those of a report.json, are counted from.
+ */
+Origin planOrigin(const std::string& path);
+
 /** @brief Throws a ToolError if no file can be written to `path`, or if its name does
  * not end in .json, so that no scan is overwritten. To be asked before the work. */
 void checkJsonOutput(const std::string& path);

@@ -27,6 +27,7 @@ struct PlyHeader {
   std::string format;
   std::vector<PlyElement> elements;
   std::size_t data_begin = 0;
+  Origin origin; ///< as a comment tells it
 };
 
 [[noreturn]] void
@@ -83,8 +84,10 @@ readHeader(const MappedFile& file, const std::string& path)
   cursor.nextLine(line);
   while (cursor.nextLine(line)) {
     const auto words = wordsOf(line);
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
+      Origin::fromComment(std::string(line.substr(0, 256)), header.origin);
       continue;
+    }
     if (words[0] == "end_header") {
       header.data_begin = cursor.position();
       return header;
@@ -193,6 +196,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
 
   FileLayout layout;
   layout.is_ply = true;
+  layout.counted_from = header.origin;
   for (const auto& element : header.elements)
     if (element.name == "face" || element.name == "tristrips")
       layout.faces += element.count;

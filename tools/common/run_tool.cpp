@@ -60,8 +60,14 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
 void
 warn(const std::string& sentence)
 {
+  tell("warning: " + sentence);
+}
+
+void
+tell(const std::string& sentence)
+{
   const std::string& tool = runningTool();
-  std::cerr << tool + (tool.empty() ? "" : ": ") + "warning: " + sentence << std::endl;
+  std::cerr << tool + (tool.empty() ? "" : ": ") + sentence << std::endl;
 }
 
 void

@@ -20,6 +20,9 @@ int runTool(Options& options, int argc, char** argv, const std::function<int()>&
  * before it. */
 void warn(const std::string& sentence);
 
+/** @brief Prints what must be known on stderr, the name of the program before it. */
+void tell(const std::string& sentence);
+
 /** @brief Prints a line on stderr if that is a terminal; quiet when piped. */
 void say(const std::string& line);
 

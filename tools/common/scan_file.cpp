@@ -5,28 +5,18 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
 #include <future>
 #include <mutex>
 #include <set>
-#include <sstream>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
 namespace {
-
-constexpr double float_step = 1.0 / (1 << 23); // between floats, relative
-constexpr double coarsest = 0.001;             // metres
-constexpr std::size_t sample_size = 20000;
 
 void
 checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
@@ -40,93 +30,10 @@ checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
                       "', its fields are:" + names);
 }
 
-/** @brief Leaves out padding and turns x, y and z into FLOAT32 metres, scaled as
- * doubles. */
-void
-tidyFields(pcl::PCLPointCloud2& blob, const std::string& path, double unit)
-{
-  pcl::PCLPointCloud2 tidy;
-  std::vector<pcl::PCLPointField> sources;
-  std::vector<bool> is_converted;
-  bool is_tidy = true;
-  for (const auto& field : blob.fields) {
-    const bool is_coordinate =
-        field.name == "x" || field.name == "y" || field.name == "z";
-    const bool converts =
-        is_coordinate && (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 ||
-                          field.count != 1);
-    is_tidy = is_tidy && field.name != "_" && !converts;
-    if (field.name == "_")
-      continue;
-    sources.push_back(field);
-    is_converted.push_back(converts);
-    tidy.fields.push_back(field);
-    if (converts) {
-      tidy.fields.back().datatype = pcl::PCLPointField::FLOAT32;
-      tidy.fields.back().count = 1;
-    }
-  }
-  if (is_tidy)
-    return;
-  layOut(tidy, blob.width, path);
-  tidy.data.assign(std::size_t{tidy.width} * tidy.point_step, 0);
-  for (std::size_t i = 0; i < tidy.width; ++i)
-    for (std::size_t f = 0; f < sources.size(); ++f) {
-      const auto& to = tidy.fields[f];
-      const auto* from = &blob.data[i * blob.point_step + sources[f].offset];
-      auto* where = &tidy.data[i * tidy.point_step + to.offset];
-      if (is_converted[f])
-        writeField(where, to.datatype, unit * readField(from, sources[f].datatype));
-      else
-        std::memcpy(where, from, fieldSize(to.datatype) * to.count);
-    }
-  blob = std::move(tidy);
-}
-
-/** @brief Whether heights spread, but for a hundredth at each end, over more metres
- * than any building has. */
-bool
-couldBeMillimetres(std::vector<double> heights)
-{
-  constexpr double highest = 200;
-  std::sort(heights.begin(), heights.end());
-  const std::size_t cut = heights.size() / 100;
-  return heights[heights.size() - 1 - cut] - heights[cut] > highest;
-}
-
-/** @brief x, y, z and the largest of their sizes, metres, of rows that are finite. */
-using Places = std::array<std::vector<double>, 4>;
-
-FileLayout
-layoutOf(const MappedFile& file, const std::string& path)
-{
-  if (!looksLikePly(file) && !looksLikePcd(file))
-    throw ToolError("'" + path + "' is neither a PCD nor a PLY file");
-  return looksLikePly(file) ? readPlyLayout(file, path) : readPcdLayout(file, path);
-}
-
 bool
 isInPieces(const FileLayout& layout)
 {
-  return layout.data == FileData::Binary || layout.data == FileData::BinaryBigEndian;
-}
-
-void
-addPlaces(const pcl::PCLPointCloud2& blob, double unit, Places& places)
-{
-  const std::array<const pcl::PCLPointField*, 3> xyz{
-      findField(blob, "x"), findField(blob, "y"), findField(blob, "z")};
-  for (std::size_t i = 0; i < blob.width; ++i) {
-    std::array<double, 3> p{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = unit * readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
-                                 xyz[axis]->datatype);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      continue;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places[axis].push_back(p[axis]);
-    places[3].push_back(std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}));
-  }
+  return layout.data != FileData::Ascii && layout.data != FileData::Compressed;
 }
 
 /** @brief Says, once for a file, that of a mesh the vertices alone are read. */
@@ -144,21 +51,68 @@ warnOfMesh(const std::string& path, const FileLayout& layout)
          "pcl_mesh_sampling makes more of it");
 }
 
+ScanSettings
+settingsOf(double unit, std::size_t piece_bytes)
+{
+  ScanSettings settings;
+  settings.unit = unit;
+  settings.piece_bytes = piece_bytes;
+  return settings;
+}
+
 } // namespace
 
 ScanHead
-readScanHead(const std::string& path)
+readScanHead(const std::string& path, const ScanSettings& settings)
 {
-  const FileLayout layout = layoutOf(MappedFile(path), path);
+  const MappedFile file(path);
+  const FileLayout layout = readLayout(file, path, settings);
   return {layout.blob.width, isInPieces(layout), layout.faces > 0};
 }
 
+/** @brief Reads the pages of a piece before they are wanted and gives them back when
+ * they were, while their neighbours are read. */
+class ScanFile::PageTurner {
+public:
+  explicit PageTurner(const ScanFile& scan)
+      : scan_(scan)
+  {}
+
+  /** @brief The rows before `begin` are done, those from `end` on come next. */
+  void turn(std::size_t begin, std::size_t end, std::size_t next_end)
+  {
+    if (!scan_.unpacked_.empty())
+      return;
+    if (turned_.valid())
+      turned_.wait();
+    const std::size_t from = scan_.placeOf(begin);
+    const std::size_t to = scan_.placeOf(end);
+    const std::size_t last = scan_.placeOf(next_end);
+    const std::size_t done = done_;
+    done_ = from;
+    turned_ = std::async([this, from, to, last, done] {
+      if (done < from)
+        scan_.file_.release(done, from - done);
+      scan_.file_.expect(to, last - to);
+    });
+  }
+
+private:
+  const ScanFile& scan_;
+  std::size_t done_ = std::string::npos; ///< up to here pages are given back
+  std::future<void> turned_;
+};
+
 ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes)
+    : ScanFile(path, settingsOf(unit, piece_bytes))
+{}
+
+ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     : path_(path)
-    , unit_(unit)
-    , piece_bytes_(piece_bytes)
+    , unit_(settings.unit)
+    , piece_bytes_(settings.piece_bytes)
     , file_(path)
-    , layout_(layoutOf(file_, path))
+    , layout_(readLayout(file_, path, settings))
 {
   if (!isInPieces(layout_)) {
     unpacked_ = readPoints(file_, layout_, path).data;
@@ -167,14 +121,17 @@ ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes
   else
     rows_ = file_.data() + layout_.begin;
   checkCoordinates(layout_.blob, path);
-  checkExtent();
+  settleOrigin(settings);
 
-  tidy_ = rawRows(0, 1);
-  tidy(tidy_);
+  pcl::PCLPointCloud2 named = rawRows(0, 1);
+  if (layout_.is_ply)
+    nameAsPcl(named);
+  plan_ =
+      std::make_unique<RowPlan>(named.fields, named.point_step, unit_, shift_, path);
   is_plain_ =
-      layout_.data != FileData::BinaryBigEndian && unit == 1 &&
-      tidy_.point_step == layout_.blob.point_step &&
-      std::equal(tidy_.fields.begin(), tidy_.fields.end(), layout_.blob.fields.begin(),
+      layout_.data != FileData::BinaryBigEndian && layout_.data != FileData::Decoded &&
+      plan_->isPlain() && named.point_step == layout_.blob.point_step &&
+      std::equal(named.fields.begin(), named.fields.end(), layout_.blob.fields.begin(),
                  layout_.blob.fields.end(), [](const auto& a, const auto& b) {
                    return a.offset == b.offset && a.datatype == b.datatype &&
                           a.count == b.count;
@@ -182,11 +139,29 @@ ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes
 }
 
 Eigen::Vector4f
-ScanFile::origin() const
+ScanFile::viewpoint() const
 {
-  Eigen::Vector4f origin = layout_.origin;
-  origin.head<3>() *= static_cast<float>(unit_);
-  return origin;
+  Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
+  viewpoint.head<3>() = (unit_ * layout_.viewpoint - shift_).cast<float>();
+  return viewpoint;
+}
+
+std::vector<ScanStation>
+ScanFile::stations() const
+{
+  std::vector<ScanStation> stations;
+  if (layout_.reader)
+    stations = layout_.reader->stations();
+  for (ScanStation& station : stations)
+    station.position = unit_ * station.position - shift_;
+  return stations;
+}
+
+std::size_t
+ScanFile::placeOf(std::size_t row) const
+{
+  return layout_.reader ? layout_.reader->placeOf(row)
+                        : layout_.begin + row * layout_.blob.point_step;
 }
 
 pcl::PCLPointCloud2
@@ -195,6 +170,11 @@ ScanFile::rawRows(std::size_t first, std::size_t size) const
   pcl::PCLPointCloud2 blob = layout_.blob;
   blob.width = static_cast<pcl::uindex_t>(size);
   blob.row_step = blob.width * blob.point_step;
+  if (layout_.reader) {
+    blob.data.resize(size * blob.point_step);
+    layout_.reader->read(first, size, blob.data.data());
+    return blob;
+  }
   blob.data.assign(rows_ + first * blob.point_step,
                    rows_ + (first + size) * blob.point_step);
   if (layout_.data == FileData::BinaryBigEndian)
@@ -203,11 +183,12 @@ ScanFile::rawRows(std::size_t first, std::size_t size) const
 }
 
 void
-ScanFile::tidy(pcl::PCLPointCloud2& blob) const
+ScanFile::tidyRows(std::size_t first, std::size_t size, std::uint8_t* rows) const
 {
+  pcl::PCLPointCloud2 blob = rawRows(first, size);
   if (layout_.is_ply)
     nameAsPcl(blob);
-  tidyFields(blob, path_, unit_);
+  plan_->bring(blob.data.data(), size, rows);
 }
 
 void
@@ -215,91 +196,35 @@ ScanFile::forEachPiece(std::size_t begin,
                        std::size_t end,
                        const std::function<bool(const Piece&)>& see) const
 {
-  constexpr std::size_t rows_at_once = std::size_t{1} << 14;
+  // To decode takes longer than to copy, and to begin with it too.
+  const std::size_t rows_at_once = std::size_t{1} << (layout_.reader ? 15 : 14);
   if (begin == 0)
     warnOfMesh(path_, layout_);
   const std::size_t raw_size = layout_.blob.point_step;
   const std::size_t rows_a_piece =
       std::max<std::size_t>(1, piece_bytes_ / std::max(raw_size, rowSize()));
-  const bool is_mapped = unpacked_.empty();
   std::vector<std::uint8_t> copy;
-  std::future<void> turned; // pages, while their neighbours are read
-  const auto turnPages = [&](std::size_t at, std::size_t size, bool is_first) {
-    if (turned.valid())
-      turned.wait();
-    turned = std::async([this, at, size, is_first] {
-      if (!is_first)
-        file_.release(at - size, size);
-      file_.expect(at + size, size);
-    });
-  };
   bool goes_on = true;
-  for (std::size_t first = begin; first < end && goes_on; first += rows_a_piece) {
-    const std::size_t rows = std::min(rows_a_piece, end - first);
-    if (is_mapped)
-      turnPages(layout_.begin + first * raw_size, rows_a_piece * raw_size,
-                first == begin);
-    Piece piece{rows_ + first * raw_size, first, rows};
-    if (!is_plain_) {
-      copy.resize(rows * rowSize());
-      parallelBlocks(rows, rows_at_once, 0, [&](std::size_t from, std::size_t to) {
-        pcl::PCLPointCloud2 blob = rawRows(first + from, to - from);
-        tidy(blob);
-        std::copy(blob.data.begin(), blob.data.end(),
-                  copy.begin() + static_cast<std::ptrdiff_t>(from * rowSize()));
-      });
-      piece.rows = copy.data();
+  {
+    PageTurner pages(*this);
+    for (std::size_t first = begin; first < end && goes_on; first += rows_a_piece) {
+      const std::size_t rows = std::min(rows_a_piece, end - first);
+      const std::size_t next = first + rows;
+      pages.turn(first, next, std::min(next + rows_a_piece, end));
+      Piece piece{rows_ + first * raw_size, first, rows};
+      if (!is_plain_) {
+        copy.resize(rows * rowSize());
+        parallelBlocks(rows, rows_at_once, 0, [&](std::size_t from, std::size_t to) {
+          tidyRows(first + from, to - from, copy.data() + from * rowSize());
+        });
+        piece.rows = copy.data();
+      }
+      goes_on = see(piece);
+      file_.checkWhole();
     }
-    goes_on = see(piece);
   }
-  turned = {};
-  if (is_mapped)
-    file_.release(layout_.begin + begin * raw_size, (end - begin) * raw_size);
-}
-
-/** Refuses scans without a finite point, and those that lie, but for stray points, too
- * far from the origin for a float of metres. */
-void
-ScanFile::checkExtent() const
-{
-  constexpr std::size_t run = 100; // rows beside one another share a page
-  Places places;
-  const std::size_t step = std::max<std::size_t>(1, size() / (sample_size / run));
-  if (size() > sample_size)
-    for (std::size_t first = 0; first + run <= size(); first += step)
-      addPlaces(rawRows(first, run), unit_, places);
-  // All of a small scan, and enough of one in which hardly a point is finite.
-  const bool is_enough = places[3].size() >= run;
-  if (!is_enough)
-    places = Places();
-  for (std::size_t first = 0;
-       !is_enough && first < size() && places[3].size() < sample_size;
-       first += sample_size)
-    addPlaces(rawRows(first, std::min(sample_size, size() - first)), unit_, places);
   if (unpacked_.empty())
-    file_.release(layout_.begin, size() * layout_.blob.point_step);
-  if (places[3].empty())
-    throw ToolError("'" + path_ + "' has no finite point among its " +
-                    std::to_string(size()));
-  const double farthest = middleValue(places[3]);
-  if (farthest * float_step <= coarsest)
-    return;
-  if (unit_ == 1 && couldBeMillimetres(places[2]))
-    throw ToolError(
-        "the coordinates of '" + path_ +
-        "' are too large for metres; if the unit is the millimetre, scale by "
-        "0.001 (--unit 0.001 in pcl_sedr)");
-  std::ostringstream sentence;
-  sentence.precision(2);
-  sentence << "the coordinates of '" << path_ << "' are too large: at "
-           << static_cast<long long>(std::min(farthest, 1e18))
-           << " m a float resolves no finer than " << farthest * float_step * 1000
-           << " mm; subtract an origin first, say (";
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    sentence << (axis > 0 ? ", " : "")
-             << static_cast<long long>(std::clamp(
-                    std::round(middleValue(places[axis]) / 1000) * 1000, -1e18, 1e18));
-  throw ToolError(sentence.str() + ") m");
+    file_.release(placeOf(begin), placeOf(end) - placeOf(begin));
 }
 
 } // namespace tools

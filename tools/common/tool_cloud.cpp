@@ -23,9 +23,18 @@ ToolCloud::withLabel(StructureLabel wanted) const
 ToolCloud
 loadCloud(const std::string& path, double unit)
 {
-  const ScanFile file(path, unit);
+  ScanSettings settings;
+  settings.unit = unit;
+  return loadCloud(path, settings);
+}
+
+ToolCloud
+loadCloud(const std::string& path, const ScanSettings& settings)
+{
+  const ScanFile file(path, settings);
   ToolCloud cloud;
   cloud.path = path;
+  cloud.origin = file.origin();
   auto& blob = cloud.blob;
   blob.fields = file.fields();
   blob.point_step = static_cast<pcl::uindex_t>(file.rowSize());
@@ -42,7 +51,7 @@ loadCloud(const std::string& path, double unit)
 
   cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>(blob.width, 1));
   cloud.points->is_dense = false;
-  cloud.points->sensor_origin_ = file.origin();
+  cloud.points->sensor_origin_ = file.viewpoint();
   cloud.points->sensor_orientation_ = file.orientation();
   const std::array<std::size_t, 3> offsets{findField(blob, "x")->offset,
                                            findField(blob, "y")->offset,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloud_rows.h"
+#include "scan_settings.h"
 
 #include <pcl/sedr_filters/point_types.h>
 
@@ -22,6 +23,7 @@ struct ToolCloud {
   std::vector<std::uint32_t>
       label; ///< a StructureLabel a row, zeros if the file has none
   std::vector<std::uint32_t> room; ///< 0 none, zeros if the file has none
+  Origin origin;                   ///< what coordinates are counted from
   bool has_label = false;
   bool has_room = false;
 
@@ -31,15 +33,12 @@ struct ToolCloud {
   pcl::Indices withLabel(StructureLabel wanted) const;
 };
 
-/** @brief Reads a PCD or PLY file, told apart by its content.
- *
- * Anything amiss is a ToolError of one sentence: no such file, a folder, neither PCD
- * nor PLY, cut off, damaged, no x, y or z, 0 points, no finite point, or most
- * coordinates so large that a float resolves them no finer than 1 mm (above 8388 m).
- * @param unit metres that one unit of the file stands for: coordinates and viewpoint
- * are brought to metres, in double precision, before anything is checked or made a
- * float */
-ToolCloud loadCloud(const std::string& path, double unit = 1);
+/** @brief Reads all of a scan as ScanFile does; what is amiss is a ToolError of one
+ * sentence. */
+ToolCloud loadCloud(const std::string& path, const ScanSettings& settings = {});
+
+/** @param unit metres that one unit of the file stands for */
+ToolCloud loadCloud(const std::string& path, double unit);
 
 enum class PcdData { Binary, Compressed };
 
@@ -62,7 +61,14 @@ void saveCloud(const std::string& path,
 /** @brief Writes a structure as a binary PCD, whole or not at all, piece by piece: no
  * second copy of it is needed. What fails is a ToolError. */
 void saveStructure(const std::string& path,
-                   const pcl::PointCloud<pcl::PointStructure>& structure);
+                   const pcl::PointCloud<pcl::PointStructure>& structure,
+                   const Origin& origin = {});
+
+class ScanFile;
+
+/** @brief Writes a scan as it is read, piece by piece: binary PCD, or PLY if `path`
+ * ends in .ply. */
+void saveScan(const std::string& path, const ScanFile& scan);
 
 } // namespace tools
 } // namespace sedr

@@ -18,7 +18,7 @@ PartOfScan::forEachPiece(
 {
   bool goes_on = true;
   for (const RowRange& range : order_.ranges) {
-    const ScanFile file(range.path, order_.unit);
+    const ScanFile file(range.path, order_.settings);
     RowCoordinates coordinates(file.fields(), file.rowSize());
     if (goes_on)
       file.forEachPiece(range.begin, range.end, [&](const RowSource::Piece& piece) {

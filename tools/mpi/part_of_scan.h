@@ -22,7 +22,7 @@ struct ThinOrder {
   std::vector<RowRange> ranges; ///< in the order of the scan
   std::size_t rows = 0;         ///< of the whole scan
   std::size_t excerpt_step = 1; ///< every so many rows are kept as they are
-  double unit = 1;              ///< metres
+  ScanSettings settings;        ///< how its files are read
   Eigen::Vector3f inverse_leaf = Eigen::Vector3f::Ones(); ///< per metre
   bool removes_strays = false; ///< see ParallelVoxelGrid::setRemoveStrays()
 };

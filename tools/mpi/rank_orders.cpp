@@ -39,11 +39,23 @@ void
 serialize(Archive&, pcl::sedr::tools::GoHome&, unsigned)
 {}
 
+/** The origin is settled by then: it is never without a value. */
+template <typename Archive>
+void
+serialize(Archive& archive, pcl::sedr::tools::ScanSettings& settings, unsigned)
+{
+  pcl::sedr::Origin origin = settings.origin.value_or(pcl::sedr::Origin());
+  for (int axis = 0; axis < 3; ++axis)
+    archive& origin.place[axis];
+  settings.origin = origin;
+  archive& settings.unit& settings.scan& settings.skip_broken& settings.columns;
+}
+
 template <typename Archive>
 void
 serialize(Archive& archive, pcl::sedr::tools::ThinOrder& order, unsigned)
 {
-  archive& order.ranges& order.rows& order.excerpt_step& order.unit;
+  archive& order.ranges& order.rows& order.excerpt_step& order.settings;
   archive& order.inverse_leaf& order.removes_strays;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_parts.h"
 
+#include "standard_input.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ isScanName(const fs::path& path)
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return extension == ".pcd" || extension == ".ply";
+  return extension == ".pcd" || extension == ".ply" || extension == ".e57" ||
+         extension == ".las";
 }
 
 std::vector<std::string>
@@ -36,7 +38,7 @@ scansIn(const std::string& folder)
   if (error)
     throw ToolError("cannot read the folder '" + folder + "': " + error.message());
   if (paths.empty())
-    throw ToolError("the folder '" + folder + "' has no .pcd or .ply file");
+    throw ToolError("the folder '" + folder + "' has no .pcd, .ply, .e57 or .las file");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -63,15 +65,19 @@ textOf(const std::vector<RowRange>& ranges)
 }
 
 std::vector<ScanInput>
-findInputs(const std::vector<std::string>& paths)
+findInputs(const std::vector<std::string>& paths, const ScanSettings& settings)
 {
   std::vector<ScanInput> inputs;
   std::size_t first = 0;
   const auto add = [&](const std::string& path) {
-    inputs.push_back({path, readScanHead(path), first});
+    inputs.push_back({path, readScanHead(path, settings), first});
     first += inputs.back().head.rows;
   };
   for (const std::string& path : paths) {
+    if (isStandardInput(path))
+      throw ToolError(
+          "every rank reads the scan, which the standard input cannot serve: "
+          "name a file");
     std::error_code error;
     if (fs::is_directory(path, error))
       for (const std::string& scan : scansIn(path))

@@ -33,9 +33,10 @@ struct RowRange {
 std::string textOf(const std::vector<RowRange>& ranges);
 
 /** @brief The files of a scan, one after the other as they are given, of a folder its
- * .pcd and .ply files sorted by name; their heads are read. What is missing, no scan,
- * or a folder without any is a ToolError. */
-std::vector<ScanInput> findInputs(const std::vector<std::string>& paths);
+ * .pcd, .ply, .e57 and .las files sorted by name; their heads are read. What is
+ * missing, no scan, or a folder without any is a ToolError. */
+std::vector<ScanInput> findInputs(const std::vector<std::string>& paths,
+                                  const ScanSettings& settings = {});
 
 std::size_t rowsOf(const std::vector<ScanInput>& inputs);
 

@@ -174,7 +174,7 @@ readReportData(const ResultFolder& folder)
   const Json& input = member(report, "input");
   data.scan = text(input, "path");
   data.points = count(input, "points");
-  data.unit = folder.unit();
+  data.unit = folder.scanSettings().unit;
   for (const auto& stage : member(report, "stages"))
     data.stages.push_back({text(stage, "stage"), count(stage, "points_in"),
                            count(stage, "points_out"), number(stage, "seconds")});

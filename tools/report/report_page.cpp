@@ -66,7 +66,7 @@ readContents(const ResultFolder& folder, const PageSettings& settings)
   const std::string path = settings.scan.empty() ? folder.scanPath() : settings.scan;
   if (path.empty())
     return contents;
-  const ScanFile scan(path, folder.unit());
+  const ScanFile scan(path, folder.scanSettings());
   contents.scan = displayCloudOf(scan, most_scan_points);
   contents.scan.labels.clear(); // a scan's own labels mean nothing here
   contents.scan.rooms.clear();

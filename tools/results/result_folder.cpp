@@ -3,6 +3,7 @@
 
 #include "tool_error.h"
 
+#include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
@@ -87,10 +88,24 @@ ResultFolder::number(const char* group, const char* name, double otherwise) cons
   return is_usable ? value->get<double>() : otherwise;
 }
 
-double
-ResultFolder::unit() const
+ScanSettings
+ResultFolder::scanSettings() const
 {
-  return number("input", "unit", 1);
+  ScanSettings settings;
+  settings.unit = number("input", "unit", 1);
+  settings.scan = static_cast<std::size_t>(number("input", "scan", 0));
+  Origin origin;
+  if (report_.contains("origin") && originFromJson(report_.dump(), origin))
+    settings.origin = origin;
+  const auto input = report_.find("input");
+  if (input == report_.end() || !input->is_object())
+    return settings;
+  const auto columns = input->find("columns");
+  if (columns != input->end() && columns->is_string())
+    settings.columns = columns->get<std::string>();
+  const auto skips = input->find("skip_broken");
+  settings.skip_broken = skips != input->end() && *skips == true;
+  return settings;
 }
 
 double

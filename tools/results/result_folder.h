@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "scan_settings.h"
+
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>
@@ -33,8 +35,8 @@ public:
    * from here, from the folder or from the folder above. Empty if it is not there. */
   std::string scanPath() const;
 
-  /** @brief Metres that one unit of the scan stands for. */
-  double unit() const;
+  /** @brief How the scan was read: unit, origin and what was chosen of the file. */
+  ScanSettings scanSettings() const;
 
   /** @brief Edge of the voxels that the run thinned the scan to, metres. */
   double voxelSize() const;

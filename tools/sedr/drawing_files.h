@@ -4,6 +4,7 @@
 #include "sedr/output_folder.h"
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/origin.h>
 
 #include <string>
 #include <vector>
@@ -15,11 +16,13 @@ namespace tools {
 /** @brief The drawings in a folder of results, of a plan of one storey. */
 extern const std::vector<std::string> drawing_names;
 
-/** @brief Writes the drawings of a plan into a folder: of several storeys one each,
- * with its number. Those of an earlier run, which may have had other storeys, make way;
- * what the run has read, `input`, stays. */
-void
-writeDrawings(OutputFolder& folder, const Floorplan& plan, const std::string& input);
+/** @brief Writes the drawings of a plan, counted from `origin`, into a folder: of
+ * several storeys one each, with its number. Those of an earlier run, which may have
+ * had other storeys, make way; what the run has read, `input`, stays. */
+void writeDrawings(OutputFolder& folder,
+                   const Floorplan& plan,
+                   const std::string& input,
+                   const Origin& origin = {});
 
 } // namespace tools
 } // namespace sedr

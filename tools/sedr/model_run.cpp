@@ -116,21 +116,23 @@ void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
   const StructureChain& c = chain.getChain();
-  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame());
+  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
   const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
       !with_mesh  ? std::string()
-      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame())
-                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh());
+      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
+                            originComments(c.origin))
+                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
+                            originComments(c.origin));
   if (!problem.empty())
     throw ToolError(problem);
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
     stream << floorplanToJson(*chain.getFloorplan(),
-                              c.levelling ? &*c.levelling : nullptr);
+                              c.levelling ? &*c.levelling : nullptr, c.origin);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), solid, c.extrusion.getElements());
+    saveSolid(folder.file(name), solid, c.extrusion.getElements(), c.origin);
 }
 
 void
@@ -200,7 +202,7 @@ makeModel(const ModelSettings& settings,
   }
   RunRecord record;
   record.path = settings.input;
-  record.unit = settings.unit;
+  record.reading = settings.scan.settings;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });
@@ -221,7 +223,7 @@ makeModel(const ModelSettings& settings,
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain, !settings.no_mesh);
-      writeDrawings(folder, *chain.getFloorplan(), settings.input);
+      writeDrawings(folder, *chain.getFloorplan(), settings.input, chain.getOrigin());
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

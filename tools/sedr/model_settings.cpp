@@ -55,9 +55,7 @@ addModelOptions(Options& options, ModelSettings& s)
   options.number("threads", s.threads, "", "threads, 0 for all processors",
                  Range::between(0, 1024));
   options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
-  options.number("unit", s.unit, "m",
-                 "length of one unit of the scan: 0.001 for millimetres",
-                 Range::between(1e-6, 1e6));
+  addScanOptions(options, s.scan);
   options.flag("z-up", s.z_up,
                "take z as up even if another axis seems to be, or the scan leans");
   options.flag("levelled", s.levelled,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options.h"
+#include "scan_options.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
@@ -35,7 +36,7 @@ struct ModelSettings {
   std::string poisson_solver = "sedr";
   unsigned threads;
   std::uint64_t seed;
-  double unit = 1; ///< metres
+  ScanOptions scan; ///< how it is read, the unit too
   bool z_up;
   bool levelled;
   bool fixed_grid = false;

@@ -44,7 +44,7 @@ Json
 parametersOf(const RunRecord& run, const Reconstruction& chain)
 {
   const StructureChain& c = chain.getChain();
-  return {{"unit", run.unit},
+  return {{"unit", run.reading.unit},
           {"z_up", c.trust_up},
           {"levelled", c.keep_levelled},
           {"threads", chain.getNumberOfThreads()},
@@ -217,6 +217,21 @@ coverageOf(const Coverage& coverage)
           {"left_out", left_out}};
 }
 
+/** @brief The scan, and how it was read where that is not as usual. */
+Json
+inputOf(const RunRecord& run)
+{
+  const ScanSettings& reading = run.reading;
+  Json input{{"path", run.path}, {"points", run.points}, {"unit", reading.unit}};
+  if (reading.scan > 0)
+    input["scan"] = reading.scan;
+  if (reading.skip_broken)
+    input["skip_broken"] = true;
+  if (!reading.columns.empty())
+    input["columns"] = reading.columns;
+  return input;
+}
+
 } // namespace
 
 std::string
@@ -230,16 +245,19 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
   }
   Json json{{"format", format_name},
             {"version", format_version},
-            {"input", {{"path", run.path}, {"points", run.points}, {"unit", run.unit}}},
+            {"input", inputOf(run)},
             {"parameters", parametersOf(run, chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
+            {"origin", nullptr}, // has its place here
             {"levelling", levellingOf(chain.getChain())},
             {"rooms", roomsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);
+  const Eigen::Vector3d& origin = chain.getOrigin().place;
+  json["origin"] = {origin.x(), origin.y(), origin.z()}; // all digits
   // A path may hold any bytes: what is no UTF-8 becomes U+FFFD.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "scan_settings.h"
+
 #include <pcl/sedr_surface/coverage.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -18,7 +20,7 @@ namespace tools {
 struct RunRecord {
   std::string path;
   std::size_t points = 0;
-  double unit = 1; ///< length of one unit of the file, metres
+  ScanSettings reading; ///< of the scan
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
   std::optional<MeshEvaluationResult> figures; ///< none without a mesh

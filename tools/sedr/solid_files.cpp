@@ -46,10 +46,14 @@ checkSolidOutput(const std::string& path)
 void
 saveSolid(const std::string& path,
           const TriangleMesh& mesh,
-          const std::vector<SolidElement>& elements)
+          const std::vector<SolidElement>& elements,
+          const Origin& origin)
 {
+  const std::vector<std::string> of_origin = originComments(origin);
   if (hasExtension(path, ".ply")) {
-    const std::string problem = savePly(path, mesh, elementComments(mesh, elements));
+    std::vector<std::string> comments = elementComments(mesh, elements);
+    comments.insert(comments.begin(), of_origin.begin(), of_origin.end());
+    const std::string problem = savePly(path, mesh, comments);
     if (!problem.empty())
       throw ToolError(problem);
     return;
@@ -58,8 +62,18 @@ saveSolid(const std::string& path,
   writeWhole(materials.string(),
              [](std::ostream& stream) { stream << solidMaterials(); });
   writeWhole(path, [&](std::ostream& stream) {
+    for (const std::string& comment : of_origin)
+      stream << "# " << comment << '\n';
     stream << solidToObj(mesh, elements, materials.filename().string());
   });
+}
+
+std::vector<std::string>
+originComments(const Origin& origin)
+{
+  if (origin.isZero())
+    return {};
+  return {origin.comment()};
 }
 
 void
@@ -89,12 +103,16 @@ drawingSheets(const std::string& path, const Floorplan& plan)
 }
 
 void
-saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, double scale)
+saveDrawing(const DrawingSheet& sheet,
+            const Floorplan& plan,
+            double scale,
+            const Origin& origin)
 {
   const PlanStorey* storey = sheet.storey ? &*sheet.storey : nullptr;
   writeWhole(sheet.path, [&](std::ostream& stream) {
-    stream << (hasExtension(sheet.path, ".svg") ? floorplanToSvg(plan, scale, storey)
-                                                : floorplanToDxf(plan, storey));
+    stream << (hasExtension(sheet.path, ".svg")
+                   ? floorplanToSvg(plan, scale, storey, origin)
+                   : floorplanToDxf(plan, storey, origin));
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/origin.h>
 #include <pcl/sedr_surface/room_layers.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
@@ -24,7 +25,11 @@ void checkSolidOutput(const std::string& path);
  * for solid.obj; each whole or not at all. What fails is a ToolError. */
 void saveSolid(const std::string& path,
                const TriangleMesh& mesh,
-               const std::vector<SolidElement>& elements);
+               const std::vector<SolidElement>& elements,
+               const Origin& origin = {});
+
+/** @brief What the header of a mesh says of its origin: nothing of 0. */
+std::vector<std::string> originComments(const Origin& origin);
 
 /** @brief Likewise for a drawing: .svg or .dxf. */
 void checkDrawingOutput(const std::string& path);
@@ -40,7 +45,10 @@ struct DrawingSheet {
 std::vector<DrawingSheet> drawingSheets(const std::string& path, const Floorplan& plan);
 
 /** @brief Writes a drawing; `scale`, of an SVG, as floorplanToSvg() has it. */
-void saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, double scale = 0);
+void saveDrawing(const DrawingSheet& sheet,
+                 const Floorplan& plan,
+                 double scale = 0,
+                 const Origin& origin = {});
 
 } // namespace tools
 } // namespace sedr

@@ -81,7 +81,7 @@ readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult&
     result.notes.emplace_back("the scan itself is not there: name it by --scan");
     return;
   }
-  const ScanFile scan(path, folder.unit());
+  const ScanFile scan(path, folder.scanSettings());
   result.raw = displayCloudOf(scan, settings.most_points);
   // A scan may bring labels of its own, of which nothing is known here.
   result.raw.labels.clear();

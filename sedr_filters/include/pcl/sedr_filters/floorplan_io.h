@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/levelling.h>
+#include <pcl/sedr_filters/origin.h>
 
 #include <string>
 
@@ -10,15 +11,22 @@ namespace pcl {
 namespace sedr {
 
 /** @brief A floor plan as JSON: {"format": "sedr-floorplan", "version": 1, "unit": "m",
- * "rooms":
- * [...]}. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers,
+ * "origin": [x, y, z], "rooms": [...]}: all places are counted from the origin. A room
+ * has id, area, perimeter, floor and ceiling (plane a, b, c, d, inliers,
  * residual), boundary, columns and details. A loop is a list of elements: start and
  * end, for arcs centre, radius and counter_clockwise, inliers and residual. Numbers are
  * written so that they read back exactly.
  * @param levelling how the scan was made level for the plan, if it was: `levelling`
- * with angle and direction in degrees, `rotation` by rows, and `about` */
+ * with angle and direction in degrees, `rotation` by rows, and `about`
+ * @param origin what the places of the plan are counted from */
 std::string floorplanToJson(const Floorplan& plan,
-                            const Levelling* levelling = nullptr);
+                            const Levelling* levelling = nullptr,
+                            const Origin& origin = {});
+
+/** @brief The origin that floorplanToJson() wrote, or that of report.json; 0, 0, 0 where
+ * there is none.
+ * @return false if it is there, but no three numbers */
+bool originFromJson(const std::string& text, Origin& origin);
 
 /** @brief Reads what floorplanToJson() wrote.
  *

@@ -98,8 +98,9 @@ std::string upProblem(const PointView& points,
                       unsigned threads = 1);
 
 /** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
- * Then there are three rooms or more, all of them 7 to 12 high, and half of them or
- * more have an area below 300: halls of that height are larger, or alone. O(rooms). */
+ * Then rooms with four fifths of the area are 7 to 12 high, and half of them or more
+ * have an area below 300: halls of that height are larger. Two rooms alone may be halls
+ * all the same, unless the doors between them are 5.9 to 8.5 high. O(rooms). */
 std::string footProblem(const Floorplan& plan);
 
 } // namespace sedr

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/origin.h>
 
 #include <string>
 
@@ -22,10 +23,12 @@ namespace sedr {
  * scale at which the plan fits an A4 page
  * @param storey one of storeysOf(), and only that is drawn, with its name; the page
  * and all coordinates are those of the whole plan, so that the sheets of a building lie
- * over each other. Null: all rooms */
+ * over each other. Null: all rooms
+ * @param origin what places are counted from: told below the plan unless it is 0 */
 std::string floorplanToSvg(const Floorplan& plan,
                            double scale = 0,
-                           const PlanStorey* storey = nullptr);
+                           const PlanStorey* storey = nullptr,
+                           const Origin& origin = {});
 
 /** @brief The scale that floorplanToSvg() takes by itself. */
 double drawingScale(const Floorplan& plan);
@@ -34,8 +37,10 @@ double drawingScale(const Floorplan& plan);
  * CIRCLE on the layers WALL, COLUMN, DETAIL (of the ceiling), FLOOR_DETAIL and NICHE,
  * as they are in the plan to a tenth of a micrometre; numbers, areas and heights of
  * rooms on TEXT, sizes of walls on DIMENSION, gaps of doorways on DOORWAY.
- * @param storey as for floorplanToSvg() */
-std::string floorplanToDxf(const Floorplan& plan, const PlanStorey* storey = nullptr);
+ * @param storey, origin as for floorplanToSvg() */
+std::string floorplanToDxf(const Floorplan& plan,
+                           const PlanStorey* storey = nullptr,
+                           const Origin& origin = {});
 
 } // namespace sedr
 } // namespace pcl

@@ -76,6 +76,12 @@ public:
     thinning_ = thinning;
   }
 
+  /** @brief What was subtracted from the coordinates of the scan before they became
+   * floats, metres: nothing is computed with it, it is for who writes the results, as
+   * sedr::floorplanToJson() does. Default 0, 0, 0. */
+  void setOrigin(const sedr::Origin& origin) { chain_.origin = origin; }
+  const sedr::Origin& getOrigin() const { return chain_.origin; }
+
   /** @brief Size of a voxel in down-sampling, metres. Default 0.05. */
   void setVoxelSize(float size);
   float getVoxelSize() const { return voxel_grid_.getLeafSize().x(); }

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/levelling.h>
+#include <pcl/sedr_filters/origin.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -93,6 +94,10 @@ public:
   /** @brief Whether what is made of a tilted scan stays in the level frame that it was
    * fitted in, see `levelling`. */
   bool keep_levelled = false;
+
+  /** @brief What the coordinates of the scan are counted from, for who writes what the
+   * chain found. */
+  Origin origin;
 
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_file.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+using programs::TemporaryFolder;
+using programs::writeFile;
+
+class TextFiles : public ::testing::Test {
+protected:
+  ToolCloud load(const std::string& text, const std::string& columns = "")
+  {
+    writeFile(folder_.path() / "scan.xyz", text);
+    ScanSettings settings;
+    settings.columns = columns;
+    return loadCloud((folder_.path() / "scan.xyz").string(), settings);
+  }
+
+  /** The first point as "x y z". */
+  void expectFirst(const ToolCloud& cloud, float x, float y, float z)
+  {
+    EXPECT_EQ((*cloud.points)[0].x, x);
+    EXPECT_EQ((*cloud.points)[0].y, y);
+    EXPECT_EQ((*cloud.points)[0].z, z);
+  }
+
+  std::string refusal(const std::string& text, const std::string& columns = "")
+  {
+    try {
+      load(text, columns);
+    }
+    catch (const ToolError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "it was read";
+    return {};
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TextFiles, ColumnsAreToldByTheFileOrByTheirNumber)
+{
+  expectFirst(load("1.5 2 3\n4 5 6\n"), 1.5f, 2, 3);
+  expectFirst(load("# made by hand\n\n1.5\t2\t-3e0\r\n"), 1.5f, 2, -3);
+  expectFirst(load("x,y,z\n1.5,2,3\n"), 1.5f, 2, 3);
+  expectFirst(load("1,5;2;3\n"), 1.5f, 2, 3); // a decimal comma
+  const ToolCloud named = load("//Intensity Z Y X\n9 3 2 1\n8 3 2 1\n");
+  expectFirst(named, 1, 2, 3);
+  EXPECT_EQ(floatField(named.blob, "intensity"), (std::vector<float>{9, 8}));
+  const ToolCloud pts = load("2\n1 2 3 -100 255 128 0\n4 5 6 -200 1 2 3\n");
+  ASSERT_EQ(pts.size(), 2u);
+  EXPECT_EQ(floatField(pts.blob, "intensity"), (std::vector<float>{-100, -200}));
+  const auto* rgb = &pts.blob.data[findField(pts.blob, "rgb")->offset];
+  EXPECT_EQ(rgb[2], 255);
+  EXPECT_EQ(rgb[1], 128);
+  EXPECT_EQ(rgb[0], 0);
+  EXPECT_EQ(findField(load("1 2 3 0.5 0.5 0.7\n").blob, "rgb"), nullptr);
+}
+
+TEST_F(TextFiles, ColumnsThatAreAskedForAreTaken)
+{
+  const ToolCloud cloud = load("7 30 20 10\n7 31 21 11\n", "_ z y x");
+  expectFirst(cloud, 10, 20, 30);
+  EXPECT_EQ(cloud.blob.fields.size(), 3u);
+  EXPECT_NE(refusal("1 2 3\n", "x y").find("do not hold each of x, y and z"),
+            std::string::npos);
+  EXPECT_NE(refusal("1 2 3\n", "x,y,z,intensity").find("has 3 of the 4 columns"),
+            std::string::npos);
+}
+
+TEST_F(TextFiles, ABrokenLineIsNamed)
+{
+  EXPECT_NE(refusal("1 2 3\n4 5\n").find("point 2 has 2 of 3 numbers"),
+            std::string::npos);
+  EXPECT_NE(refusal("1 2 3\n4 5 six\n").find("point 2 has 2 of 3"), std::string::npos);
+  EXPECT_NE(refusal("no numbers at all\n").find("neither"), std::string::npos);
+  EXPECT_NE(refusal(std::string("1 2 3\0\n", 7)).find("neither"), std::string::npos);
+}
+
+TEST_F(TextFiles, DigitsOfAGridAreNotLost)
+{
+  const ToolCloud cloud =
+      load("691600.125 5335900.25 512\n691600.125 5335902.75 515\n");
+  EXPECT_EQ(cloud.origin.place.x(), 691600);
+  EXPECT_EQ((*cloud.points)[0].x, 0.125f);
+  EXPECT_EQ((*cloud.points)[1].y - (*cloud.points)[0].y, 2.5f);
+  EXPECT_EQ((*cloud.points)[1].z, 515.f);
+}
+
+TEST_F(TextFiles, PiecesAreThoseOfTheWhole)
+{
+  std::mt19937 random(3);
+  const std::size_t n = 30000; // several remembered lines
+  std::string lines;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    lines += std::to_string(number++ % 900) + " 1.25 " + std::to_string(random() % 9) +
+             (i % 7 == 0 ? "\n\n# a comment\n" : "\n");
+  }
+  const ToolCloud whole = load(lines);
+  ASSERT_EQ(whole.size(), n);
+  for (std::size_t i = 0; i < n; ++i)
+    ASSERT_EQ((*whole.points)[i].x, static_cast<float>(i % 900));
+  const ScanFile pieces((folder_.path() / "scan.xyz").string(), 1, 5000);
+  std::vector<std::uint8_t> rows;
+  pieces.forEachPiece(12345, 23456, [&](const pcl::sedr::RowSource::Piece& piece) {
+    rows.insert(rows.end(), piece.rows, piece.rows + piece.size * pieces.rowSize());
+    return true;
+  });
+  EXPECT_TRUE(std::equal(rows.begin(), rows.end(),
+                         whole.blob.data.begin() +
+                             static_cast<std::ptrdiff_t>(12345 * pieces.rowSize())));
+}
+
+} // namespace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "e57_tree.h"
+
+#include "tool_error.h"
+
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief One past the end of `text` from `position` on, or of all. */
+std::size_t
+past(const std::string& xml, const char* text, std::size_t position)
+{
+  const std::size_t found = xml.find(text, position);
+  return found == std::string::npos ? xml.size()
+                                    : found + std::string::traits_type::length(text);
+}
+
+/** @brief One past the `>` that ends the tag at `position`, outside of quotes. */
+std::size_t
+pastTag(const std::string& xml, std::size_t position)
+{
+  char quote = 0;
+  for (; position < xml.size(); ++position) {
+    const char c = xml[position];
+    if (quote != 0)
+      quote = c == quote ? char{0} : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == '>')
+      return position + 1;
+  }
+  return xml.size();
+}
+
+} // namespace
+
+std::size_t
+nestingOf(const std::string& xml, std::size_t limit)
+{
+  std::size_t depth = 0;
+  std::size_t deepest = 0;
+  const auto begins = [&](std::size_t at, const char* text) {
+    return xml.compare(at, std::string::traits_type::length(text), text) == 0;
+  };
+  for (std::size_t at = xml.find('<'); at != std::string::npos && deepest <= limit;
+       at = xml.find('<', at)) {
+    if (begins(at, "<!--"))
+      at = past(xml, "-->", at + 4);
+    else if (begins(at, "<![CDATA["))
+      at = past(xml, "]]>", at);
+    else if (begins(at, "<?"))
+      at = past(xml, "?>", at);
+    else if (begins(at, "</")) {
+      depth -= std::min<std::size_t>(depth, 1);
+      at = pastTag(xml, at);
+    }
+    else {
+      deepest = std::max(deepest, depth + 1);
+      at = pastTag(xml, at);
+      if (xml[at - 2] != '/')
+        ++depth;
+    }
+  }
+  return deepest;
+}
+
+boost::property_tree::ptree
+readE57Tree(const E57Pages& pages)
+{
+  constexpr std::uint64_t largest = std::uint64_t{1} << 26;
+  constexpr std::size_t deepest = 64;
+  if (pages.xmlSize() > largest)
+    throw ToolError("its XML is said to have " + std::to_string(pages.xmlSize()) +
+                    " bytes, more than the " + std::to_string(largest) +
+                    " that are taken for sane");
+  std::string xml(static_cast<std::size_t>(pages.xmlSize()), '\0');
+  pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
+  // Some writers count the bytes that fill up the last page.
+  xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
+  if (xml.find("<!DOCTYPE") != std::string::npos)
+    throw ToolError("its XML defines a document type, which E57 does not have");
+  if (nestingOf(xml, deepest) > deepest)
+    throw ToolError("the elements of its XML are nested deeper than " +
+                    std::to_string(deepest));
+  boost::property_tree::ptree tree;
+  std::istringstream stream(xml);
+  try {
+    boost::property_tree::read_xml(stream, tree,
+                                   boost::property_tree::xml_parser::no_comments);
+  }
+  catch (const boost::property_tree::xml_parser_error& error) {
+    throw ToolError("line " + std::to_string(error.line()) +
+                    " of its XML cannot be read: " + error.message());
+  }
+  return tree;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

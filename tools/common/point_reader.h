@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PCLPointField.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Where a part of the points was scanned from. */
+struct ScanStation {
+  std::size_t first_row = 0; ///< up to that of the next station
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< in the unit of the file
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  std::string name; ///< may be empty
+};
+
+/** @brief The points of a file whose rows must be decoded: x, y and z as FLOAT64 in the
+ * unit and frame of the file, then what else is kept, without padding. NaN stands for
+ * points that are not valid. */
+class PointReader {
+public:
+  virtual ~PointReader() = default;
+
+  virtual const std::vector<pcl::PCLPointField>& fields() const = 0;
+
+  /** @brief Rows in all. */
+  virtual std::size_t size() const = 0;
+
+  /** @brief Decodes `size` rows from `first` on; from several threads at once. What is
+   * damaged is a ToolError. */
+  virtual void read(std::size_t first, std::size_t size, std::uint8_t* rows) const = 0;
+
+  /** @brief Byte of the file near which this row begins; that of size() is the end. */
+  virtual std::size_t placeOf(std::size_t row) const = 0;
+
+  /** @brief Where the points were scanned from, in the order of rows; empty if that is
+   * not known of all. */
+  virtual std::vector<ScanStation> stations() const { return {}; }
+};
+
+/** @brief The fields of a PointReader: x, y and z, then some of FLOAT32. */
+inline std::vector<pcl::PCLPointField>
+decodedFields(const std::vector<std::string>& more)
+{
+  std::vector<pcl::PCLPointField> fields;
+  const auto add = [&](const std::string& name, std::uint8_t datatype) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.datatype = datatype;
+    field.count = 1;
+    fields.push_back(field);
+  };
+  for (const char* name : {"x", "y", "z"})
+    add(name, pcl::PCLPointField::FLOAT64);
+  for (const auto& name : more)
+    add(name, pcl::PCLPointField::FLOAT32);
+  return fields;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PCLPointField.h>
+#include <pcl/sedr_filters/origin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief How rows as they stand in a file become rows as they are given out: without
+ * padding, x, y and z as FLOAT32 metres, scaled and counted from an origin in double
+ * precision before they are floats. */
+class RowPlan {
+public:
+  /** @param raw fields as in the file, with offsets
+   * @param raw_size bytes from one row to the next there
+   * @param unit metres that one unit stands for
+   * @param shift what is subtracted, metres
+   * @param path named where rows would be too long, in a ToolError */
+  RowPlan(const std::vector<pcl::PCLPointField>& raw,
+          std::size_t raw_size,
+          double unit,
+          const Eigen::Vector3d& shift,
+          const std::string& path);
+
+  const std::vector<pcl::PCLPointField>& fields() const { return fields_; }
+  std::size_t rowSize() const { return row_size_; }
+
+  /** @brief Whether rows stay as they are. */
+  bool isPlain() const { return is_plain_; }
+
+  void bring(const std::uint8_t* raw, std::size_t rows, std::uint8_t* to) const;
+
+private:
+  /** @brief What is done with a field. */
+  struct Move {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::size_t size = 0;      ///< bytes to copy
+    bool converts = false;     ///< to a float of metres
+    std::uint8_t datatype = 0; ///< as in the file
+    double shift = 0;          ///< metres
+  };
+
+  std::vector<pcl::PCLPointField> fields_;
+  std::vector<Move> moves_;
+  std::size_t raw_size_;
+  std::size_t row_size_ = 0;
+  double unit_;
+  bool is_plain_ = true;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

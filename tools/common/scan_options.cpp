@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_options.h"
+
+#include "cloud_readers.h"
+#include "plan_file.h"
+#include "tool_error.h"
+
+#include <filesystem>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+Origin
+originOfModel(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    const fs::path plan = fs::path(path) / "floorplan.json";
+    if (!fs::exists(plan, error))
+      throw ToolError("'" + path + "' holds no floorplan.json, which pcl_sedr writes");
+    return planOrigin(plan.string());
+  }
+  if (fs::path(path).extension() == ".json")
+    return planOrigin(path);
+  constexpr int most_lines = 20; // of a header
+  const MappedFile file(path);
+  TextCursor cursor(file, 0);
+  Origin origin;
+  std::string_view line;
+  for (int k = 0; k < most_lines && cursor.nextLine(line); ++k)
+    if (Origin::fromComment(std::string(line.substr(0, 256)), origin))
+      break;
+  return origin;
+}
+
+ScanSettings
+ScanOptions::resolved() const
+{
+  if ((origin.empty() ? 0 : 1) + (origin_of.empty() ? 0 : 1) + (no_shift ? 1 : 0) > 1)
+    throw ToolError("--origin, --origin-of and --no-shift exclude one another");
+  ScanSettings all = settings;
+  all.shifts = !no_shift;
+  if (!origin_of.empty())
+    all.origin = originOfModel(origin_of);
+  if (origin.empty())
+    return all;
+  Origin given;
+  if (!Origin::fromText(origin, given))
+    throw ToolError("--origin '" + origin +
+                    "' is not of the form x,y,z, three numbers");
+  all.origin = given;
+  return all;
+}
+
+void
+addOriginOptions(Options& options, ScanOptions& scan)
+{
+  options.text("origin", scan.origin,
+               "x,y,z in m that coordinates are counted from; whole metres in the "
+               "middle of scans that lie more than 1 km from 0, else 0,0,0");
+  options.text("origin-of", scan.origin_of,
+               "count from the origin of this model, so that both have one frame");
+  options.flag("no-shift", scan.no_shift,
+               "take coordinates as they are, however large");
+}
+
+void
+addColumnsOption(Options& options, ScanOptions& scan)
+{
+  options.text(
+      "columns", scan.settings.columns,
+      "names of the columns of a text, such as x,y,z,intensity,red,green,blue; "
+      "_ is skipped");
+}
+
+void
+addUnitOption(Options& options, ScanOptions& scan)
+{
+  options.number("unit", scan.settings.unit, "m",
+                 "length of one unit of the scan: 0.001 for millimetres",
+                 Range::between(1e-6, 1e6));
+}
+
+void
+addScanOptions(Options& options, ScanOptions& scan)
+{
+  addUnitOption(options, scan);
+  addOriginOptions(options, scan);
+  addE57Options(options, scan);
+  addColumnsOption(options, scan);
+}
+
+void
+addE57Options(Options& options, ScanOptions& scan)
+{
+  options.number("scan", scan.settings.scan, "",
+                 "number of the scan of an E57 file that is read, 0 = all",
+                 Range::atLeast(0));
+  options.flag("skip-broken", scan.settings.skip_broken,
+               "leave out the scans of an E57 file that cannot be read");
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

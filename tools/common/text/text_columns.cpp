@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text_columns.h"
+
+#include "cloud_readers.h"
+#include "tool_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+constexpr std::size_t most_columns = 64;
+constexpr std::size_t most_lines_before = 20;
+using Numbers = std::array<double, most_columns>;
+
+bool
+partsColumns(char c, bool has_decimal_comma)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == ';' ||
+         (c == ',' && !has_decimal_comma);
+}
+
+bool
+hasDecimalComma(std::string_view line)
+{
+  return line.find(';') != line.npos && line.find(',') != line.npos;
+}
+
+/** @brief The first line of three numbers or more. */
+struct FirstLine {
+  std::size_t begin = 0; ///< bytes
+  std::string_view text;
+  std::vector<double> numbers;
+  std::string_view before; ///< the line before it, empty if there is none
+};
+
+FirstLine
+findFirstLine(const MappedFile& file)
+{
+  FirstLine first;
+  TextCursor cursor(file, 0);
+  for (std::size_t k = 0; k < most_lines_before; ++k) {
+    first.begin = cursor.position();
+    if (!cursor.nextLine(first.text))
+      break;
+    constexpr std::size_t longest = 1 << 14;
+    if (first.text.size() > longest || first.text.find('\0') != first.text.npos)
+      break;
+    Numbers numbers{};
+    const std::size_t n = mayHoldNumbers(first.text)
+                              ? readColumns(first.text, hasDecimalComma(first.text),
+                                            most_columns, numbers.data())
+                              : 0;
+    first.numbers.assign(numbers.begin(),
+                         numbers.begin() + static_cast<std::ptrdiff_t>(n));
+    if (n >= 3)
+      return first;
+    if (!first.text.empty())
+      first.before = first.text;
+  }
+  return {};
+}
+
+std::vector<std::string>
+namesIn(std::string_view text)
+{
+  std::vector<std::string> names;
+  std::string name;
+  for (std::size_t i = 0; i <= text.size(); ++i)
+    if (i < text.size() && !partsColumns(text[i], false) && text[i] != '"' &&
+        text[i] != '#' && text[i] != '/')
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+    else if (!name.empty()) {
+      names.push_back(name);
+      name.clear();
+    }
+  return names;
+}
+
+/** @brief The names of PCL's fields for those that programs write. */
+void
+nameAsFields(std::vector<std::string>& names)
+{
+  const std::map<std::string, std::string> known{
+      {"r", "red"},       {"g", "green"},       {"b", "blue"},
+      {"i", "intensity"}, {"int", "intensity"}, {"reflectance", "intensity"},
+      {"nx", "normal_x"}, {"ny", "normal_y"},   {"nz", "normal_z"},
+      {"easting", "x"},   {"northing", "y"},    {"elevation", "z"},
+      {"height", "z"}};
+  for (auto& name : names) {
+    const auto it = known.find(name);
+    if (it != known.end())
+      name = it->second;
+  }
+}
+
+bool
+hasCoordinates(const std::vector<std::string>& names)
+{
+  return std::all_of(std::begin("xyz"), std::end("xyz") - 1, [&](char axis) {
+    return std::count(names.begin(), names.end(), std::string(1, axis)) == 1;
+  });
+}
+
+std::vector<std::string>
+usualNames(const std::vector<double>& numbers)
+{
+  std::vector<std::string> names{"x", "y", "z"};
+  constexpr std::size_t with_intensity = 4, with_colour = 6, with_both = 7;
+  const std::size_t n = numbers.size();
+  if (n == with_intensity || n == with_both)
+    names.emplace_back("intensity");
+  const auto isByte = [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); };
+  if ((n == with_colour || n == with_both) &&
+      std::all_of(numbers.end() - 3, numbers.end(), isByte))
+    names.insert(names.end(), {"red", "green", "blue"});
+  return names;
+}
+
+} // namespace
+
+bool
+mayHoldNumbers(std::string_view line)
+{
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first != line.npos && line[first] != '#' && line[first] != '/';
+}
+
+std::size_t
+readColumns(std::string_view line,
+            bool has_decimal_comma,
+            std::size_t most,
+            double* numbers)
+{
+  const char* c = line.data();
+  const char* const end = c + line.size();
+  std::size_t read = 0;
+  for (; read < most; ++read) {
+    while (c != end && partsColumns(*c, has_decimal_comma))
+      ++c;
+    if (c != end && *c == '+')
+      ++c;
+    const char* const begin = c;
+    while (c != end && !partsColumns(*c, has_decimal_comma))
+      ++c;
+    std::from_chars_result result{};
+    if (has_decimal_comma) {
+      std::string number(begin, c);
+      std::replace(number.begin(), number.end(), ',', '.');
+      result =
+          std::from_chars(number.data(), number.data() + number.size(), numbers[read]);
+      result.ptr = begin + (result.ptr - number.data());
+    }
+    else
+      result = std::from_chars(begin, c, numbers[read]);
+    if (begin == c || result.ec != std::errc() || result.ptr != c)
+      return read;
+  }
+  return read;
+}
+
+bool
+looksLikeColumns(const MappedFile& file)
+{
+  return findFirstLine(file).numbers.size() >= 3;
+}
+
+TextColumns
+findColumns(const MappedFile& file, const std::string& path, const std::string& asked)
+{
+  const FirstLine first = findFirstLine(file);
+  TextColumns columns;
+  columns.begin = first.begin;
+  columns.has_decimal_comma = hasDecimalComma(first.text);
+  columns.names = namesIn(asked.empty() ? first.before : std::string_view(asked));
+  nameAsFields(columns.names);
+  if (asked.empty() &&
+      (columns.names.size() > first.numbers.size() || !hasCoordinates(columns.names)))
+    columns.names = usualNames(first.numbers);
+  if (!hasCoordinates(columns.names))
+    throw ToolError("the columns '" + asked + "' do not hold each of x, y and z once");
+  if (columns.names.size() > first.numbers.size())
+    throw ToolError("the first line of numbers of '" + path + "' has " +
+                    std::to_string(first.numbers.size()) + " of the " +
+                    std::to_string(columns.names.size()) +
+                    " columns that are asked for");
+  return columns;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "e57/e57_reader.h"
+#include "run_tool.h"
+#include "scan_file.h"
+#include "scan_options.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <cstdio>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+struct Settings {
+  std::string input;
+  std::string output;
+  bool list = false;
+  ScanOptions scan;
+};
+
+/** @brief Prints a line a scan. */
+int
+listScans(const std::string& path)
+{
+  const std::vector<E57Entry> entries = listE57Scans(path);
+  std::printf("scan     points position, m                         name\n");
+  for (const E57Entry& entry : entries) {
+    const E57Scan& scan = entry.scan;
+    std::string position = "not told";
+    if (scan.has_pose)
+      position = pcl::sedr::Origin{scan.translation}.text(", ");
+    std::printf("%4zu %10llu %-35s %s%s%s\n", scan.number,
+                static_cast<unsigned long long>(scan.points), position.c_str(),
+                scan.name.c_str(),
+                entry.problem.empty() ? "" : " broken: ", entry.problem.c_str());
+  }
+  return Done;
+}
+
+int
+run(const Settings& settings)
+{
+  if (settings.list)
+    return listScans(settings.input);
+  if (settings.output.empty())
+    throw ToolError("the name of the PCD to write is missing; --list names the scans");
+  checkCloudOutput(settings.output);
+  const ScanFile scan(settings.input, settings.scan.resolved());
+  saveScan(settings.output, scan);
+  say(std::to_string(scan.size()) + " points");
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  Options options("pcl_e57_to_pcd",
+                  "Writes the scans of an E57 file, each in its place, as one PCD or "
+                  "PLY with x, y, z and, where they are there, intensity and rgb.");
+  options.file("INPUT.e57", settings.input, "file to read");
+  options.optionalFile("OUTPUT", settings.output,
+                       "PCD or PLY to write, not needed with --list");
+  options.flag("list", settings.list,
+               "print number, points, position and name of every scan instead");
+  addE57Options(options, settings.scan);
+  addUnitOption(options, settings.scan);
+  addOriginOptions(options, settings.scan);
+  return runTool(options, argc, argv, [&] { return run(settings); });
+}
