@@ -65,7 +65,7 @@ nestingOf(const std::string& xml, std::size_t limit)
     else {
       deepest = std::max(deepest, depth + 1);
       at = pastTag(xml, at);
-      if (xml[at - 2] != '/')
+      if (at < 2 || xml[at - 2] != '/')
         ++depth;
     }
   }
