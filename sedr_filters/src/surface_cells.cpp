@@ -39,7 +39,7 @@ boxOf(const PlanLoop& loop, double tolerance)
 }
 
 /** @brief The greatest difference of height between any two slabs of a room at one
- * place of its box: it is linear in between, so the corners tell. */
+ * place of its box, or more: of planes it is linear in between, so the corners tell. */
 double
 greatestHeight(const PlanRoom& room, const PlanBox& box)
 {
@@ -53,8 +53,12 @@ greatestHeight(const PlanRoom& room, const PlanBox& box)
         low = std::min(low, height);
         high = std::max(high, height);
       };
-      for (int d = -1; d < static_cast<int>(room.details.size()); ++d)
-        widen(room.ceilingSlab(d).heightAt(corner));
+      for (int d = -1; d < static_cast<int>(room.details.size()); ++d) {
+        const PlanSlab& slab = room.ceilingSlab(d);
+        widen(slab.heightAt(corner));
+        if (slab.curve)
+          widen(slab.curve->highest());
+      }
       for (const auto& detail : room.floor_details)
         widen(detail.slab.heightAt(corner));
       for (const auto& niche : room.niches) {

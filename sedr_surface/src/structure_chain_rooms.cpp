@@ -16,6 +16,13 @@
 namespace pcl {
 namespace sedr {
 
+namespace {
+
+/** @brief Of a ceiling, less than this is no matter, square metres. */
+constexpr double worth_word = 1;
+
+} // namespace
+
 pcl::IndicesPtr
 StructureChain::labelled(StructureLabel label) const
 {
@@ -90,7 +97,6 @@ StructureChain::findDetails(StageReport& report)
       rooms[static_cast<std::size_t>(i)] = room;
     }
     report.points_out += details[r].indices.size() + labelLowerCeilings(r);
-    warnOfVault(r);
   }
   return true;
 }
@@ -133,34 +139,72 @@ StructureChain::labelLowerCeilings(std::size_t region)
   return found;
 }
 
-void
-StructureChain::warnOfVault(std::size_t region)
+StructureChain::PlaceOff
+StructureChain::ceilingOff(std::size_t region,
+                           const std::function<double(const Eigen::Vector2d&)>& modelled) const
 {
-  constexpr double off = 0.1;      // metres from the plane that stands for it
-  constexpr double worth_word = 1; // square metres
+  constexpr double off = 0.1; // metres from what stands for it
   const Building& building = getBuilding();
   const CellGrid columns(building.cell_size);
-  const PlanSlab& slab = regions_[region].ceiling_slab;
-  double area = 0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  PlaceOff place;
   for (const RoomColumn& column : building.rooms[region].columns) {
-    const double modelled = slab.heightAt(columns.centre(column.cell));
     if (column.is_level || !column.ceiling_seen ||
-        std::abs(column.ceiling - modelled) <= off)
+        std::abs(column.ceiling - modelled(columns.centre(column.cell))) <= off)
       continue;
-    area += building.cell_size * building.cell_size;
-    low = std::min<double>(low, column.ceiling);
-    high = std::max<double>(high, column.ceiling);
+    place.area += building.cell_size * building.cell_size;
+    place.low = std::min<double>(place.low, column.ceiling);
+    place.high = std::max<double>(place.high, column.ceiling);
   }
-  if (area < worth_word)
-    return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%.1f m2 of its ceiling are not level, from %.2f to %.2f m: they are "
-                "modelled by the main plane",
-                area, low, high);
-  warn(static_cast<std::uint32_t>(region + 1), text);
+  return place;
+}
+
+bool
+StructureChain::hasSheet(std::size_t region) const
+{
+  const PlanSlab& slab = regions_[region].ceiling_slab;
+  return ceilingOff(region, [&](const auto& p) { return slab.heightAt(p); }).area >=
+         worth_word;
+}
+
+pcl::IndicesPtr
+StructureChain::sheetPoints() const
+{
+  pcl::IndicesPtr sheets(new pcl::Indices);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    if (!hasSheet(r))
+      continue;
+    // Not what was put where the ceiling was hidden.
+    for (const int i : regions_[r].ceiling)
+      if (static_cast<std::size_t>(i) < scanned_points_)
+        sheets->push_back(i);
+  }
+  std::sort(sheets->begin(), sheets->end());
+  return sheets;
+}
+
+void
+StructureChain::warnOfCeilings()
+{
+  for (const PlanRoom& room : plan->rooms) {
+    const std::size_t region = room.id - 1;
+    if (!hasSheet(region))
+      continue;
+    const bool has_facets = room.hasFacets();
+    const PlanSlab& slab = regions_[region].ceiling_slab;
+    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p) {
+      return has_facets ? room.ceilingAt(p) : slab.heightAt(p);
+    });
+    if (off.area < worth_word)
+      continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  has_facets ? "%.1f m2 of its ceiling, from %.2f to %.2f m, are more "
+                               "than 10 cm off its facets"
+                             : "%.1f m2 of its ceiling are not level, from %.2f to "
+                               "%.2f m: they are modelled by the main plane",
+                  off.area, off.low, off.high);
+    warn(room.id, text);
+  }
 }
 
 bool
@@ -254,12 +298,14 @@ StructureChain::fitPlan(StageReport& report)
   floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
   floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
   floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
+  floorplan_fitting.setSheetIndices(sheetPoints());
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
   tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
+  warnOfCeilings();
   const std::string doubt = footProblem(*plan);
   if (!doubt.empty())
     warnings.push_back(doubt);

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -184,9 +185,26 @@ private:
 
   bool findDetails(StageReport& report);
 
-  /** @brief Warns of what of a room's ceiling is neither level nor on its main plane.
-   */
-  void warnOfVault(std::size_t region);
+  /** @brief What of a ceiling that is not level lies off what stands for it. */
+  struct PlaceOff {
+    double area = 0; ///< square metres
+    double low = std::numeric_limits<double>::infinity(); ///< metres
+    double high = -std::numeric_limits<double>::infinity();
+  };
+
+  /** @brief What of a room's ceiling is neither level nor near some heights. */
+  PlaceOff
+  ceilingOff(std::size_t region,
+             const std::function<double(const Eigen::Vector2d&)>& modelled) const;
+
+  /** @brief Whether a room's ceiling is more than level planes. */
+  bool hasSheet(std::size_t region) const;
+
+  /** @brief The points of all ceilings that are not level, increasing. */
+  pcl::IndicesPtr sheetPoints() const;
+
+  /** @brief Warns of ceilings that are not level and that the plan does not tell. */
+  void warnOfCeilings();
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
   bool fitPlan(StageReport& report);
