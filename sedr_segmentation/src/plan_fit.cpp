@@ -314,7 +314,11 @@ fitPlan(const PointView& points,
 }
 
 void
-giveCeilings(const std::vector<RoomSheet>& sheets, unsigned threads, Floorplan& plan)
+giveCeilings(const std::vector<RoomSheet>& sheets,
+             const PointView* scan,
+             const std::vector<int>& indices,
+             unsigned threads,
+             Floorplan& plan)
 {
   parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
     const auto room = std::find_if(
@@ -327,11 +331,13 @@ giveCeilings(const std::vector<RoomSheet>& sheets, unsigned threads, Floorplan& 
     for (const PlanElement& element : room->boundary.elements)
       box.extend(boxAround(element));
     const SheetGrid grid = sheetGrid(box, parameters);
-    const Sheet sheet =
-        fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
-                 wallDirections(room->boundary), parameters);
-    if (!sheet.facets.empty())
-      giveCeiling(sheet, sheets[k].points, *room);
+    Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
+                           wallDirections(room->boundary), parameters);
+    if (sheet.facets.empty())
+      return;
+    if (scan)
+      refitToScan(sheet, *scan, indices, parameters);
+    giveCeiling(sheet, sheets[k].points, *room);
   });
 }
 

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace pcl {
 namespace sedr {
@@ -26,6 +28,8 @@ constexpr const char* text_layer = "TEXT";
 constexpr const char* size_layer = "DIMENSION";
 constexpr const char* doorway_layer = "DOORWAY";
 
+constexpr Layer headroom_layer{"HEADROOM", 8, "DASHED"}; ///< of ceilings that slope
+
 constexpr Layer layers[] = {
     {"WALL", 7, "CONTINUOUS"},     {"COLUMN", 1, "CONTINUOUS"},
     {"DETAIL", 5, "DASHED"},       {"FLOOR_DETAIL", 3, "CONTINUOUS"},
@@ -35,7 +39,8 @@ constexpr Layer layers[] = {
 const char*
 nameOf(DrawnLayer layer)
 {
-  return layers[static_cast<std::size_t>(layer)].name;
+  return layer == DrawnLayer::Headroom ? headroom_layer.name
+                                       : layers[static_cast<std::size_t>(layer)].name;
 }
 
 /** @brief Text of a DXF file: pairs of a group code and a value, a line each. */
@@ -74,8 +79,11 @@ writeHeader(DxfText& dxf, const Eigen::AlignedBox2d& bounds)
 }
 
 void
-writeTables(DxfText& dxf)
+writeTables(DxfText& dxf, bool has_headroom)
 {
+  std::vector<Layer> used(std::begin(layers), std::end(layers));
+  if (has_headroom)
+    used.push_back(headroom_layer);
   dxf.group(0, "SECTION").group(2, "TABLES");
   dxf.group(0, "TABLE").group(2, "LTYPE").group(70, 2);
   dxf.group(0, "LTYPE").group(2, "CONTINUOUS").group(70, 0).group(3, "Solid line");
@@ -85,8 +93,8 @@ writeTables(DxfText& dxf)
   dxf.group(0, "ENDTAB");
   dxf.group(0, "TABLE")
       .group(2, "LAYER")
-      .group(70, static_cast<int>(std::size(layers)));
-  for (const Layer& layer : layers)
+      .group(70, static_cast<int>(used.size()));
+  for (const Layer& layer : used)
     dxf.group(0, "LAYER")
         .group(2, layer.name)
         .group(70, 0)
@@ -214,9 +222,12 @@ floorplanToDxf(const Floorplan& whole, const PlanStorey* storey)
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
   writeHeader(dxf, bounds);
-  writeTables(dxf);
+  const std::vector<DrawnElement> elements = drawnElements(plan);
+  writeTables(dxf, std::any_of(elements.begin(), elements.end(), [](const auto& drawn) {
+                return drawn.layer == DrawnLayer::Headroom;
+              }));
   dxf.group(0, "SECTION").group(2, "ENTITIES");
-  for (const DrawnElement& drawn : drawnElements(plan))
+  for (const DrawnElement& drawn : elements)
     writeElement(dxf, drawn.element, nameOf(drawn.layer));
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanElement& e : room.boundary.elements)

@@ -146,8 +146,11 @@ private:
     Floorplan alone;
     alone.rooms.push_back(room);
     for (const DrawnElement& drawn : drawnElements(alone))
-      if (drawn.layer == DrawnLayer::Detail || drawn.layer == DrawnLayer::FloorDetail)
-        writePath(drawn.layer == DrawnLayer::Detail ? "detail" : "floor_detail",
+      if (drawn.layer == DrawnLayer::Detail || drawn.layer == DrawnLayer::FloorDetail ||
+          drawn.layer == DrawnLayer::Headroom)
+        writePath(drawn.layer == DrawnLayer::Detail     ? "detail"
+                  : drawn.layer == DrawnLayer::Headroom ? "line headroom"
+                                                        : "floor_detail",
                   "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));

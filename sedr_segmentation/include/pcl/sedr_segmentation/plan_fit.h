@@ -48,8 +48,12 @@ Floorplan fitPlan(const PointView& points,
                   std::vector<RoomSheet>* sheets = nullptr);
 
 /** @brief Gives rooms the facets of their ceilings. A room that has none keeps what it
- * has. */
+ * has.
+ * @param scan what the points were thinned from, if it is known, to fit the facets to
+ * @param indices those of its points that count; empty: all */
 void giveCeilings(const std::vector<RoomSheet>& sheets,
+                  const PointView* scan,
+                  const std::vector<int>& indices,
                   unsigned threads,
                   Floorplan& plan);
 

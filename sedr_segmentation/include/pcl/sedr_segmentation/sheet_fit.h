@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -123,6 +124,14 @@ Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
                const std::vector<std::uint8_t>& domain,
                const std::vector<double>& directions,
                const SheetParameters& parameters = {});
+
+/** @brief The last fit: every facet of a sheet to the points of the scan near it, as
+ * many of each cell, away from its borders; reliefs stay as they are.
+ * @param indices those of the scan's points that count; empty: all. O(n). */
+void refitToScan(Sheet& sheet,
+                 const PointView& scan,
+                 const std::vector<int>& indices,
+                 const SheetParameters& parameters = {});
 
 /** @brief A grid over a box in plan, with three cells to spare on every side. */
 SheetGrid sheetGrid(const Eigen::AlignedBox2d& box, const SheetParameters& parameters);

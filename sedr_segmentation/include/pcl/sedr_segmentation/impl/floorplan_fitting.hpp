@@ -138,7 +138,12 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   constexpr double tolerance = 0.05; // metres, of what lies on a wall
   const sedr::PointView points(*input_);
   const std::vector<std::string> cuts = sedr::separateRooms(plan, points, *indices_);
-  sedr::giveCeilings(sheets, parameters_.threads, plan);
+  const bool has_raw = raw_ && raw_().size() > 0 &&
+                       !(raw_indices_ && raw_indices_->empty());
+  const sedr::PointView raw = has_raw ? raw_() : points;
+  sedr::giveCeilings(sheets, has_raw ? &raw : nullptr,
+                     has_raw && raw_indices_ ? *raw_indices_ : Indices(),
+                     parameters_.threads, plan);
   sedr::measureEvidence(plan, points, *indices_, tolerance, parameters_.threads);
   warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
   return true;
