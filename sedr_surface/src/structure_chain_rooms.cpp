@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_segmentation/sheet_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,18 @@ namespace {
 
 /** @brief Of a ceiling, less than this is no matter, square metres. */
 constexpr double worth_word = 1;
+
+/** @brief Where a room's air ends in a column about a place: below a slope, at its
+ * lowest corner. */
+double
+lowestAbout(const PlanRoom& room, const Eigen::Vector2d& place, double size)
+{
+  double lowest = room.ceilingAt(place);
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      lowest = std::min(lowest, room.ceilingAt(place + size * Eigen::Vector2d(x, y)));
+  return lowest;
+}
 
 } // namespace
 
@@ -161,9 +174,25 @@ StructureChain::ceilingOff(std::size_t region,
 bool
 StructureChain::hasSheet(std::size_t region) const
 {
+  constexpr double least_share = 0.2; // of patches that slope: some are seen through doors
   const PlanSlab& slab = regions_[region].ceiling_slab;
-  return ceilingOff(region, [&](const auto& p) { return slab.heightAt(p); }).area >=
-         worth_word;
+  if (ceilingOff(region, [&](const auto& p) { return slab.heightAt(p); }).area >=
+      worth_word)
+    return true;
+  std::vector<Eigen::Vector3d> points;
+  for (const int i : seenCeiling(region))
+    points.push_back((*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
+  return slopingShare(points) >= least_share;
+}
+
+pcl::Indices
+StructureChain::seenCeiling(std::size_t region) const
+{
+  pcl::Indices seen;
+  for (const int i : regions_[region].ceiling)
+    if (static_cast<std::size_t>(i) < scanned_points_) // else put where it was hidden
+      seen.push_back(i);
+  return seen;
 }
 
 pcl::IndicesPtr
@@ -173,10 +202,8 @@ StructureChain::sheetPoints() const
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (!hasSheet(r))
       continue;
-    // Not what was put where the ceiling was hidden.
-    for (const int i : regions_[r].ceiling)
-      if (static_cast<std::size_t>(i) < scanned_points_)
-        sheets->push_back(i);
+    const pcl::Indices seen = seenCeiling(r);
+    sheets->insert(sheets->end(), seen.begin(), seen.end());
   }
   std::sort(sheets->begin(), sheets->end());
   return sheets;
@@ -187,12 +214,11 @@ StructureChain::warnOfCeilings()
 {
   for (const PlanRoom& room : plan->rooms) {
     const std::size_t region = room.id - 1;
-    if (!hasSheet(region))
-      continue;
     const bool has_facets = room.hasFacets();
     const PlanSlab& slab = regions_[region].ceiling_slab;
     const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p) {
-      return has_facets ? room.ceilingAt(p) : slab.heightAt(p);
+      return has_facets ? lowestAbout(room, p, getBuilding().cell_size)
+                        : slab.heightAt(p);
     });
     if (off.area < worth_word)
       continue;

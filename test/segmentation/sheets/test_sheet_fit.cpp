@@ -182,6 +182,18 @@ TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
   EXPECT_NEAR(room.ceilingAt({3.25, 2}), 3, 0.005);
 }
 
+TEST(SlopingShare, TellsVaultsFromLevelCeilings)
+{
+  EXPECT_GT(slopingShare(sceneOf(6, 4, jackArches).points), 0.5);
+  EXPECT_GT(slopingShare(sceneOf(6, 4, gable).points), 0.8);
+  for (const double noise : {0.002, 0.01, 0.02})
+    EXPECT_LT(slopingShare(
+                  sceneOf(6, 4, [](double x, double) { return x < 2.3 ? 2.3 : 2.5; }, noise)
+                      .points),
+              0.05);
+  EXPECT_EQ(slopingShare({}), 0);
+}
+
 TEST(FitSheet, TooFewPointsMakeNoSheet)
 {
   Scene scene = sceneOf(6, 4, gable);

@@ -125,6 +125,11 @@ Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
                const std::vector<double>& directions,
                const SheetParameters& parameters = {});
 
+/** @brief The share of the patches of a ceiling, of half a metre, that are smooth and
+ * slope by more than 4 degrees: none of level planes, most of a roof or of vaults,
+ * however shallow these are. 0 where there are no points. O(n). */
+double slopingShare(const std::vector<Eigen::Vector3d>& points);
+
 /** @brief The last fit: every facet of a sheet to the points of the scan near it, as
  * many of each cell, away from its borders; reliefs stay as they are.
  * @param indices those of the scan's points that count; empty: all. O(n). */

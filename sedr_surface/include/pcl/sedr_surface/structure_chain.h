@@ -200,6 +200,9 @@ private:
   /** @brief Whether a room's ceiling is more than level planes. */
   bool hasSheet(std::size_t region) const;
 
+  /** @brief The points of a room's ceiling that were scanned. */
+  pcl::Indices seenCeiling(std::size_t region) const;
+
   /** @brief The points of all ceilings that are not level, increasing. */
   pcl::IndicesPtr sheetPoints() const;
 
