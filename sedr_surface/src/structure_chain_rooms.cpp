@@ -28,8 +28,8 @@ double
 lowestAbout(const PlanRoom& room, const Eigen::Vector2d& place, double size)
 {
   double lowest = room.ceilingAt(place);
-  for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5})
+  for (const double x : {-1.0, 1.0}) // it may be closed to its neighbours' ends
+    for (const double y : {-1.0, 1.0})
       lowest = std::min(lowest, room.ceilingAt(place + size * Eigen::Vector2d(x, y)));
   return lowest;
 }

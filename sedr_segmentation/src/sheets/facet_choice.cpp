@@ -217,10 +217,14 @@ private:
       if (both.size() < 10)
         continue;
       for (const ShapeKind kind : kinds) {
-        FacetProposal facet = fitFacet(kind, cells_, both, directions_, deviation_);
+        constexpr std::size_t few_points = 300; // most pairs are no one shape
+        constexpr double least_share = 0.8;
+        FacetProposal facet =
+            fitFacet(kind, cells_, both, directions_, deviation_, few_points);
         if (isBuilt(facet, parameters_) &&
-            shareExplained(facet, cells_, both, 2 * deviation_) > 0.5)
-          found.push_back(std::move(facet));
+            shareExplained(facet, cells_, both, 2 * deviation_) > least_share)
+          found.push_back(
+              fitFacet(kind, cells_, std::move(facet.cells), directions_, deviation_));
       }
     }
     return found;

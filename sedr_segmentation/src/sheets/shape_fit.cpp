@@ -322,6 +322,7 @@ refineShape(ShapeKind kind,
             PlanSlab& slab)
 {
   constexpr int most_steps = 30;
+  constexpr double settled = 1e-6; // of the cost
   constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
   const Eigen::Vector3d about = meanOf(points);
@@ -370,7 +371,7 @@ refineShape(ShapeKind kind,
       slab = there;
       numbers = next;
     }
-    if (!is_better || gain < 1e-9 * cost)
+    if (!is_better || gain < settled * cost)
       break;
   }
   double sum = 0;

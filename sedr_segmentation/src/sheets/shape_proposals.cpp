@@ -11,7 +11,7 @@ namespace sedr {
 namespace {
 
 constexpr double band = 3;              ///< deviations that a point of a facet is off
-constexpr std::size_t most_points = 1500; ///< that a shape is fitted to
+constexpr std::size_t most_points = 1500; ///< that a growing shape is fitted to
 
 bool
 explainsCell(const PlanSlab& slab,
@@ -165,7 +165,8 @@ fitFacet(ShapeKind kind,
          const CellPoints& cells,
          std::vector<std::size_t> own,
          const std::vector<double>& directions,
-         double deviation)
+         double deviation,
+         std::size_t most_points)
 {
   const auto points = cells.pointsOf(own, most_points);
   FacetProposal facet;

@@ -27,12 +27,14 @@ double shareExplained(const FacetProposal& facet,
                       const std::vector<std::size_t>& among,
                       double deviation);
 
-/** @brief Fits a shape of a kind to some cells. */
+/** @brief Fits a shape of a kind to some cells, to no more than about `most_points` of
+ * their points. */
 FacetProposal fitFacet(ShapeKind kind,
                        const CellPoints& cells,
                        std::vector<std::size_t> own,
                        const std::vector<double>& directions,
-                       double deviation);
+                       double deviation,
+                       std::size_t most_points = 1500);
 
 /** @brief Shapes that explain parts of a ceiling: planes and curves through windows of
  * the plan, grown over the cells around that agree with them.

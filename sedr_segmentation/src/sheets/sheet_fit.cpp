@@ -92,15 +92,17 @@ sortBySize(FacetChoice& choice)
   choice = std::move(sorted);
 }
 
-/** @brief Whether all cells about one have its label. */
+/** @brief Whether all cells about one have its label, and none lies at a wall. */
 bool
-isWithin(const SheetGrid& grid, const std::vector<std::int32_t>& label, std::size_t cell)
+isWithin(const Sheet& sheet, std::size_t cell)
 {
+  const SheetGrid& grid = sheet.grid;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const int x = grid.columnOf(cell) + dx;
       const int y = grid.rowOf(cell) + dy;
-      if (grid.holds(x, y) && label[grid.indexOf(x, y)] != label[cell])
+      if (!grid.holds(x, y) || !sheet.is_inside[grid.indexOf(x, y)] ||
+          sheet.label[grid.indexOf(x, y)] != sheet.label[cell])
         return false;
     }
   return true;
@@ -123,7 +125,7 @@ finishFacets(const CellPoints& cells,
       continue;
     const auto facet = static_cast<std::size_t>(sheet.label[cell]);
     own[facet].push_back(cell);
-    if (isWithin(sheet.grid, sheet.label, cell))
+    if (isWithin(sheet, cell))
       within[facet].push_back(cell);
   }
   for (std::size_t k = 0; k < choice.facets.size(); ++k) {

@@ -25,7 +25,7 @@ kindOf(const PlanSlab& slab)
   return slab.curve->isSphere() ? ShapeKind::Sphere : ShapeKind::Ellipsoid;
 }
 
-/** @brief The cells that lie in the room and within their facet. */
+/** @brief The cells that lie within their facet, away from the walls. */
 std::vector<std::uint8_t>
 cellsWithinFacets(const Sheet& sheet)
 {
@@ -37,8 +37,10 @@ cellsWithinFacets(const Sheet& sheet)
       for (int dx = -1; dx <= 1; ++dx) {
         const int x = grid.columnOf(cell) + dx;
         const int y = grid.rowOf(cell) + dy;
-        is_alike = is_alike && (!grid.holds(x, y) ||
-                                sheet.label[grid.indexOf(x, y)] == sheet.label[cell]);
+        // Beside the room is a wall, whose points are near a facet, too.
+        is_alike = is_alike && grid.holds(x, y) &&
+                   sheet.is_inside[grid.indexOf(x, y)] != 0 &&
+                   sheet.label[grid.indexOf(x, y)] == sheet.label[cell];
       }
     is_within[cell] = is_alike ? 1 : 0;
   }
