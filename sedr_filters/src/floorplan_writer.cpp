@@ -89,7 +89,7 @@ detailsToJson(const std::vector<PlanDetail>& details)
   Json json = Json::array();
   for (const auto& detail : details)
     if (!detail.is_facet)
-        json.push_back({{"slab", toJson(detail.slab)},
+      json.push_back({{"slab", toJson(detail.slab)},
                       {"boundary", toJson(detail.boundary)},
                       {"holes", loopsToJson(detail.holes)}});
   return json;
@@ -132,19 +132,19 @@ toJson(const Floorplan& plan, std::size_t number)
     niches.push_back({{"bottom", toJson(niche.bottom)},
                       {"top", toJson(niche.top)},
                       {"boundary", toJson(niche.boundary)}});
-  Json json{{"id", room.id},
-            {"area", room.area()},
-            {"perimeter", room.perimeter()},
-            {"height", height},
-            {"volume", volumeOf(room, height)},
-            {"floor", toJson(room.floor)},
-            {"ceiling",
-             room.hasFacets() ? facetToJson(room.ceiling) : toJson(room.ceiling)},
-            {"boundary", wallsToJson(plan, number)},
-            {"columns", loopsToJson(room.columns)},
-            {"details", detailsToJson(room.details)},
-            {"floor_details", detailsToJson(room.floor_details)},
-            {"niches", niches}};
+  Json json{
+      {"id", room.id},
+      {"area", room.area()},
+      {"perimeter", room.perimeter()},
+      {"height", height},
+      {"volume", volumeOf(room, height)},
+      {"floor", toJson(room.floor)},
+      {"ceiling", room.hasFacets() ? facetToJson(room.ceiling) : toJson(room.ceiling)},
+      {"boundary", wallsToJson(plan, number)},
+      {"columns", loopsToJson(room.columns)},
+      {"details", detailsToJson(room.details)},
+      {"floor_details", detailsToJson(room.floor_details)},
+      {"niches", niches}};
   if (room.hasFacets())
     json["facets"] = facetsToJson(room.details);
   return json;
@@ -174,12 +174,12 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling)
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
   Json json{{"format", floorplan_format_name},
-                  {"version", versionOf(plan)},
-                  {"unit", "m"},
-                  {"rooms", rooms},
-                  {"storeys", storeysToJson(plan)},
-                  {"doorways", doorwaysToJson(plan)},
-                  {"stairs", stairsToJson(plan)}};
+            {"version", versionOf(plan)},
+            {"unit", "m"},
+            {"rooms", rooms},
+            {"storeys", storeysToJson(plan)},
+            {"doorways", doorwaysToJson(plan)},
+            {"stairs", stairsToJson(plan)}};
   if (levelling)
     json["levelling"] = toJson(*levelling);
   return json.dump(1) + "\n";

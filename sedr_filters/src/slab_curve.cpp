@@ -26,8 +26,7 @@ double
 squareOut(const SlabCurve& curve, const Eigen::Vector2d& local)
 {
   const double v = local.y() / curve.across;
-  const double u =
-      curve.kind == CurveKind::Ellipsoid ? local.x() / curve.along : 0;
+  const double u = curve.kind == CurveKind::Ellipsoid ? local.x() / curve.along : 0;
   return u * u + v * v;
 }
 
@@ -100,7 +99,8 @@ SlabCurve::heightAt(const Eigen::Vector2d& p) const
     const double high = z[2] + place.share.x() * (z[3] - z[2]);
     return low + place.share.y() * (high - low);
   }
-  return base + up * std::sqrt(std::max(0.0, 1 - squareOut(*this, localPlace(*this, p))));
+  return base +
+         up * std::sqrt(std::max(0.0, 1 - squareOut(*this, localPlace(*this, p))));
 }
 
 Eigen::Vector2d
@@ -109,10 +109,10 @@ SlabCurve::gradientAt(const Eigen::Vector2d& p) const
   if (kind == CurveKind::Relief) {
     const ReliefPlace place = reliefPlace(*this, p);
     const Eigen::Vector4d z = heightsAbout(*this, place);
-    const double x = (1 - place.share.y()) * (z[1] - z[0]) +
-                     place.share.y() * (z[3] - z[2]);
-    const double y = (1 - place.share.x()) * (z[2] - z[0]) +
-                     place.share.x() * (z[3] - z[1]);
+    const double x =
+        (1 - place.share.y()) * (z[1] - z[0]) + place.share.y() * (z[3] - z[2]);
+    const double y =
+        (1 - place.share.x()) * (z[2] - z[0]) + place.share.x() * (z[3] - z[1]);
     return Eigen::Vector2d(x, y) / spacing;
   }
   const Eigen::Vector2d local = localPlace(*this, p);
@@ -131,14 +131,16 @@ SlabCurve::gradientAt(const Eigen::Vector2d& p) const
 bool
 SlabCurve::isFinite() const
 {
-  const bool is_placed = centre.allFinite() && std::isfinite(base) &&
-                         std::abs(axis.norm() - 1) < 1e-6;
+  const bool is_placed =
+      centre.allFinite() && std::isfinite(base) && std::abs(axis.norm() - 1) < 1e-6;
   if (kind == CurveKind::Relief)
     return is_placed && spacing > 0 && columns > 1 && rows() > 1 &&
            heights.size() == columns * rows() &&
            std::all_of(heights.begin(), heights.end(),
                        [](double z) { return std::isfinite(z); });
-  const auto isExtent = [](double extent) { return extent > 0 && std::isfinite(extent); };
+  const auto isExtent = [](double extent) {
+    return extent > 0 && std::isfinite(extent);
+  };
   return is_placed && isExtent(across) && isExtent(up) &&
          (kind == CurveKind::Cylinder || isExtent(along));
 }

@@ -244,8 +244,8 @@ SurfaceCells::cellOf(const Sheet& sheet, const Eigen::Vector2d& place) const
   if (!(at.x() >= 0 && at.y() >= 0 && at.x() < static_cast<double>(sheet.width) &&
         at.y() < static_cast<double>(sheet.height)))
     return none;
-  const std::size_t i = static_cast<std::size_t>(at.y()) * sheet.width +
-                        static_cast<std::size_t>(at.x());
+  const std::size_t i =
+      static_cast<std::size_t>(at.y()) * sheet.width + static_cast<std::size_t>(at.x());
   const std::size_t parts = sheet.parts[i];
   const auto partOf = [parts](double share) {
     return std::min(parts - 1,

@@ -163,7 +163,9 @@ std::shared_ptr<const PlanSlab>
 seenSheet(const std::vector<Eigen::Vector3d>& points)
 {
   constexpr double least_explained = 0.6;
-  SheetParameters parameters;
+  SheetParameters parameters; // coarse: only the tops of walls are asked for
+  parameters.cell_size = 0.15;
+  parameters.most_cells = 6000;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
     box.extend(p.head<2>());
@@ -267,11 +269,10 @@ fitPlan(const PointView& points,
                          std::move(behind[r])},
                         {}});
   if (sheets)
-    parallelBlocks(numbers.size(), 1, parameters.threads,
-                   [&](std::size_t r, std::size_t) {
-                     all_work[r].evidence.sheet =
-                         seenSheet(placesOf(points, of_sheets[r]));
-                   });
+    parallelBlocks(
+        numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+          all_work[r].evidence.sheet = seenSheet(placesOf(points, of_sheets[r]));
+        });
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);
@@ -321,9 +322,9 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
              Floorplan& plan)
 {
   parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
-    const auto room = std::find_if(
-        plan.rooms.begin(), plan.rooms.end(),
-        [&](const PlanRoom& other) { return other.id == sheets[k].room; });
+    const auto room =
+        std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                     [&](const PlanRoom& other) { return other.id == sheets[k].room; });
     if (room == plan.rooms.end())
       return;
     const SheetParameters parameters;

@@ -91,9 +91,7 @@ writeTables(DxfText& dxf, bool has_headroom)
   dxf.group(0, "LTYPE").group(2, "DASHED").group(70, 0).group(3, "__ __ __");
   dxf.group(72, 65).group(73, 2).group(40, 0.15).group(49, 0.1).group(49, -0.05);
   dxf.group(0, "ENDTAB");
-  dxf.group(0, "TABLE")
-      .group(2, "LAYER")
-      .group(70, static_cast<int>(used.size()));
+  dxf.group(0, "TABLE").group(2, "LAYER").group(70, static_cast<int>(used.size()));
   for (const Layer& layer : used)
     dxf.group(0, "LAYER")
         .group(2, layer.name)

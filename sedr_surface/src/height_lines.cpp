@@ -16,7 +16,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double usual_step = 0.05;  ///< metres between the places looked at
+constexpr double usual_step = 0.05;     ///< metres between the places looked at
 constexpr std::size_t most_steps = 400; ///< along the longer side of a room
 
 /** @brief Heights of a ceiling over the floor on a grid over a room. */
@@ -151,8 +151,8 @@ addPieces(const std::vector<Eigen::Vector2d>& line,
   std::size_t farthest = first;
   double most = tolerance;
   for (std::size_t k = first + 1; k < last; ++k) {
-    const double distance = piece.length() > 0 ? piece.distance(line[k])
-                                               : (line[k] - piece.start).norm();
+    const double distance =
+        piece.length() > 0 ? piece.distance(line[k]) : (line[k] - piece.start).norm();
     if (distance <= most)
       continue;
     most = distance;

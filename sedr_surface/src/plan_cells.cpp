@@ -240,8 +240,7 @@ PlanCells::creases() const
       if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
           region_[n] != region_[t])
         continue;
-      const std::size_t element =
-          layers_.slabs[static_cast<std::size_t>(slab)].element;
+      const std::size_t element = layers_.slabs[static_cast<std::size_t>(slab)].element;
       if (std::any_of(edge->uses.begin(), edge->uses.end(), [&](const SegmentUse& use) {
             return sources_[use.segment].loop == SegmentSource::no_loop &&
                    sources_[use.segment].element == element;

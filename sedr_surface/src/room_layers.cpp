@@ -42,12 +42,10 @@ RoomLayers::RoomLayers(const PlanRoom& room)
     const std::string name = numbered("niche", n);
     Part niche;
     niche.boundary = loops.size();
-    niche.region.floor =
-        addSlab(room.niches[n].bottom, room.niches[n].boundary, StructureLabel::Detail,
-                name + "_bottom");
-    niche.region.ceiling =
-        addSlab(room.niches[n].top, room.niches[n].boundary, StructureLabel::Detail,
-                name + "_top");
+    niche.region.floor = addSlab(room.niches[n].bottom, room.niches[n].boundary,
+                                 StructureLabel::Detail, name + "_bottom");
+    niche.region.ceiling = addSlab(room.niches[n].top, room.niches[n].boundary,
+                                   StructureLabel::Detail, name + "_top");
     addLoop(room.niches[n].boundary, LoopRole::NicheSide, name + "_side");
     niches_.push_back(niche);
   }

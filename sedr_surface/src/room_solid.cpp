@@ -39,10 +39,10 @@ slabProblem(const PlanSlab& slab, const std::string& name)
 {
   const Eigen::Vector4d& plane = slab.plane;
   constexpr double least_upward = 0.49; // a slope of 60 degrees, and what rounding adds
-  const bool is_sound =
-      plane.allFinite() && plane[2] >= least_upward * plane.head<3>().norm() &&
-      plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
-      std::abs(slab.heightAt({0, 0})) <= 4 * most_coordinate;
+  const bool is_sound = plane.allFinite() &&
+                        plane[2] >= least_upward * plane.head<3>().norm() &&
+                        plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
+                        std::abs(slab.heightAt({0, 0})) <= 4 * most_coordinate;
   return is_sound ? std::string()
                   : name + " is not finite, leans by more than 60 degrees or lies "
                            "beyond 1000000 m";

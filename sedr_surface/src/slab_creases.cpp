@@ -9,7 +9,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double margin = 0.01;      ///< metres: beyond the bounds, and of the springing
+constexpr double margin = 0.01; ///< metres: beyond the bounds, and of the springing
 constexpr double most_creases = 2000; ///< of a cylinder, or rays of a dome
 
 /** @brief The angle between two creases of a circle of that radius, radians. */
@@ -137,11 +137,10 @@ clip(const Eigen::AlignedBox2d& box, Crease& crease)
 std::vector<Crease>
 creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
 {
-  std::vector<Crease> creases = curve.kind == CurveKind::Relief
-                                    ? reliefCreases(curve, bounds)
-                                : curve.kind == CurveKind::Cylinder
-                                    ? cylinderCreases(curve, bounds, tolerance)
-                                    : domeCreases(curve, bounds, tolerance);
+  std::vector<Crease> creases =
+      curve.kind == CurveKind::Relief     ? reliefCreases(curve, bounds)
+      : curve.kind == CurveKind::Cylinder ? cylinderCreases(curve, bounds, tolerance)
+                                          : domeCreases(curve, bounds, tolerance);
   const Eigen::Rotation2Dd turn(curve.direction());
   const Eigen::AlignedBox2d box(bounds.min() - Eigen::Vector2d::Constant(margin),
                                 bounds.max() + Eigen::Vector2d::Constant(margin));

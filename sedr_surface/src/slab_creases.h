@@ -20,9 +20,8 @@ using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
  * @param bounds in plan of what the curve covers, metres, not empty; creases reach a
  * little farther
  * @param tolerance metres, above 0 */
-std::vector<Crease> creasesOf(const SlabCurve& curve,
-                              const Eigen::AlignedBox2d& bounds,
-                              double tolerance);
+std::vector<Crease>
+creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance);
 
 } // namespace sedr
 } // namespace pcl

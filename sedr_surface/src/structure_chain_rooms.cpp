@@ -22,16 +22,23 @@ namespace {
 /** @brief Of a ceiling, less than this is no matter, square metres. */
 constexpr double worth_word = 1;
 
-/** @brief Where a room's air ends in a column about a place: below a slope, at its
- * lowest corner. */
+/** @brief How far a height is from those of a room's ceiling over a column about a
+ * place and its neighbours, metres: a slope has many. */
 double
-lowestAbout(const PlanRoom& room, const Eigen::Vector2d& place, double size)
+distanceFromCeiling(const PlanRoom& room,
+                    const Eigen::Vector2d& place,
+                    double size,
+                    double height)
 {
-  double lowest = room.ceilingAt(place);
-  for (const double x : {-1.0, 1.0}) // it may be closed to its neighbours' ends
-    for (const double y : {-1.0, 1.0})
-      lowest = std::min(lowest, room.ceilingAt(place + size * Eigen::Vector2d(x, y)));
-  return lowest;
+  double low = room.ceilingAt(place);
+  double high = low;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const double z = room.ceilingAt(place + size * Eigen::Vector2d(x, y));
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+  return std::max({0.0, low - height, height - high});
 }
 
 } // namespace
@@ -153,8 +160,9 @@ StructureChain::labelLowerCeilings(std::size_t region)
 }
 
 StructureChain::PlaceOff
-StructureChain::ceilingOff(std::size_t region,
-                           const std::function<double(const Eigen::Vector2d&)>& modelled) const
+StructureChain::ceilingOff(
+    std::size_t region,
+    const std::function<double(const Eigen::Vector2d&, double)>& distance) const
 {
   constexpr double off = 0.1; // metres from what stands for it
   const Building& building = getBuilding();
@@ -162,7 +170,7 @@ StructureChain::ceilingOff(std::size_t region,
   PlaceOff place;
   for (const RoomColumn& column : building.rooms[region].columns) {
     if (column.is_level || !column.ceiling_seen ||
-        std::abs(column.ceiling - modelled(columns.centre(column.cell))) <= off)
+        distance(columns.centre(column.cell), column.ceiling) <= off)
       continue;
     place.area += building.cell_size * building.cell_size;
     place.low = std::min<double>(place.low, column.ceiling);
@@ -174,14 +182,11 @@ StructureChain::ceilingOff(std::size_t region,
 bool
 StructureChain::hasSheet(std::size_t region) const
 {
-  constexpr double least_share = 0.2; // of patches that slope: some are seen through doors
-  const PlanSlab& slab = regions_[region].ceiling_slab;
-  if (ceilingOff(region, [&](const auto& p) { return slab.heightAt(p); }).area >=
-      worth_word)
-    return true;
+  constexpr double least_share = 0.2; // of patches: ribs, risers and lamps make a few
   std::vector<Eigen::Vector3d> points;
   for (const int i : seenCeiling(region))
-    points.push_back((*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
+    points.push_back(
+        (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
   return slopingShare(points) >= least_share;
 }
 
@@ -216,9 +221,9 @@ StructureChain::warnOfCeilings()
     const std::size_t region = room.id - 1;
     const bool has_facets = room.hasFacets();
     const PlanSlab& slab = regions_[region].ceiling_slab;
-    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p) {
-      return has_facets ? lowestAbout(room, p, getBuilding().cell_size)
-                        : slab.heightAt(p);
+    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
+      return has_facets ? distanceFromCeiling(room, p, getBuilding().cell_size, z)
+                        : std::abs(z - slab.heightAt(p));
     });
     if (off.area < worth_word)
       continue;

@@ -27,10 +27,10 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
   };
   // Where two facets meet, their borders are known to some tenths of a millimetre.
   const auto sameFor = [&](int slab, int other) {
-    return static_cast<std::int64_t>(
-        (isFacet(slab) && isFacet(other) ? std::max(separation, facet_step)
-                                         : separation) /
-        unit);
+    return static_cast<std::int64_t>((isFacet(slab) && isFacet(other)
+                                          ? std::max(separation, facet_step)
+                                          : separation) /
+                                     unit);
   };
   std::vector<std::pair<std::int64_t, int>> heights;
   for (const Spoke& spoke : spokes)

@@ -61,7 +61,8 @@ TEST(SlabCurve, ACylinderIsACircleAcrossItsAxis)
   const SlabCurve curve = barrel();
   for (const double along : {-3.0, 0.0, 5.0})
     for (const double aside : {-1.9, -1.0, 0.0, 0.6, 2.0}) {
-      const Eigen::Vector2d p = curve.centre + along * curve.axis + aside * asideOf(curve);
+      const Eigen::Vector2d p =
+          curve.centre + along * curve.axis + aside * asideOf(curve);
       EXPECT_NEAR(curve.heightAt(p), 0.5 + std::sqrt(4 - aside * aside), 1e-7);
     }
   EXPECT_EQ(curve.heightAt(curve.centre + 2.5 * asideOf(curve)), 0.5) << "beside it";
@@ -92,8 +93,7 @@ TEST(SlabCurve, GradientsAreDifferencesOfHeights)
   for (const SlabCurve& curve : {barrel(), dome()})
     for (const Eigen::Vector2d& off : {Eigen::Vector2d(0.3, -0.4), {-1.0, 0.8}}) {
       const Eigen::Vector2d p = curve.centre + off;
-      for (const Eigen::Vector2d& way :
-           {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
+      for (const Eigen::Vector2d& way : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
         EXPECT_NEAR(curve.gradientAt(p).dot(way),
                     (curve.heightAt(p + step * way) - curve.heightAt(p - step * way)) /
                         (2 * step),
@@ -112,8 +112,8 @@ TEST(SlabCurve, DistancesFromRoundOnesAreExact)
   PlanSlab slab;
   slab.curve = std::make_shared<const SlabCurve>(curve);
   EXPECT_NEAR(distanceAbove(slab, p.cast<float>()), -0.5, 1e-6);
-  EXPECT_NEAR((slab.normalAt(place) - Eigen::Vector3d(asideOf(curve).x() * 0.6,
-                                                      asideOf(curve).y() * 0.6, 0.8))
+  EXPECT_NEAR((slab.normalAt(place) -
+               Eigen::Vector3d(asideOf(curve).x() * 0.6, asideOf(curve).y() * 0.6, 0.8))
                   .norm(),
               0, 1e-9);
 }

@@ -54,9 +54,9 @@ TEST(Vaults, facetsStrayByTenthsOfAMillimetre)
   for (const SlabDetail& facet : facetsOf(vault, rectangleLoop({0, 0}, {6, 4}))) {
     Vec2 middle{};
     for (const LoopVertex& vertex : facet.loop)
-      middle = middle + (1.0 / static_cast<double>(facet.loop.size())) * vertex.position;
-    const double off =
-        cross(Vec2{std::cos(0.3), std::sin(0.3)}, middle - vault.at);
+      middle =
+          middle + (1.0 / static_cast<double>(facet.loop.size())) * vertex.position;
+    const double off = cross(Vec2{std::cos(0.3), std::sin(0.3)}, middle - vault.at);
     EXPECT_NEAR(heightAt(facet.slab, middle), -1.0 + std::sqrt(25.0 - off * off),
                 1.2 * kFacetTolerance);
     EXPECT_TRUE(facet.is_facet);

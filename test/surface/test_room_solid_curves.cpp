@@ -37,9 +37,8 @@ farthestFrom(const SlabCurve& curve, const Solid& solid)
     if (solid.mesh.labels[t] == 1)
       for (std::size_t k = 0; k < 3; ++k)
         for (const double share : {0.0, 0.5}) {
-          const Eigen::Vector3d p =
-              (1 - share) * solid.mesh.corner(t, k) +
-              share * solid.mesh.corner(t, (k + 1) % 3);
+          const Eigen::Vector3d p = (1 - share) * solid.mesh.corner(t, k) +
+                                    share * solid.mesh.corner(t, (k + 1) % 3);
           farthest = std::max(farthest, std::abs(curve.distanceAbove(p)));
         }
   return farthest;

@@ -85,7 +85,9 @@ facetsOf(const Vault& vault, const Loop& loop)
   const auto count = static_cast<int>(std::ceil((last - first) / steps.angle));
   const auto edgeAt = [&](int k) {
     const double angle = first + (last - first) * k / count;
-    return Vec2{k == 0 ? low : k == count ? high : steps.radius * std::sin(angle),
+    return Vec2{k == 0       ? low
+                : k == count ? high
+                             : steps.radius * std::sin(angle),
                 vault.height + steps.radius * std::cos(angle)};
   };
   std::vector<SlabDetail> facets;
@@ -125,7 +127,8 @@ facetsOf(const Dome& dome)
   facets.push_back(facetOver(top, {heightAt(1)}));
   for (int ring = 1; ring < rings; ++ring)
     for (int ray = 0; ray < rays; ++ray) {
-      const std::vector<Vec2> corners{placeAt(ring + 1, ray), placeAt(ring + 1, ray + 1),
+      const std::vector<Vec2> corners{placeAt(ring + 1, ray),
+                                      placeAt(ring + 1, ray + 1),
                                       placeAt(ring, ray + 1), placeAt(ring, ray)};
       // Its two level edges are parallel.
       const Vec2 outer = 0.5 * (corners[0] + corners[1]);

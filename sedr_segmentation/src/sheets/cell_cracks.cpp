@@ -28,7 +28,8 @@ public:
     for (int y = 0; y <= grid_.rows; ++y)
       for (int x = 0; x <= grid_.columns; ++x)
         for (std::size_t way = 0; way < ways.size(); ++way)
-          if (isCrack({x, y}, way) && leftOf({x, y}, way) >= 0 && !isWalked({x, y}, way))
+          if (isCrack({x, y}, way) && leftOf({x, y}, way) >= 0 &&
+              !isWalked({x, y}, way))
             walk({x, y}, way);
   }
 
@@ -118,8 +119,8 @@ private:
         return {known->second, false};
     }
     const Step& final = steps[last - 1];
-    chain.vertices.push_back({final.first.x + ways[final.second].x,
-                              final.first.y + ways[final.second].y});
+    chain.vertices.push_back(
+        {final.first.x + ways[final.second].x, final.first.y + ways[final.second].y});
     chain.left = leftOf(steps[first].first, steps[first].second);
     chain.right = rightOf(steps[first].first, steps[first].second);
     for (std::size_t k = first; k < last; ++k)

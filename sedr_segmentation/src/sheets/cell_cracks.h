@@ -35,9 +35,9 @@ struct ChainUse {
 
 /** @brief Cells of a grid in pieces, and the lines between these. */
 struct CellCracks {
-  std::vector<std::int32_t> piece;       ///< of each cell
-  std::vector<std::size_t> first_cell;   ///< of each piece
-  std::vector<std::size_t> cell_count;   ///< of each piece
+  std::vector<std::int32_t> piece;     ///< of each cell
+  std::vector<std::size_t> first_cell; ///< of each piece
+  std::vector<std::size_t> cell_count; ///< of each piece
   std::vector<CrackChain> chains;
   std::vector<std::vector<std::vector<ChainUse>>> loops; ///< of each piece, which is on
                                                          ///< the left of them

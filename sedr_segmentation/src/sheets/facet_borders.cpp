@@ -19,8 +19,8 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-constexpr double fine = 2e-4;  ///< metres that a border may be off
-constexpr double reach = 2.5;  ///< cells that a label may be off where it was seen
+constexpr double fine = 2e-4;    ///< metres that a border may be off
+constexpr double reach = 2.5;    ///< cells that a label may be off where it was seen
 constexpr double far_reach = 10; ///< cells that it may be off elsewhere
 
 Place
@@ -112,10 +112,9 @@ simplify(const std::vector<Place>& line,
   double most = tolerance;
   for (std::size_t k = first + 1; k < last; ++k) {
     const Place off = line[k] - line[first];
-    const double share =
-        way.squaredNorm() > 0
-            ? std::clamp(off.dot(way) / way.squaredNorm(), 0.0, 1.0)
-            : 0;
+    const double share = way.squaredNorm() > 0
+                             ? std::clamp(off.dot(way) / way.squaredNorm(), 0.0, 1.0)
+                             : 0;
     const double distance = (off - share * way).norm();
     if (distance <= most)
       continue;
@@ -486,8 +485,8 @@ private:
     const Place& last = part.samples.back();
     const bool is_round = (first - last).norm() < margin && part.samples.size() > 8;
     for (const Place& sample : part.samples)
-      if (is_round || ((sample - first).norm() > margin &&
-                       (sample - last).norm() > margin))
+      if (is_round ||
+          ((sample - first).norm() > margin && (sample - last).norm() > margin))
         line.push_back(sample);
   }
 

@@ -221,10 +221,12 @@ private:
         constexpr double least_share = 0.8;
         FacetProposal facet =
             fitFacet(kind, cells_, both, directions_, deviation_, few_points);
-        if (isBuilt(facet, parameters_) &&
-            shareExplained(facet, cells_, both, 2 * deviation_) > least_share)
-          found.push_back(
-              fitFacet(kind, cells_, std::move(facet.cells), directions_, deviation_));
+        if (!isBuilt(facet, parameters_) ||
+            shareExplained(facet, cells_, both, 2 * deviation_) <= least_share)
+          continue;
+        facet = fitFacet(kind, cells_, both, directions_, deviation_);
+        if (isBuilt(facet, parameters_))
+          found.push_back(std::move(facet));
       }
     }
     return found;

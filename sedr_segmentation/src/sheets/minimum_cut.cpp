@@ -19,8 +19,8 @@ struct Arc {
   Traits::edge_descriptor reverse;
 };
 
-using Graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Arc>;
+using Graph = boost::
+    adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Arc>;
 
 void
 addArcs(Graph& graph, std::size_t from, std::size_t to, double there, double back)

@@ -75,7 +75,8 @@ fitCircle(const std::vector<Eigen::Vector2d>& places,
   return middle.y() < 0; // the centre lies below the points
 }
 
-/** @brief The direction in which points curve least, by a parabola of two directions. */
+/** @brief The direction in which points curve least, by a parabola of two directions.
+ */
 double
 directionOfAxis(const std::vector<Eigen::Vector3d>& points)
 {
@@ -88,13 +89,13 @@ directionOfAxis(const std::vector<Eigen::Vector3d>& points)
         p.x() * p.y(), p.y() * p.y();
     heights[static_cast<Eigen::Index>(i)] = p.z();
   }
-  const Eigen::VectorXd c = (rows.transpose() * rows).ldlt().solve(rows.transpose() * heights);
+  const Eigen::VectorXd c =
+      (rows.transpose() * rows).ldlt().solve(rows.transpose() * heights);
   Eigen::Matrix2d bend;
   bend << 2 * c[3], c[4], c[4], 2 * c[5];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(bend);
-  const int flat = std::abs(solver.eigenvalues()[0]) < std::abs(solver.eigenvalues()[1])
-                       ? 0
-                       : 1;
+  const int flat =
+      std::abs(solver.eigenvalues()[0]) < std::abs(solver.eigenvalues()[1]) ? 0 : 1;
   const Eigen::Vector2d axis = solver.eigenvectors().col(flat);
   return std::atan2(axis.y(), axis.x());
 }
@@ -323,8 +324,10 @@ refineShape(ShapeKind kind,
 {
   constexpr int most_steps = 30;
   constexpr double settled = 1e-6; // of the cost
-  constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
+  constexpr double cut = 4.7;      // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
+  if (points.empty() || (kind != ShapeKind::Plane && !slab.curve))
+    return infinity;
   const Eigen::Vector3d about = meanOf(points);
   Parameters numbers = numbersOf(kind, slab, about);
   const Eigen::Index count = numbers.size();
@@ -347,8 +350,7 @@ refineShape(ShapeKind kind,
       if (weight <= 0)
         continue;
       for (Eigen::Index k = 0; k < count; ++k)
-        row[k] =
-            (distanceOf(moved[static_cast<std::size_t>(k)], p) - distance) / nudge;
+        row[k] = (distanceOf(moved[static_cast<std::size_t>(k)], p) - distance) / nudge;
       normal.noalias() += weight * row * row.transpose();
       right -= weight * distance * row;
     }

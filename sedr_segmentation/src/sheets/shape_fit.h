@@ -10,7 +10,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The closed forms that a facet may have, by increasing number of parameters. */
+/** @brief The closed forms that a facet may have, by increasing number of parameters.
+ */
 enum class ShapeKind { Plane, Cylinder, Sphere, EllipticCylinder, Ellipsoid };
 
 /** @brief How many numbers say what a facet of the kind is. */
@@ -22,7 +23,8 @@ double distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p);
 /** @brief The plane of least squares in z. At least three points. */
 PlanSlab fitPlane(const std::vector<Eigen::Vector3d>& points);
 
-/** @brief A shape through points that are all of it, roughly: a start for refineShape().
+/** @brief A shape through points that are all of it, roughly: a start for
+ * refineShape().
  *
  * Cylinders are looked for along the direction in which the points curve least, and
  * along `directions`.
@@ -34,7 +36,8 @@ PlanSlab startShape(ShapeKind kind,
 /** @brief Least squares of distances by Tukey's biweight: what is farther than 4.7
  * `deviation` counts for nothing. Gauss and Newton's way, damped.
  * @param[in,out] slab of the kind; where the fit fails it stays
- * @return the root mean square distance of what counts, metres */
+ * @return the root mean square distance of what counts, metres; infinite where there is
+ * none */
 double refineShape(ShapeKind kind,
                    const std::vector<Eigen::Vector3d>& points,
                    double deviation,

@@ -10,7 +10,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double band = 3;              ///< deviations that a point of a facet is off
+constexpr double band = 3;                ///< deviations that a point of a facet is off
 constexpr std::size_t most_points = 1500; ///< that a growing shape is fitted to
 
 bool
@@ -95,8 +95,7 @@ public:
       if (!isBuilt(facet, parameters_) ||
           shareExplained(facet, cells_, window, deviation_) < least_share)
         return false;
-      std::vector<std::size_t> grown =
-          grownCells(facet.slab, cells_, seed, deviation_);
+      std::vector<std::size_t> grown = grownCells(facet.slab, cells_, seed, deviation_);
       const bool has_settled = grown == facet.cells;
       facet.cells = std::move(grown);
       if (has_settled)
@@ -191,9 +190,9 @@ proposeFacets(const CellPoints& cells,
     ShapeKind kind;
     int reach; // cells
   };
-  const std::vector<Scale> scales{
-      {ShapeKind::Plane, 3},     {ShapeKind::Cylinder, 5}, {ShapeKind::Cylinder, 10},
-      {ShapeKind::Cylinder, 16}, {ShapeKind::Sphere, 10},  {ShapeKind::Sphere, 16}};
+  const std::vector<Scale> scales{{ShapeKind::Plane, 3},     {ShapeKind::Cylinder, 5},
+                                  {ShapeKind::Cylinder, 10}, {ShapeKind::Cylinder, 16},
+                                  {ShapeKind::Sphere, 10},   {ShapeKind::Sphere, 16}};
   constexpr std::size_t most_seeds = 600;
   const SheetGrid& grid = cells.grid();
   const int stride = std::max(

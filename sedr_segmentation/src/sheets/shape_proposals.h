@@ -17,7 +17,8 @@ struct FacetProposal {
   std::vector<std::size_t> cells; ///< those that it was fitted to
 };
 
-/** @brief Whether a shape is one that is built: not too steep, too flat or too small. */
+/** @brief Whether a shape is one that is built: not too steep, too flat or too small.
+ */
 bool isBuilt(const FacetProposal& facet, const SheetParameters& parameters);
 
 /** @brief The share of some cells of which a shape explains at least half of the

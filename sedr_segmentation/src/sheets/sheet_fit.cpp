@@ -26,7 +26,8 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
   while (!front.empty()) {
     std::vector<std::size_t> next;
     for (const std::size_t cell : front)
-      for (const auto& [dx, dy] : {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      for (const auto& [dx, dy] :
+           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int x = grid.columnOf(cell) + dx;
         const int y = grid.rowOf(cell) + dy;
         if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != Sheet::none)
@@ -40,7 +41,9 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
 
 /** @brief Takes the label from pieces of facets that are too small to be one. */
 void
-dropSmallPieces(const SheetGrid& grid, double least_area, std::vector<std::int32_t>& label)
+dropSmallPieces(const SheetGrid& grid,
+                double least_area,
+                std::vector<std::int32_t>& label)
 {
   std::vector<std::uint8_t> is_known(label.size(), 0);
   for (std::size_t first = 0; first < label.size(); ++first) {
@@ -50,7 +53,8 @@ dropSmallPieces(const SheetGrid& grid, double least_area, std::vector<std::int32
     std::vector<std::size_t> piece{first};
     is_known[first] = 1;
     for (std::size_t k = 0; k < piece.size(); ++k)
-      for (const auto& [dx, dy] : {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      for (const auto& [dx, dy] :
+           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int x = grid.columnOf(piece[k]) + dx;
         const int y = grid.rowOf(piece[k]) + dy;
         if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != own ||
@@ -108,12 +112,30 @@ isWithin(const Sheet& sheet, std::size_t cell)
   return true;
 }
 
+/** @brief The plane that stands for a curve: through its points, level if it would lean
+ * by more than planes may. */
+Eigen::Vector4d
+planeNear(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double least_upward = 0.5; // 60 degrees
+  const Eigen::Vector4d plane = points.size() < 3
+                                    ? Eigen::Vector4d::Zero()
+                                    : Eigen::Vector4d(fitPlane(points).plane);
+  if (plane.allFinite() && plane[2] >= least_upward)
+    return plane;
+  double height = 0;
+  for (const Eigen::Vector3d& p : points)
+    height += p.z() / static_cast<double>(points.size());
+  return {0, 0, 1, -height};
+}
+
 /** @brief The last fit of every facet, to points away from its borders, and what is
  * known of it then. */
 void
 finishFacets(const CellPoints& cells,
              const FacetChoice& choice,
              double deviation,
+             const SheetParameters& parameters,
              Sheet& sheet)
 {
   constexpr std::size_t most_points = 40000;
@@ -133,8 +155,15 @@ finishFacets(const CellPoints& cells,
     PlanSlab slab = facet.slab;
     const bool is_relief = slab.curve && slab.curve->kind == CurveKind::Relief;
     const auto& fitted = within[k].size() >= least_cells ? within[k] : own[k];
-    if (!is_relief && !fitted.empty())
-      refineShape(facet.kind, cells.pointsOf(fitted, most_points), deviation, slab);
+    if (!is_relief && !fitted.empty()) {
+      FacetProposal refined = facet;
+      refineShape(facet.kind, cells.pointsOf(fitted, most_points), deviation,
+                  refined.slab);
+      if (isBuilt(refined, parameters))
+        slab = refined.slab;
+    }
+    if (slab.curve)
+      slab.plane = planeNear(cells.pointsOf(own[k], most_points));
     double sum = 0;
     for (const std::size_t cell : own[k])
       for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
@@ -156,7 +185,8 @@ double
 Sheet::heightAt(const Eigen::Vector2d& p) const
 {
   const Eigen::Vector2d place = (p - grid.origin) / grid.size;
-  const int x = std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
+  const int x =
+      std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
   const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, grid.rows - 1);
   return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(p);
 }
@@ -234,7 +264,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     seen += sheet.is_seen[cell];
   }
   sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
-  finishFacets(cells, choice, deviation, sheet);
+  finishFacets(cells, choice, deviation, parameters, sheet);
   return sheet;
 }
 

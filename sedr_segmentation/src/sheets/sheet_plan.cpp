@@ -68,7 +68,8 @@ shareInferred(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
   std::size_t inside = 0;
   std::size_t seen = 0;
   for (std::size_t cell = 0; cell < cracks.piece.size(); ++cell) {
-    if (cracks.piece[cell] != static_cast<std::int32_t>(piece) || !sheet.is_inside[cell])
+    if (cracks.piece[cell] != static_cast<std::int32_t>(piece) ||
+        !sheet.is_inside[cell])
       continue;
     ++inside;
     seen += sheet.is_seen[cell];
@@ -81,10 +82,10 @@ areaInside(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
 {
   std::size_t inside = 0;
   for (std::size_t cell = 0; cell < cracks.piece.size(); ++cell)
-    inside += cracks.piece[cell] == static_cast<std::int32_t>(piece) &&
-                      sheet.is_inside[cell]
-                  ? 1
-                  : 0;
+    inside +=
+        cracks.piece[cell] == static_cast<std::int32_t>(piece) && sheet.is_inside[cell]
+            ? 1
+            : 0;
   return static_cast<double>(inside) * sheet.grid.size * sheet.grid.size;
 }
 
@@ -93,7 +94,7 @@ areaInside(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
 std::vector<double>
 wallDirections(const PlanLoop& boundary)
 {
-  constexpr double same = 0.035;       // radians
+  constexpr double same = 0.035; // radians
   constexpr std::size_t most = 4;
   std::vector<std::pair<double, double>> weights; // direction, length
   for (const PlanElement& element : boundary.elements) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shape_fit.h"
+#include "shape_proposals.h"
 
 #include <pcl/sedr_filters/middle_value.h>
 #include <pcl/sedr_segmentation/sheet_fit.h>
@@ -59,8 +59,7 @@ forAllNear(const Sheet& sheet,
   const double band = std::max(0.03, 5 * sheet.noise);
   const std::size_t size = indices.empty() ? scan.size() : indices.size();
   for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t i =
-        indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
     if (!scan.isFinite(i))
       continue;
     const Eigen::Vector3d p = scan[i].cast<double>();
@@ -106,9 +105,13 @@ refitToScan(Sheet& sheet,
       off.push_back(std::abs(distanceOf(facet, p)));
     constexpr double of_median = 1.4826;
     const double noise = of_median * middleValue(std::move(off));
-    facet.residual = refineShape(kindOf(facet), points[f],
-                                 std::hypot(noise, parameters.unevenness), facet);
-    facet.inliers = points[f].size();
+    FacetProposal refined{kindOf(facet), facet, {}};
+    refined.slab.residual =
+        refineShape(refined.kind, points[f], std::hypot(noise, parameters.unevenness),
+                    refined.slab);
+    refined.slab.inliers = points[f].size();
+    if (isBuilt(refined, parameters))
+      facet = refined.slab;
   }
 }
 

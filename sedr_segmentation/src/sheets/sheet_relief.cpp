@@ -84,8 +84,11 @@ reliefThrough(const CellPoints& cells,
               const SheetParameters& parameters)
 {
   Eigen::AlignedBox2d box;
-  for (const std::size_t cell : own)
-    box.extend(cells.grid().centre(cell));
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(cells.grid().size / 2);
+  for (const std::size_t cell : own) {
+    box.extend(cells.grid().centre(cell) - half);
+    box.extend(cells.grid().centre(cell) + half);
+  }
   SlabCurve relief;
   relief.kind = CurveKind::Relief;
   relief.spacing = parameters.relief_spacing;
@@ -144,8 +147,8 @@ addReliefs(const CellPoints& cells,
         (choice.facets.empty() ||
          choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell] >
              unexplained * outlier);
-  const auto least = static_cast<std::size_t>(parameters.least_relief /
-                                              (grid.size * grid.size));
+  const auto least =
+      static_cast<std::size_t>(parameters.least_relief / (grid.size * grid.size));
   choice.label.resize(grid.count(), 0);
   const std::size_t before = choice.facets.size();
   for (const std::vector<std::size_t>& piece : piecesOf(grid, is_left)) {

@@ -12,9 +12,9 @@ namespace sedr {
 double
 slopingShare(const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr double patch = 0.5;              // metres
-  constexpr double level = 4 * M_PI / 180;   // planes of level ceilings lean by 3 degrees
-  constexpr double smooth = 1.5;             // deviations
+  constexpr double patch = 0.5;            // metres
+  constexpr double level = 4 * M_PI / 180; // planes of level ceilings lean by 3 degrees
+  constexpr double smooth = 1.5;           // deviations
   constexpr std::size_t least_points = 20;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
@@ -43,8 +43,7 @@ slopingShare(const std::vector<Eigen::Vector3d>& points)
     double sum = 0;
     for (const Eigen::Vector3d& p : own)
       sum += std::pow(distanceOf(plane, p), 2);
-    const double deviation =
-        std::hypot(smooth * noise, SheetParameters().unevenness);
+    const double deviation = std::hypot(smooth * noise, SheetParameters().unevenness);
     if (plane.plane[2] < std::cos(level) &&
         sum < deviation * deviation * static_cast<double>(own.size()))
       ++sloping;

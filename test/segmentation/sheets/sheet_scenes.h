@@ -57,10 +57,9 @@ fitted(const Scene& scene, const pcl::sedr::SheetParameters& parameters = {})
   Eigen::AlignedBox2d box(Eigen::Vector2d(0, 0),
                           Eigen::Vector2d(scene.width, scene.depth));
   const auto grid = pcl::sedr::sheetGrid(box, parameters);
-  return pcl::sedr::fitSheet(scene.points, grid,
-                             pcl::sedr::cellsWithin(grid, scene.room.boundary),
-                             pcl::sedr::wallDirections(scene.room.boundary),
-                             parameters);
+  return pcl::sedr::fitSheet(
+      scene.points, grid, pcl::sedr::cellsWithin(grid, scene.room.boundary),
+      pcl::sedr::wallDirections(scene.room.boundary), parameters);
 }
 
 /** The room with the ceiling that its points say. */

@@ -57,8 +57,9 @@ TEST(ShapeFit, ACylinderIsFoundInAnyDirection)
     const PlanSlab slab = fitOf(ShapeKind::Cylinder, points);
     ASSERT_TRUE(slab.curve);
     EXPECT_NEAR(slab.curve->across, 3, 0.03) << degrees;
-    EXPECT_NEAR(std::abs(slab.curve->axis.dot(Eigen::Vector2d(std::cos(a), std::sin(a)))),
-                1, 1e-4);
+    EXPECT_NEAR(
+        std::abs(slab.curve->axis.dot(Eigen::Vector2d(std::cos(a), std::sin(a)))), 1,
+        1e-4);
   }
 }
 
@@ -88,6 +89,9 @@ TEST(ShapeFit, WhatSagsIsNoVault)
       [](double x, double) { return 5 - std::sqrt(9 - (x - 2) * (x - 2)); }, 0.002);
   EXPECT_FALSE(startShape(ShapeKind::Cylinder, points, {}).curve);
   EXPECT_FALSE(startShape(ShapeKind::Sphere, points, {}).curve);
+  PlanSlab slab = startShape(ShapeKind::Sphere, points, {});
+  EXPECT_FALSE(std::isfinite(refineShape(ShapeKind::Sphere, points, 0.01, slab)));
+  EXPECT_FALSE(std::isfinite(refineShape(ShapeKind::Plane, {}, 0.01, slab)));
 }
 
 } // namespace

@@ -88,7 +88,8 @@ TEST(FitSheet, AGableHasTwoSlopesThatMeetInTheRidge)
   // The border is one straight line, the ridge.
   int on_ridge = 0;
   for (const PlanElement& element : room.details[0].boundary.elements)
-    if (std::abs(element.start.y() - 2) < 0.005 && std::abs(element.end.y() - 2) < 0.005)
+    if (std::abs(element.start.y() - 2) < 0.005 &&
+        std::abs(element.end.y() - 2) < 0.005)
       ++on_ridge;
   EXPECT_EQ(on_ridge, 1);
   EXPECT_NEAR(room.ceilingAt({3, 2}), 1 + 2 * tangent(40), 0.005);
@@ -188,7 +189,8 @@ TEST(SlopingShare, TellsVaultsFromLevelCeilings)
   EXPECT_GT(slopingShare(sceneOf(6, 4, gable).points), 0.8);
   for (const double noise : {0.002, 0.01, 0.02})
     EXPECT_LT(slopingShare(
-                  sceneOf(6, 4, [](double x, double) { return x < 2.3 ? 2.3 : 2.5; }, noise)
+                  sceneOf(
+                      6, 4, [](double x, double) { return x < 2.3 ? 2.3 : 2.5; }, noise)
                       .points),
               0.05);
   EXPECT_EQ(slopingShare({}), 0);

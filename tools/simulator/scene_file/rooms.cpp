@@ -165,8 +165,8 @@ Room
 readShell(const JsonView& view)
 {
   view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
-                  "ceiling_details", "facets", "ribs", "plenum", "voids", "columns", "niches",
-                  "openings", "furniture"});
+                  "ceiling_details", "facets", "ribs", "plenum", "voids", "columns",
+                  "niches", "openings", "furniture"});
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));

@@ -29,12 +29,12 @@ struct SlabCurve {
   CurveKind kind = CurveKind::Cylinder;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< on the axis; of a relief the
                                                     ///< place of its first height
-  double base = 0;      ///< z of the axis or the centre
-  Eigen::Vector2d axis = Eigen::Vector2d::UnitX(); ///< unit, in plan; of an ellipsoid
-                                                   ///< the way of `along`
-  double along = 0;     ///< of an ellipsoid: its half extent that way
-  double across = 1;    ///< half extent to the side: the radius
-  double up = 1;        ///< half extent upwards: the radius where the section is round
+  double base = 0;                                  ///< z of the axis or the centre
+  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit, in plan; of an ellipsoid
+                                                    ///< the way of `along`
+  double along = 0;  ///< of an ellipsoid: its half extent that way
+  double across = 1; ///< half extent to the side: the radius
+  double up = 1;     ///< half extent upwards: the radius where the section is round
 
   double spacing = 1;          ///< of a relief: between its heights
   std::size_t columns = 0;     ///< of a relief: heights in a row, along x

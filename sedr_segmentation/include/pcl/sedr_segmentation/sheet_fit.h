@@ -22,20 +22,20 @@ namespace sedr {
 struct SheetParameters {
   double cell_size = 0.1; ///< of the plan, each of one facet; larger in large rooms
   std::size_t most_cells = 20000; ///< of a room
-  double unevenness = 0.005; ///< by which a ceiling strays from its shape, metres:
-                             ///< plaster within a straightedge's tolerance
-  double patch = 0.5; ///< metres within which it strays as one: what is seen there
-                      ///< counts once
-  double outlier = 4.5; ///< cost of a patch that no facet explains: three deviations
-  double crease = 0.5;  ///< cost of a metre along which facets meet
-  double step = 2;      ///< cost of a metre along which they miss each other by
-                        ///< `full_step` or more
-  double full_step = 0.2; ///< metres
+  double unevenness = 0.005;      ///< by which a ceiling strays from its shape, metres:
+                                  ///< plaster within a straightedge's tolerance
+  double patch = 0.5;      ///< metres within which it strays as one: what is seen there
+                           ///< counts once
+  double outlier = 4.5;    ///< cost of a patch that no facet explains: three deviations
+  double crease = 0.5;     ///< cost of a metre along which facets meet
+  double step = 2;         ///< cost of a metre along which they miss each other by
+                           ///< `full_step` or more
+  double full_step = 0.2;  ///< metres
   double least_area = 0.4; ///< of a facet, square metres
   double least_relief = 1; ///< of a free form, square metres
-  double relief_spacing = 0.25;   ///< between its heights, metres
-  double steepest = M_PI / 3;     ///< of a plane, radians
-  double largest_radius = 40;     ///< of a vault; flatter ones are planes, metres
+  double relief_spacing = 0.25; ///< between its heights, metres
+  double steepest = M_PI / 3;   ///< of a plane, radians
+  double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
   unsigned threads = 1;
 };
 
@@ -67,10 +67,7 @@ struct SheetGrid {
     return static_cast<int>(cell / static_cast<std::size_t>(columns));
   }
 
-  bool holds(int x, int y) const
-  {
-    return x >= 0 && y >= 0 && x < columns && y < rows;
-  }
+  bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < columns && y < rows; }
 
   Eigen::Vector2d centre(std::size_t cell) const
   {
@@ -95,8 +92,8 @@ struct Sheet {
   std::vector<std::uint8_t> is_inside; ///< of each cell: whether it is of the room
   std::vector<std::uint8_t> is_seen;   ///< whether a facet explains points in it
   std::vector<std::int32_t> label;     ///< facet of each cell, beside the room too
-  std::vector<PlanSlab> facets;        ///< the largest first; inliers and residual known
-  double noise = 0;     ///< standard deviation of the points, metres
+  std::vector<PlanSlab> facets; ///< the largest first; inliers and residual known
+  double noise = 0;             ///< standard deviation of the points, metres
   double explained = 0; ///< share of the cells with points that a facet explains
 
   /** @brief z of the facet above a place; beside the grid that of the nearest cell. */

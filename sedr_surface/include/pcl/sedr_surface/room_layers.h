@@ -51,7 +51,7 @@ enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
 struct RoomLayers {
   struct Slab {
     PlanSlab slab;
-    std::size_t element = 0; ///< index of its SolidElement
+    std::size_t element = 0;        ///< index of its SolidElement
     const PlanLoop* loop = nullptr; ///< around all of it
     bool is_facet = false;          ///< of a ceiling that is not level
   };

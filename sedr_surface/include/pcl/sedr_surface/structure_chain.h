@@ -187,15 +187,16 @@ private:
 
   /** @brief What of a ceiling that is not level lies off what stands for it. */
   struct PlaceOff {
-    double area = 0; ///< square metres
+    double area = 0;                                      ///< square metres
     double low = std::numeric_limits<double>::infinity(); ///< metres
     double high = -std::numeric_limits<double>::infinity();
   };
 
-  /** @brief What of a room's ceiling is neither level nor near some heights. */
-  PlaceOff
-  ceilingOff(std::size_t region,
-             const std::function<double(const Eigen::Vector2d&)>& modelled) const;
+  /** @brief What of a room's ceiling is neither level nor near what stands for it:
+   * `distance(place, height)` says how far a height is from that, metres. */
+  PlaceOff ceilingOff(
+      std::size_t region,
+      const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
 
   /** @brief Whether a room's ceiling is more than level planes. */
   bool hasSheet(std::size_t region) const;
