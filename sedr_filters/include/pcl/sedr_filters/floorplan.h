@@ -116,8 +116,7 @@ struct PlanSlab {
   std::size_t inliers = 0;
   double residual = 0; ///< root mean square distance of the inliers, metres
   double inferred = 0; ///< of a facet: share of its area of which nothing was seen
-  std::shared_ptr<const SlabCurve>
-      curve{}; ///< of vaults and domes; null: it is a plane
+  std::shared_ptr<const SlabCurve> curve{}; ///< of a vault, a dome; null: a plane
 
   double heightAt(const Eigen::Vector2d& p) const
   {
