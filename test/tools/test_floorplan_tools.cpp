@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
     FloorplanTools,
     ::testing::Values(std::make_pair(FLOORPLAN_EXTRUSION, "solid.ply"),
                       std::make_pair(FLOORPLAN_EXTRUSION, "solid.obj"),
+                      std::make_pair(FLOORPLAN_EXTRUSION, "solid.glb"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.svg"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.dxf")));
 

@@ -32,8 +32,8 @@ namespace tools {
 namespace {
 
 const std::vector<std::string> output_names{
-    "structure.pcd", "mesh.ply",       "solid.ply", "solid.obj",
-    "solid.mtl",     "floorplan.json", "model.ifc", "report.json"};
+    "structure.pcd",  "mesh.ply",  "solid.ply", "solid.obj",  "solid.mtl",
+    "floorplan.json", "model.ifc", "model.glb", "report.json"};
 
 /** @brief Runs a step that is no stage of the chain, with progress; it is handed its
  * report, to fill in the points. */
@@ -132,8 +132,9 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
                               c.levelling ? &*c.levelling : nullptr, c.origin);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
-  for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), solid, c.extrusion.getElements(), c.origin);
+  for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
+    saveSolid(folder.file(name), solid, c.extrusion.getElements(),
+              *chain.getFloorplan(), c.origin);
 }
 
 /** @brief Writes model.ifc, of the name of the input unless another one was given. */

@@ -163,10 +163,15 @@ FacePairs::take(const FacePair& candidate)
   for (const Stretch& here : free)
     for (const Stretch& there : free_behind) {
       const Stretch behind = mapped(candidate.other, there, candidate.face);
-      const Stretch common{std::max({here.from, behind.from, candidate.stretch.from}),
-                           std::min({here.to, behind.to, candidate.stretch.to})};
+      Stretch common{std::max({here.from, behind.from, candidate.stretch.from}),
+                     std::min({here.to, behind.to, candidate.stretch.to})};
       if (common.length() < shortest)
         continue;
+      // Faces that were fitted apart do not quite end at one place.
+      if (common.from - here.from < shortest)
+        common.from = here.from;
+      if (here.to - common.to < shortest)
+        common.to = here.to;
       if (candidate.thickness >= parameters_.least_thickness) {
         walls_.push_back(candidate);
         walls_.back().stretch = common;

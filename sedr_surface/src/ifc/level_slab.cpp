@@ -11,24 +11,32 @@ namespace {
 
 constexpr double level = 0.001; ///< heights that differ by less are one, metres
 
-} // namespace
-
-std::optional<double>
-levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
+/** @brief How far the heights of a slab over a box are apart, by samples. */
+double
+spreadOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
 {
   constexpr int samples = 8;
-  if (box.isEmpty())
-    return std::nullopt;
-  const double middle = slab.heightAt(box.center());
+  double low = slab.heightAt(box.center());
+  double high = low;
   for (int i = 0; i <= samples; ++i)
     for (int j = 0; j <= samples; ++j) {
       const Eigen::Vector2d share(static_cast<double>(i) / samples,
                                   static_cast<double>(j) / samples);
       const double height = slab.heightAt(box.min() + share.cwiseProduct(box.sizes()));
-      if (!(std::abs(height - middle) < level / 2))
-        return std::nullopt;
+      low = std::min(low, height);
+      high = std::max(high, height);
     }
-  return middle;
+  return high - low;
+}
+
+} // namespace
+
+std::optional<double>
+levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
+{
+  if (box.isEmpty() || !(spreadOf(slab, box) < level))
+    return std::nullopt;
+  return slab.heightAt(box.center());
 }
 
 Eigen::AlignedBox2d
@@ -46,21 +54,14 @@ hasSlopingCeiling(const PlanRoom& room)
 {
   // Fits lean by some millimetres: that is no roof.
   constexpr double sloping = 0.03; // metres
-  const Eigen::AlignedBox2d box = boxOf(room.boundary);
-  const auto slopes = [&](const PlanSlab& slab, const Eigen::AlignedBox2d& of) {
-    double low = slab.heightAt(of.center());
-    double high = low;
-    for (const double x : {of.min().x(), of.max().x()})
-      for (const double y : {of.min().y(), of.max().y()}) {
-        low = std::min(low, slab.heightAt({x, y}));
-        high = std::max(high, slab.heightAt({x, y}));
-      }
-    return high - low > sloping;
+  const auto slopes = [](const PlanSlab& slab, const PlanLoop& loop) {
+    const Eigen::AlignedBox2d box = boxOf(loop);
+    return !box.isEmpty() && spreadOf(slab, box) > sloping;
   };
-  return slopes(room.ceiling, box) ||
+  return slopes(room.ceiling, room.boundary) ||
          std::any_of(room.details.begin(), room.details.end(),
                      [&](const PlanDetail& detail) {
-                       return slopes(detail.slab, boxOf(detail.boundary));
+                       return slopes(detail.slab, detail.boundary);
                      });
 }
 

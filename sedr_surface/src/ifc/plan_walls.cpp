@@ -109,16 +109,16 @@ private:
     return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
   }
 
-  /** @brief The straight wall of a face that ends where the face's element ends
-   * (starts); null where it is another room's or does not reach the corner. */
+  /** @brief The straight wall of a face that goes to the end (start) of the face's
+   * element, or beyond; null where it is another room's or does not reach it. */
   PlanWall* wallAtCorner(const WallFace& face, bool is_end)
   {
     const PlanElement& element = elementOf(plan_, face);
     if (element.isArc())
       return nullptr;
     for (PlanWall& wall : walls_)
-      if (wall.face == face && std::abs(is_end ? wall.stretch.to - element.length()
-                                               : wall.stretch.from) < touching)
+      if (wall.face == face &&
+          (is_end ? element.length() - wall.stretch.to : wall.stretch.from) < touching)
         return &wall;
     return nullptr;
   }
