@@ -192,7 +192,7 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out.svg"));
   EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
-  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
+  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2, "), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
