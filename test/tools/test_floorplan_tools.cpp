@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
     FloorplanTools,
     ::testing::Values(std::make_pair(FLOORPLAN_EXTRUSION, "solid.ply"),
                       std::make_pair(FLOORPLAN_EXTRUSION, "solid.obj"),
+                      std::make_pair(FLOORPLAN_EXTRUSION, "solid.glb"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.svg"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.dxf")));
 
@@ -191,7 +192,7 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out.svg"));
   EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
-  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
+  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2, "), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
@@ -225,7 +226,7 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
   OutputFolder folder(in("model"), drawing_names);
   const auto write = [&](const pcl::sedr::Floorplan& plan) {
     folder.fill(
-        [&] { pcl::sedr::tools::writeDrawings(folder, plan, in("plan.json")); });
+        [&] { pcl::sedr::tools::writeDrawings(folder, plan, {}, in("plan.json")); });
     return filesOf(in("model"));
   };
   EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
@@ -233,7 +234,7 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
   EXPECT_EQ(write(twoStoreys()), of_two);
   EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
   writeFile(in("model/floorplan_7.svg"), "a scan"); // whatever its name is
-  pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
+  pcl::sedr::tools::writeDrawings(folder, one, {}, in("model/floorplan_7.svg"));
   EXPECT_EQ(filesOf(in("model")).size(), 3u) << "what was read stays";
 }
 
@@ -241,7 +242,7 @@ TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)
 {
   pcl::sedr::tools::OutputFolder folder(in("new"), pcl::sedr::tools::drawing_names);
   EXPECT_THROW(folder.fill([&] {
-    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), in("plan.json"));
+    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), {}, in("plan.json"));
     throw pcl::sedr::tools::ToolError("the disk is full");
   }),
                pcl::sedr::tools::ToolError);
