@@ -17,6 +17,8 @@ namespace {
 void
 tell(const pcl::sedr::IfcModel& model)
 {
+  for (const auto& warning : model.warnings)
+    warn(warning);
   say(std::to_string(model.spaces) + " spaces, " + std::to_string(model.walls) +
       " walls, " + std::to_string(model.paired_walls) +
       " of them seen from both sides, " + std::to_string(model.slabs) + " slabs, " +
@@ -36,7 +38,7 @@ main(int argc, char** argv)
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting write it");
   options.file("OUTPUT.ifc", output, "building model to write");
-  addIfcOptions(options, ifc, "");
+  addIfcOptions(options, ifc);
   return runTool(options, argc, argv, [&] {
     if (!hasExtension(output, ".ifc"))
       throw ToolError("a building model is written as IFC, '" + output +

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_file.h"
 
-#include "run_tool.h"
 #include "whole_file.h"
 
 namespace pcl {
@@ -9,13 +8,13 @@ namespace sedr {
 namespace tools {
 
 void
-addIfcOptions(Options& options, IfcOptions& ifc, const std::string& name_help)
+addIfcOptions(Options& options, IfcOptions& ifc)
 {
   options.text("ifc-arcs", ifc.arcs,
                "arcs of the IFC: exact, or facets for programs that misread arcs",
                {"exact", "facets"});
   options.text("ifc-name", ifc.settings.name,
-               "name of the building in the IFC; its GUIDs are made of it" + name_help);
+               "name of the building in the IFC; its GUIDs are made of it");
   options.text("crs", ifc.settings.crs,
                "name of the grid that the coordinates are in, for the IFC: EPSG:25832");
   options.number("assumed-thickness", ifc.settings.assumed_thickness, "m",
@@ -39,8 +38,6 @@ saveIfc(const std::string& path,
 {
   IfcModel model = writeIfc(plan, settings, origin);
   writeWhole(path, [&](std::ostream& stream) { stream << model.text; });
-  for (const std::string& warning : model.warnings)
-    warn(warning);
   return model;
 }
 

@@ -17,13 +17,13 @@ struct IfcOptions {
   IfcSettings settings;
 };
 
-/** @param name_help what the name is without --ifc-name */
-void addIfcOptions(Options& options, IfcOptions& ifc, const std::string& name_help);
+void addIfcOptions(Options& options, IfcOptions& ifc);
 
 /** @brief The settings as writeIfc() takes them. */
 IfcSettings settingsOf(const IfcOptions& ifc);
 
-/** @brief Writes a plan as IFC, whole or not at all; warns of what is not in it. */
+/** @brief Writes a plan as IFC, whole or not at all.
+ * @return what is in it, and the warnings of what is not */
 IfcModel saveIfc(const std::string& path,
                  const Floorplan& plan,
                  const IfcSettings& settings,

@@ -137,16 +137,16 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
               *chain.getFloorplan(), c.origin);
 }
 
-/** @brief Writes model.ifc, of the name of the input unless another one was given. */
+/** @brief Writes model.ifc; what is not in it is among the chain's warnings. */
 void
 writeBuildingModel(const OutputFolder& folder,
-                   const Reconstruction& chain,
+                   Reconstruction& chain,
                    const ModelSettings& settings)
 {
-  IfcSettings ifc = settingsOf(settings.ifc);
-  if (ifc.name.empty())
-    ifc.name = std::filesystem::path(settings.input).stem().string();
-  saveIfc(folder.file("model.ifc"), *chain.getFloorplan(), ifc, chain.getOrigin());
+  const IfcModel model = saveIfc(folder.file("model.ifc"), *chain.getFloorplan(),
+                                 settingsOf(settings.ifc), chain.getOrigin());
+  auto& warnings = chain.getChain().warnings;
+  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }
 
 void

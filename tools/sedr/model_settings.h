@@ -46,7 +46,7 @@ struct ModelSettings {
   bool partial = false; ///< take what there is, however little
   bool pictures = false;
   bool report = false;
-  IfcOptions ifc; ///< its name empty: that of the input
+  IfcOptions ifc;
 };
 
 /** @brief Declares the options that say how a model is made. */
