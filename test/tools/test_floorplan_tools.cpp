@@ -226,7 +226,7 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
   OutputFolder folder(in("model"), drawing_names);
   const auto write = [&](const pcl::sedr::Floorplan& plan) {
     folder.fill(
-        [&] { pcl::sedr::tools::writeDrawings(folder, plan, {}, in("plan.json")); });
+        [&] { pcl::sedr::tools::writeDrawings(folder, plan, in("plan.json")); });
     return filesOf(in("model"));
   };
   EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
@@ -234,7 +234,7 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
   EXPECT_EQ(write(twoStoreys()), of_two);
   EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
   writeFile(in("model/floorplan_7.svg"), "a scan"); // whatever its name is
-  pcl::sedr::tools::writeDrawings(folder, one, {}, in("model/floorplan_7.svg"));
+  pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
   EXPECT_EQ(filesOf(in("model")).size(), 3u) << "what was read stays";
 }
 
@@ -242,7 +242,7 @@ TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)
 {
   pcl::sedr::tools::OutputFolder folder(in("new"), pcl::sedr::tools::drawing_names);
   EXPECT_THROW(folder.fill([&] {
-    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), {}, in("plan.json"));
+    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), in("plan.json"));
     throw pcl::sedr::tools::ToolError("the disk is full");
   }),
                pcl::sedr::tools::ToolError);
