@@ -168,21 +168,19 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan,
-                const Levelling* levelling,
-                const Origin& origin)
+floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin& origin)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
   Json json{{"format", floorplan_format_name},
-                  {"version", versionOf(plan)},
-                  {"unit", "m"},
-                  {"origin", {origin.place.x(), origin.place.y(), origin.place.z()}},
-                  {"rooms", rooms},
-                  {"storeys", storeysToJson(plan)},
-                  {"doorways", doorwaysToJson(plan)},
-                  {"stairs", stairsToJson(plan)}};
+            {"version", versionOf(plan)},
+            {"unit", "m"},
+            {"origin", {origin.place.x(), origin.place.y(), origin.place.z()}},
+            {"rooms", rooms},
+            {"storeys", storeysToJson(plan)},
+            {"doorways", doorwaysToJson(plan)},
+            {"stairs", stairsToJson(plan)}};
   if (levelling)
     json["levelling"] = toJson(*levelling);
   return json.dump(1) + "\n";

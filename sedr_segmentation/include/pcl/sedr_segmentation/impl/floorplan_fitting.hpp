@@ -138,8 +138,8 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   constexpr double tolerance = 0.05; // metres, of what lies on a wall
   const sedr::PointView points(*input_);
   const std::vector<std::string> cuts = sedr::separateRooms(plan, points, *indices_);
-  const bool has_raw = raw_ && raw_().size() > 0 &&
-                       !(raw_indices_ && raw_indices_->empty());
+  const bool has_raw =
+      raw_ && raw_().size() > 0 && !(raw_indices_ && raw_indices_->empty());
   const sedr::PointView raw = has_raw ? raw_() : points;
   sedr::giveCeilings(sheets, has_raw ? &raw : nullptr,
                      has_raw && raw_indices_ ? *raw_indices_ : Indices(),
