@@ -355,9 +355,11 @@ def read_solid(path, *without):
     all elements; faces of the labels in `without` are left out."""
     header, body = path.read_bytes().split(b"end_header\n", 1)
     count = lambda name: int(header.split(b"element " + name + b" ")[-1].split()[0])
-    points = np.frombuffer(body, "<f4", 3 * count(b"vertex")).reshape(-1, 3)
+    vertex = np.dtype([("xyz", "<f4", 3), ("colour", "u1", 3), ("label", "<u4"), ("room", "<u4")])
+    vertices = np.frombuffer(body, vertex, count(b"vertex"))
+    points = np.ascontiguousarray(vertices["xyz"])
     row = np.dtype([("corners", "u1"), ("vertices", "<i4", 3), ("label", "<i4"), ("room", "<i4"), ("element", "<i4")])
-    faces = np.frombuffer(body, row, count(b"face"), points.nbytes)
+    faces = np.frombuffer(body, row, count(b"face"), vertices.nbytes)
     faces = faces[~np.isin(faces["label"], without)]
     sides = Counter()
     for (a, b, c), element in zip(faces["vertices"].tolist(), faces["element"].tolist()):

@@ -55,7 +55,7 @@ run(const Settings& settings, Extrusion& extrusion)
   if (extrusion.getMesh().empty())
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(),
-            planOrigin(settings.plan));
+            *extrusion.getFloorplan(), planOrigin(settings.plan));
   if (!settings.picture.empty())
     saveSolidPicture(settings.picture, extrusion.getMesh());
   for (const auto& warning : extrusion.getWarnings())
@@ -81,8 +81,9 @@ main(int argc, char** argv)
                "pcl_floorplan_fitting write it");
   options.file(
       "OUTPUT", settings.output,
-      "solid to write: .ply, faces with room, label and element, or .obj with a "
-      "group an element and materials by label in a .mtl beside it");
+      "solid to write: .ply, faces with room, label and element, or .obj with "
+      "groups of element, room and storey and materials by label in a .mtl beside it, "
+      "or .glb (glTF 2.0) for the web");
   options.number("chord-tolerance", chord, "m",
                  "farthest that facets are off their arc", Range::between(1e-6, 1));
   options.number("snap-tolerance", snap, "m",

@@ -105,7 +105,8 @@ main(int argc, char** argv)
   Options options(
       "pcl_parallel_voxel_grid",
       "Thins a cloud to the mean of the points of each voxel, all fields averaged.");
-  options.file("INPUT", settings.input, "PCD, PLY, E57, LAS or text to thin; - is the standard input");
+  options.file("INPUT", settings.input,
+               "PCD, PLY, E57, LAS or text to thin; - is the standard input");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
   options.number("min-points", settings.minimum_points, "",

@@ -18,7 +18,8 @@ main(int argc, char** argv)
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
       "floorplan.svg, floorplan.dxf and report.json; of several storeys one drawing "
       "each, floorplan_1.svg, ...");
-  options.file("INPUT", settings.input, "PCD, PLY, E57, LAS or text, z up; - is the standard input");
+  options.file("INPUT", settings.input,
+               "PCD, PLY, E57, LAS or text, z up; - is the standard input");
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, settings);

@@ -157,8 +157,9 @@ lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threa
       "mpirun -n 4 pcl_sedr_mpi SCAN OUTPUT_DIR\n"
       "Every machine needs the scan under the same name. Exit code 3: a rank has "
       "failed, and rooms are missing.");
-  options.files("SCAN", call.scans,
-                "PCD, PLY, E57, LAS or text, z up, or a folder of them; several are one scan");
+  options.files(
+      "SCAN", call.scans,
+      "PCD, PLY, E57, LAS or text, z up, or a folder of them; several are one scan");
   options.file("OUTPUT_DIR", call.settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, call.settings);

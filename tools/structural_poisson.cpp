@@ -97,8 +97,8 @@ run(const Settings& settings, Poisson& poisson)
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
   const std::string source = settings.plan.empty() ? settings.input : settings.plan;
-  const std::string problem = pcl::sedr::savePly(
-      settings.output, poisson.getMesh(), originComments(originOfModel(source)));
+  const std::string problem = pcl::sedr::savePly(settings.output, poisson.getMesh(),
+                                                 originComments(originOfModel(source)));
   if (!problem.empty())
     throw ToolError(problem);
   if (!settings.picture.empty())

@@ -171,6 +171,23 @@ PlanRoom::nicheAt(const Eigen::Vector2d& p) const
   return -1;
 }
 
+Eigen::Vector3d
+PlanSlab::normalAt(const Eigen::Vector2d& p) const
+{
+  if (!curve)
+    return plane.head<3>();
+  const Eigen::Vector2d slope = curve->gradientAt(p);
+  return Eigen::Vector3d(-slope.x(), -slope.y(), 1).normalized();
+}
+
+bool
+PlanRoom::hasFacets() const
+{
+  constexpr double level = 0.997; // cosine of 4.4 degrees
+  return ceiling.curve || ceiling.plane[2] < level ||
+         (!details.empty() && details.front().is_facet);
+}
+
 double
 PlanRoom::ceilingAt(const Eigen::Vector2d& p) const
 {

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr double most_radius = 1e5;
 constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
 constexpr double least_upward =
-    0.7; ///< c of a floor or ceiling: at most 45 degrees of slope
+    0.5; ///< c of a floor or ceiling: at most 60 degrees of slope
 
 /** @brief A share as it was written, if it was. */
 ElementEvidence
@@ -160,15 +160,17 @@ slabFrom(const Json& json)
   makeUpward(slab.plane);
   slab.inliers = json.at("inliers").get<std::size_t>();
   slab.residual = json.at("residual").get<double>();
+  readCurve(json, slab);
   return slab;
 }
 
 std::vector<PlanDetail>
-detailsFrom(const Json& json)
+detailsFrom(const Json& json, bool are_facets = false)
 {
   std::vector<PlanDetail> details;
   for (const auto& d : json) {
     PlanDetail detail;
+    detail.is_facet = are_facets;
     detail.slab = slabFrom(d.at("slab"));
     detail.boundary = outerLoopFrom(d.at("boundary"));
     detail.holes = innerLoopsFrom(d.at("holes"));
@@ -202,7 +204,10 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
   room.ceiling = slabFrom(json.at("ceiling"));
   room.boundary = outerLoopFrom(json.at("boundary"));
   room.columns = innerLoopsFrom(json.at("columns"));
-  room.details = detailsFrom(json.at("details"));
+  if (json.contains("facets"))
+    room.details = detailsFrom(json.at("facets"), true);
+  for (PlanDetail& detail : detailsFrom(json.at("details")))
+    room.details.push_back(std::move(detail));
   // Files of before there were these do not have them.
   if (json.contains("floor_details"))
     room.floor_details = detailsFrom(json.at("floor_details"));
@@ -239,10 +244,12 @@ floorplanFromJson(const std::string& text, std::string& problem)
     const Json json = Json::parse(text);
     if (json.at("format") != floorplan_format_name)
       throw std::invalid_argument("it is not a floor plan");
-    if (json.at("version") != floorplan_format_version)
+    if (json.at("version") != floorplan_format_version &&
+        json.at("version") != floorplan_facets_version)
       throw std::invalid_argument(
-          "it has version " + json.at("version").dump() + ", version " +
-          std::to_string(floorplan_format_version) + " can be read");
+          "it has version " + json.at("version").dump() + ", versions " +
+          std::to_string(floorplan_format_version) + " and " +
+          std::to_string(floorplan_facets_version) + " can be read");
     for (const auto& room : json.at("rooms"))
       plan.rooms.push_back(roomFrom(room, plan.rooms));
     readStoreys(json, plan);

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace pcl {
 namespace sedr {
 
@@ -60,14 +62,36 @@ toJson(const PlanSlab& slab)
           {"residual", slab.residual}};
 }
 
+/** @brief The same with what only facets have. */
+Json
+facetToJson(const PlanSlab& slab)
+{
+  Json json = toJson(slab);
+  addCurveToJson(slab, json);
+  return json;
+}
+
+Json
+facetsToJson(const std::vector<PlanDetail>& details)
+{
+  Json json = Json::array();
+  for (const auto& detail : details)
+    if (detail.is_facet)
+      json.push_back({{"slab", facetToJson(detail.slab)},
+                      {"boundary", toJson(detail.boundary)},
+                      {"holes", loopsToJson(detail.holes)}});
+  return json;
+}
+
 Json
 detailsToJson(const std::vector<PlanDetail>& details)
 {
   Json json = Json::array();
   for (const auto& detail : details)
-    json.push_back({{"slab", toJson(detail.slab)},
-                    {"boundary", toJson(detail.boundary)},
-                    {"holes", loopsToJson(detail.holes)}});
+    if (!detail.is_facet)
+      json.push_back({{"slab", toJson(detail.slab)},
+                      {"boundary", toJson(detail.boundary)},
+                      {"holes", loopsToJson(detail.holes)}});
   return json;
 }
 
@@ -108,18 +132,31 @@ toJson(const Floorplan& plan, std::size_t number)
     niches.push_back({{"bottom", toJson(niche.bottom)},
                       {"top", toJson(niche.top)},
                       {"boundary", toJson(niche.boundary)}});
-  return {{"id", room.id},
-          {"area", room.area()},
-          {"perimeter", room.perimeter()},
-          {"height", height},
-          {"volume", volumeOf(room, height)},
-          {"floor", toJson(room.floor)},
-          {"ceiling", toJson(room.ceiling)},
-          {"boundary", wallsToJson(plan, number)},
-          {"columns", loopsToJson(room.columns)},
-          {"details", detailsToJson(room.details)},
-          {"floor_details", detailsToJson(room.floor_details)},
-          {"niches", niches}};
+  Json json{
+      {"id", room.id},
+      {"area", room.area()},
+      {"perimeter", room.perimeter()},
+      {"height", height},
+      {"volume", volumeOf(room, height)},
+      {"floor", toJson(room.floor)},
+      {"ceiling", room.hasFacets() ? facetToJson(room.ceiling) : toJson(room.ceiling)},
+      {"boundary", wallsToJson(plan, number)},
+      {"columns", loopsToJson(room.columns)},
+      {"details", detailsToJson(room.details)},
+      {"floor_details", detailsToJson(room.floor_details)},
+      {"niches", niches}};
+  if (room.hasFacets())
+    json["facets"] = facetsToJson(room.details);
+  return json;
+}
+
+int
+versionOf(const Floorplan& plan)
+{
+  const bool has_facets =
+      std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                  [](const PlanRoom& room) { return room.hasFacets(); });
+  return has_facets ? floorplan_facets_version : floorplan_format_version;
 }
 
 } // namespace
@@ -131,21 +168,19 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan,
-                const Levelling* levelling,
-                const Origin& origin)
+floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin& origin)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     rooms.push_back(toJson(plan, r));
   Json json{{"format", floorplan_format_name},
-                  {"version", floorplan_format_version},
-                  {"unit", "m"},
-                  {"origin", {origin.place.x(), origin.place.y(), origin.place.z()}},
-                  {"rooms", rooms},
-                  {"storeys", storeysToJson(plan)},
-                  {"doorways", doorwaysToJson(plan)},
-                  {"stairs", stairsToJson(plan)}};
+            {"version", versionOf(plan)},
+            {"unit", "m"},
+            {"origin", {origin.place.x(), origin.place.y(), origin.place.z()}},
+            {"rooms", rooms},
+            {"storeys", storeysToJson(plan)},
+            {"doorways", doorwaysToJson(plan)},
+            {"stairs", stairsToJson(plan)}};
   if (levelling)
     json["levelling"] = toJson(*levelling);
   return json.dump(1) + "\n";

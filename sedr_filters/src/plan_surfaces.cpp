@@ -225,7 +225,7 @@ pointOn(const PlanSlab& slab,
 {
   SurfacePoint point;
   point.position << place, slab.heightAt(place);
-  point.normal = (faces_up ? 1.0 : -1.0) * slab.plane.head<3>();
+  point.normal = (faces_up ? 1.0 : -1.0) * slab.normalAt(place);
   point.label = label;
   point.room = room;
   return point;
@@ -240,8 +240,11 @@ slabPointAt(const RoomLookup& lookup, const Eigen::Vector2d& place, bool is_floo
   const int detail = is_floor ? lookup.floorDetailAt(place) : lookup.detailAt(place);
   const StructureLabel main =
       is_floor ? StructureLabel::Floor : StructureLabel::Ceiling;
+  const bool is_main =
+      detail < 0 ||
+      (!is_floor && room.details[static_cast<std::size_t>(detail)].is_facet);
   return pointOn(is_floor ? room.floorSlab(detail) : room.ceilingSlab(detail), place,
-                 is_floor, detail < 0 ? main : StructureLabel::Detail, room.id);
+                 is_floor, is_main ? main : StructureLabel::Detail, room.id);
 }
 
 SurfacePoint
@@ -295,7 +298,9 @@ snapTo(const RoomLookup& room,
   if (is_slab && room.contains(position.head<2>())) {
     const auto takeNearer = [&](bool is_floor) {
       const SurfacePoint candidate = slabPointAt(room, position.head<2>(), is_floor);
-      const double d = std::abs(position.z() - candidate.position.z());
+      double d = std::abs(position.z() - candidate.position.z());
+      if (!is_floor && room.room().hasFacets())
+        d *= candidate.normal.cwiseAbs().z(); // a slope is nearer than that
       if (d < least)
         snapped = candidate;
       least = std::min(least, d);

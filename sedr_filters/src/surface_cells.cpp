@@ -18,6 +18,19 @@ partsOf(double length, double size)
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length / size)));
 }
 
+/** @brief Into how many parts to each side a cell of a surface with that normal is cut,
+ * that points stay as near to each other on it as in plan. */
+std::size_t
+partsOf(const Eigen::Vector3d& normal)
+{
+  constexpr double most = 8;
+  constexpr double gentle = 0.9; // cosine of the slope, 26 degrees
+  const double upward = std::abs(normal.z());
+  return upward > gentle
+             ? 1
+             : static_cast<std::size_t>(std::ceil(std::min(1 / upward, most)));
+}
+
 /** @brief A riser lower than this is no step but two fits of one height, metres. */
 constexpr double least_riser = 0.01;
 
@@ -39,7 +52,7 @@ boxOf(const PlanLoop& loop, double tolerance)
 }
 
 /** @brief The greatest difference of height between any two slabs of a room at one
- * place of its box: it is linear in between, so the corners tell. */
+ * place of its box, or more: of planes it is linear in between, so the corners tell. */
 double
 greatestHeight(const PlanRoom& room, const PlanBox& box)
 {
@@ -53,8 +66,12 @@ greatestHeight(const PlanRoom& room, const PlanBox& box)
         low = std::min(low, height);
         high = std::max(high, height);
       };
-      for (int d = -1; d < static_cast<int>(room.details.size()); ++d)
-        widen(room.ceilingSlab(d).heightAt(corner));
+      for (int d = -1; d < static_cast<int>(room.details.size()); ++d) {
+        const PlanSlab& slab = room.ceilingSlab(d);
+        widen(slab.heightAt(corner));
+        if (slab.curve)
+          widen(slab.curve->highest());
+      }
       for (const auto& detail : room.floor_details)
         widen(detail.slab.heightAt(corner));
       for (const auto& niche : room.niches) {
@@ -174,17 +191,28 @@ SurfaceCells::addSheet(const PlanLoop& loop, PointAt pointAt)
     sheet.width = static_cast<std::size_t>(extent.x()) + 1;
     sheet.height = static_cast<std::size_t>(extent.y()) + 1;
   }
-  sheet.cell.assign(sheet.width * sheet.height, none);
-  for (std::size_t i = 0; i < sheet.cell.size(); ++i) {
-    const Eigen::Vector2d place =
-        sheet.origin +
-        size_ * Eigen::Vector2d(static_cast<double>(i % sheet.width) + 0.5,
-                                static_cast<double>(i / sheet.width) + 0.5);
+  for (std::size_t i = 0; i < sheet.width * sheet.height; ++i) {
+    const auto placeOf = [&](std::size_t part, std::size_t parts) -> Eigen::Vector2d {
+      const auto middle = [parts](std::size_t cell, std::size_t k) {
+        return static_cast<double>(cell) +
+               (static_cast<double>(k) + 0.5) / static_cast<double>(parts);
+      };
+      return sheet.origin +
+             size_ * Eigen::Vector2d(middle(i % sheet.width, part % parts),
+                                     middle(i / sheet.width, part / parts));
+    };
     SurfaceCell cell;
-    if (!pointAt(place, cell.centre))
-      continue;
-    sheet.cell[i] = cells_.size();
-    cells_.push_back(cell);
+    const bool is_there = pointAt(placeOf(0, 1), cell.centre);
+    const std::size_t parts = is_there ? partsOf(cell.centre.normal) : 1;
+    sheet.parts.push_back(static_cast<std::uint8_t>(parts));
+    sheet.first.push_back(sheet.cell.size());
+    for (std::size_t part = 0; part < parts * parts; ++part) {
+      const bool is_part =
+          parts == 1 ? is_there : pointAt(placeOf(part, parts), cell.centre);
+      sheet.cell.push_back(is_part ? cells_.size() : none);
+      if (is_part)
+        cells_.push_back(cell);
+    }
   }
   starts_.push_back(cells_.size());
   sheets_.push_back(std::move(sheet));
@@ -211,12 +239,20 @@ SurfaceCells::addSlabs()
 std::size_t
 SurfaceCells::cellOf(const Sheet& sheet, const Eigen::Vector2d& place) const
 {
-  const Eigen::Vector2d at = ((place - sheet.origin) / size_).array().floor();
+  const Eigen::Vector2d exact = (place - sheet.origin) / size_;
+  const Eigen::Vector2d at = exact.array().floor();
   if (!(at.x() >= 0 && at.y() >= 0 && at.x() < static_cast<double>(sheet.width) &&
         at.y() < static_cast<double>(sheet.height)))
     return none;
-  return sheet.cell[static_cast<std::size_t>(at.y()) * sheet.width +
-                    static_cast<std::size_t>(at.x())];
+  const std::size_t i =
+      static_cast<std::size_t>(at.y()) * sheet.width + static_cast<std::size_t>(at.x());
+  const std::size_t parts = sheet.parts[i];
+  const auto partOf = [parts](double share) {
+    return std::min(parts - 1,
+                    static_cast<std::size_t>(share * static_cast<double>(parts)));
+  };
+  return sheet.cell[sheet.first[i] + partOf(exact.y() - at.y()) * parts +
+                    partOf(exact.x() - at.x())];
 }
 
 std::size_t
@@ -265,7 +301,9 @@ bool
 SurfaceCells::occupy(const SurfacePoint& point, std::size_t source)
 {
   // Undersides and risers of details share a label: the normal tells them apart.
-  const bool is_slab = std::abs(point.normal.z()) > 0.5;
+  const bool is_slab = point.label == StructureLabel::Ceiling ||
+                       point.label == StructureLabel::Floor ||
+                       std::abs(point.normal.z()) > 0.5;
   const std::size_t index = is_slab ? findLevel(point) : findUpright(point);
   if (index == none)
     return false;

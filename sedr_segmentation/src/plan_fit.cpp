@@ -9,6 +9,7 @@
 #include <pcl/sedr_segmentation/plan_regularisation.h>
 #include <pcl/sedr_segmentation/room_planes.h>
 #include <pcl/sedr_segmentation/room_territory.h>
+#include <pcl/sedr_segmentation/sheet_fit.h>
 
 #include <algorithm>
 #include <array>
@@ -156,6 +157,41 @@ leaveToOthers(const PointView& points,
   return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
 
+/** @brief The ceiling of a room as it is known before its walls are: a relief of its
+ * facets; null where there are none, or they explain too little of it. */
+std::shared_ptr<const PlanSlab>
+seenSheet(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double least_explained = 0.6;
+  SheetParameters parameters; // coarse: only the tops of walls are asked for
+  parameters.cell_size = 0.15;
+  parameters.most_cells = 6000;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p.head<2>());
+  if (box.isEmpty())
+    return nullptr;
+  const SheetGrid grid = sheetGrid(box, parameters);
+  std::vector<std::uint8_t> domain(grid.count(), 0);
+  for (const Eigen::Vector3d& p : points)
+    domain[grid.at(p.head<2>())] = 1;
+  const Sheet sheet = fitSheet(points, grid, domain, {}, parameters);
+  if (sheet.facets.empty() || sheet.explained < least_explained)
+    return nullptr;
+  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
+}
+
+std::vector<Eigen::Vector3d>
+placesOf(const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(indices.size());
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
+  return places;
+}
+
 } // namespace
 
 Floorplan
@@ -164,7 +200,8 @@ fitPlan(const PointView& points,
         const RoomFitParameters& parameters,
         std::string& problem,
         std::vector<std::string>& warnings,
-        std::vector<FittedBoundary>* boundaries)
+        std::vector<FittedBoundary>* boundaries,
+        std::vector<RoomSheet>* sheets)
 {
   Floorplan plan;
   problem.clear();
@@ -189,6 +226,7 @@ fitPlan(const PointView& points,
   };
   auto ceilings = shareBy(evidence.ceiling, labelled);
   auto details = shareBy(evidence.details, labelled);
+  const auto of_sheets = shareBy(evidence.sheets, labelled);
   std::vector<CellSet> scopes;
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
@@ -230,6 +268,11 @@ fitPlan(const PointView& points,
                          {},
                          std::move(behind[r])},
                         {}});
+  if (sheets)
+    parallelBlocks(
+        numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+          all_work[r].evidence.sheet = seenSheet(placesOf(points, of_sheets[r]));
+        });
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);
@@ -241,6 +284,8 @@ fitPlan(const PointView& points,
       continue;
     }
     plan.rooms.push_back(std::move(rooms[r]));
+    if (all_work[r].evidence.sheet)
+      sheets->push_back({numbers[r], placesOf(points, of_sheets[r])});
     work.push_back(std::move(all_work[r]));
   }
   // What a room leaves may show it a further wall of its neighbours.
@@ -267,6 +312,34 @@ fitPlan(const PointView& points,
     problem =
         warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
   return plan;
+}
+
+void
+giveCeilings(const std::vector<RoomSheet>& sheets,
+             const PointView* scan,
+             const std::vector<int>& indices,
+             unsigned threads,
+             Floorplan& plan)
+{
+  parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    const auto room =
+        std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                     [&](const PlanRoom& other) { return other.id == sheets[k].room; });
+    if (room == plan.rooms.end())
+      return;
+    const SheetParameters parameters;
+    Eigen::AlignedBox2d box;
+    for (const PlanElement& element : room->boundary.elements)
+      box.extend(boxAround(element));
+    const SheetGrid grid = sheetGrid(box, parameters);
+    Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
+                           wallDirections(room->boundary), parameters);
+    if (sheet.facets.empty())
+      return;
+    if (scan)
+      refitToScan(sheet, *scan, indices, parameters);
+    giveCeiling(sheet, sheets[k].points, *room);
+  });
 }
 
 } // namespace sedr

@@ -207,7 +207,11 @@ fitRoom(const PointView& points,
   std::unique_ptr<const ColumnTable> of_all;
   SlabEvidence of_slabs;
   sideBySide({[&] {
-                of_slabs = ceilingEvidence(points, evidence, parameters, room.ceiling);
+                of_slabs = evidence.sheet ? SlabEvidence{slabs, {}, false}
+                                          : ceilingEvidence(points, evidence,
+                                                            parameters, room.ceiling);
+                if (evidence.sheet)
+                  room.ceiling = *evidence.sheet;
                 room.floor = slabOf(points, evidence.floor, parameters);
               },
               [&] {

@@ -27,7 +27,7 @@ constexpr double margin_left = 20; // with the overall size
 constexpr double margin_right = 8;
 constexpr double margin_top = 8;
 constexpr double margin_bottom = 30; // with overall size, scale bar and title
-constexpr double least_width = 110;  // of the page: scale bar and title
+constexpr double least_width = 140;  // of the page: scale bar, scale and north
 constexpr double room_font = 3.2;
 constexpr double size_font = 2.0;
 
@@ -73,6 +73,8 @@ public:
     if (!plan_.rooms.empty()) {
       writeOverallSize();
       writeScaleBar();
+      writeTitle();
+      writeNorth();
     }
     out_ << "</svg>\n";
     return out_.str();
@@ -151,8 +153,11 @@ private:
     Floorplan alone;
     alone.rooms.push_back(room);
     for (const DrawnElement& drawn : drawnElements(alone))
-      if (drawn.layer == DrawnLayer::Detail || drawn.layer == DrawnLayer::FloorDetail)
-        writePath(drawn.layer == DrawnLayer::Detail ? "detail" : "floor_detail",
+      if (drawn.layer == DrawnLayer::Detail || drawn.layer == DrawnLayer::FloorDetail ||
+          drawn.layer == DrawnLayer::Headroom)
+        writePath(drawn.layer == DrawnLayer::Detail     ? "detail"
+                  : drawn.layer == DrawnLayer::Headroom ? "line headroom"
+                                                        : "floor_detail",
                   "M " + at(drawn.element.start) + " " + pathTo(drawn.element));
     for (const PlanLoop& column : room.columns)
       writePath("column", pathOf(column));
@@ -303,11 +308,41 @@ private:
                 shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : ""));
     writeText("name", {margin_left + 4 * part + 20, y + 0.6}, room_font,
               "1:" + shortDecimalText(scale_, 2));
-    if (!name_.empty())
-      writeText("name start", {margin_left, size_.y() - 4.5}, room_font, name_);
     if (!origin_.isZero())
       writeText("size start", {margin_left, size_.y() - 1.5}, size_font,
                 "origin " + origin_.text(", ") + " m");
+  }
+
+  /** @brief The frame around the foot of the page, and what the drawing is of. */
+  void writeTitle()
+  {
+    constexpr double height = 16.5;
+    constexpr double off = 2; // of the frame from what is in it
+    out_ << "<rect class=\"frame\" x=\"" << mm(margin_left - off) << "\" y=\""
+         << mm(size_.y() - height) << "\" width=\""
+         << mm(size_.x() - margin_left - margin_right + 2 * off) << "\" height=\""
+         << mm(height - 0.3) << "\"/>\n";
+    double area = 0;
+    for (const PlanRoom& room : plan_.rooms)
+      area += room.area();
+    const std::size_t count = plan_.rooms.size();
+    writeText("name start", {margin_left, size_.y() - 4.5}, room_font,
+              (name_.empty() ? "Floor plan" : name_) + ", " + std::to_string(count) +
+                  (count == 1 ? " room, " : " rooms, ") + decimalText(area, 2) + " m²");
+  }
+
+  /** @brief An arrow up the page, along y of the plan: north where its origin is a
+   * place of a grid. */
+  void writeNorth()
+  {
+    const Eigen::Vector2d tip(size_.x() - margin_right - 6, size_.y() - 12.5);
+    const auto at = [&](double x, double y) {
+      return mm(tip.x() + x) + " " + mm(tip.y() + y);
+    };
+    writePath("north", "M " + at(0, 0) + " L " + at(2, 7) + " L " + at(0, 5.5) + " L " +
+                           at(-2, 7) + " Z");
+    writeText("size", {tip.x(), tip.y() - 1.8}, size_font,
+              origin_.isZero() ? "y" : "N");
   }
 
   Floorplan plan_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "label_colours.h"
 #include "mesh_parsers.h"
+#include "vertex_labels.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 
@@ -47,6 +49,11 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
   for (const char* axis : {"x", "y", "z"})
     header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis
            << '\n';
+  if (!mesh.labels.empty())
+    header << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+           << "property uint label\n";
+  if (!mesh.rooms.empty())
+    header << "property uint room\n";
   header << "element face " << mesh.triangles.size()
          << "\nproperty list uchar int vertex_indices\n";
   if (!mesh.labels.empty())
@@ -59,19 +66,50 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
   return header.str();
 }
 
+/** @brief What a vertex has beside its place: the colour of its label, label, room. */
+class VertexExtras {
+public:
+  explicit VertexExtras(const TriangleMesh& mesh)
+  {
+    if (!mesh.labels.empty())
+      labels_ = vertexValues(mesh, mesh.labels);
+    if (!mesh.rooms.empty())
+      rooms_ = vertexValues(mesh, mesh.rooms);
+  }
+
+  void append(std::string& bytes, std::size_t v) const
+  {
+    if (!labels_.empty()) {
+      const LabelColour colour = colourOf(labels_[v]);
+      for (const double channel : {colour.red, colour.green, colour.blue})
+        appendBytes(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+      appendBytes(bytes, labels_[v]);
+    }
+    if (!rooms_.empty())
+      appendBytes(bytes, rooms_[v]);
+  }
+
+private:
+  std::vector<std::uint32_t> labels_;
+  std::vector<std::uint32_t> rooms_;
+};
+
 std::string
 plyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
   std::string content = plyHeader(mesh, comments);
   const bool doubles = needsDoubles(mesh);
-  content.reserve(content.size() + (doubles ? 24 : 12) * mesh.vertices.size() +
+  content.reserve(content.size() + (doubles ? 35 : 23) * mesh.vertices.size() +
                   25 * mesh.triangles.size());
-  for (const Eigen::Vector3d& vertex : mesh.vertices)
+  const VertexExtras extras(mesh);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k)
       if (doubles)
-        appendBytes(content, vertex[k]);
+        appendBytes(content, mesh.vertices[v][k]);
       else
-        appendBytes(content, static_cast<float>(vertex[k]));
+        appendBytes(content, static_cast<float>(mesh.vertices[v][k]));
+    extras.append(content, v);
+  }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     appendBytes(content, std::uint8_t(3));
     for (const auto v : mesh.triangles[t])

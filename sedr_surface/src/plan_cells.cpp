@@ -48,6 +48,8 @@ PlanCells::classify()
   const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
     if (const Arrangement::Edge* edge = edgeAt(t, side))
       for (const SegmentUse& use : edge->uses) {
+        if (sources_[use.segment].loop == SegmentSource::no_loop)
+          continue;
         const bool is_left = use.forward == (corner(t, side) == edge->a);
         beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
       }
@@ -216,13 +218,36 @@ PlanCells::edges() const
         continue;
       SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
       for (const SegmentUse& use : edge->uses)
-        e.elements.push_back(sources_[use.segment].element);
+        if (sources_[use.segment].loop != SegmentSource::no_loop)
+          e.elements.push_back(sources_[use.segment].element);
       std::sort(e.elements.begin(), e.elements.end());
       e.elements.erase(std::unique(e.elements.begin(), e.elements.end()),
                        e.elements.end());
       edges.push_back(std::move(e));
     }
   return edges;
+}
+
+std::vector<SubdivisionCrease>
+PlanCells::creases() const
+{
+  std::vector<SubdivisionCrease> creases;
+  for (std::uint32_t t = 0; t < region_.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = triangulation_.neighbours[t][i];
+      const int slab = region_[t].ceiling;
+      const Arrangement::Edge* edge = edgeAt(t, i);
+      if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
+          region_[n] != region_[t])
+        continue;
+      const std::size_t element = layers_.slabs[static_cast<std::size_t>(slab)].element;
+      if (std::any_of(edge->uses.begin(), edge->uses.end(), [&](const SegmentUse& use) {
+            return sources_[use.segment].loop == SegmentSource::no_loop &&
+                   sources_[use.segment].element == element;
+          }))
+        creases.push_back({corner(t, i), corner(t, i + 1), slab});
+    }
+  return creases;
 }
 
 } // namespace sedr

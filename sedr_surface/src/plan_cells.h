@@ -16,8 +16,10 @@ namespace sedr {
 
 /** @brief Where the segments of an arrangement come from. */
 struct SegmentSource {
-  std::size_t loop = 0;    ///< index of RoomLayers::loops
-  std::size_t element = 0; ///< of RoomLayers::elements
+  static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
+
+  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop: of a crease
+  std::size_t element = 0; ///< of RoomLayers::elements; of a crease that of its slab
 };
 
 /** @brief A room's plan in triangles, each with its region: how what the loops say is
@@ -46,6 +48,9 @@ public:
 
   /** @brief The edges between different regions. */
   std::vector<SubdivisionEdge> edges() const;
+
+  /** @brief The creases of curved slabs, where these are. */
+  std::vector<SubdivisionCrease> creases() const;
 
 private:
   static constexpr std::uint32_t none = PlanTriangulation::none;

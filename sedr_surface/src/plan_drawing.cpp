@@ -2,6 +2,7 @@
 #include "plan_drawing.h"
 
 #include "decimal_text.h"
+#include "height_lines.h"
 
 #include <pcl/sedr_surface/plan_facets.h>
 
@@ -13,6 +14,10 @@ namespace pcl {
 namespace sedr {
 
 namespace {
+
+/** @brief Where less is above a floor, half of it counts in most rules for areas under
+ * roofs, metres. */
+constexpr double headroom = 1.5;
 
 bool
 liesOn(const PlanElement& element, const PlanRoom& room)
@@ -147,6 +152,8 @@ drawnElements(const Floorplan& plan)
       }
     for (const PlanNiche& niche : room.niches)
       add(niche.boundary, DrawnLayer::Niche, true);
+    for (const PlanElement& line : heightLines(room, headroom))
+      drawn.push_back({line, DrawnLayer::Headroom, room.id});
   }
   return drawn;
 }
@@ -203,6 +210,7 @@ sizeText(const PlanElement& element)
 std::vector<LevelNote>
 levelNotes(const PlanRoom& room, const TextSpot& room_spot)
 {
+  constexpr double level = 0.997;      // cosine of 4.4 degrees
   constexpr double around_name = 0.35; // of the space that there is
   std::vector<LevelNote> notes;
   const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
@@ -219,6 +227,8 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
       return;
     const Eigen::Vector2d& p = note.spot.place;
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
+    if (detail.is_facet && (detail.slab.curve || detail.slab.plane[2] < level))
+      return; // it has no one height
     const bool is_floor = layer == DrawnLayer::FloorDetail;
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
     notes.push_back(note);
@@ -239,8 +249,13 @@ std::vector<std::string>
 roomTexts(const PlanRoom& room, const Eigen::Vector2d& place, const std::string& square)
 {
   const double height = room.ceiling.heightAt(place) - room.floor.heightAt(place);
+  std::string heights = decimalText(height, 2);
+  if (room.hasFacets()) {
+    const auto [eaves, ridge] = heightRange(room);
+    heights = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
+  }
   return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " " + square,
-          "h " + decimalText(height, 2) + " m"};
+          "h " + heights + " m"};
 }
 
 } // namespace sedr

@@ -13,7 +13,14 @@ namespace pcl {
 namespace sedr {
 
 /** @brief What a line of a drawing shows. */
-enum class DrawnLayer { Wall, Column, Detail, FloorDetail, Niche };
+enum class DrawnLayer {
+  Wall,
+  Column,
+  Detail, ///< of a ceiling that is not level: ridges, valleys, springing lines, steps
+  FloorDetail,
+  Niche,
+  Headroom ///< where a ceiling that is not level is 1.5 m above the floor
+};
 
 struct DrawnElement {
   PlanElement element;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
+#include "slab_creases.h"
 #include "subdivision_mending.h"
 
 #include <algorithm>
@@ -35,6 +36,32 @@ collectSegments(const std::vector<FacetChain>& chains,
   }
 }
 
+/** @brief Adds the creases of curved slabs, as far as the grid reaches. */
+void
+collectCreases(const RoomLayers& layers,
+               const std::vector<FacetChain>& chains,
+               const PlanGrid& grid,
+               double tolerance,
+               std::vector<GridSegment>& segments,
+               std::vector<SegmentSource>& sources)
+{
+  for (const RoomLayers::Slab& slab : layers.slabs) {
+    if (!slab.slab.curve)
+      continue;
+    Eigen::AlignedBox2d bounds;
+    for (std::size_t l = 0; l < chains.size(); ++l)
+      if (layers.loops[l].loop == slab.loop)
+        for (const Eigen::Vector2d& corner : chains[l].corners)
+          bounds.extend(corner);
+    if (bounds.isEmpty())
+      continue;
+    for (const auto& [from, to] : creasesOf(*slab.slab.curve, bounds, tolerance)) {
+      segments.push_back({grid.toGrid(from), grid.toGrid(to)});
+      sources.push_back({SegmentSource::no_loop, slab.element});
+    }
+  }
+}
+
 FacetCorners
 cornersOf(const std::vector<GridSegment>& segments,
           const std::vector<SegmentSource>& sources)
@@ -42,7 +69,8 @@ cornersOf(const std::vector<GridSegment>& segments,
   FacetCorners corners;
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (const GridPoint& end : {segments[i].from, segments[i].to})
-      corners.insert({sources[i].element, end});
+      if (sources[i].loop != SegmentSource::no_loop)
+        corners.insert({sources[i].element, end});
   return corners;
 }
 
@@ -122,6 +150,8 @@ subdivideRoom(const RoomLayers& layers,
   std::vector<GridSegment> segments;
   std::vector<SegmentSource> sources;
   collectSegments(chains, subdivision.grid, segments, sources);
+  collectCreases(layers, chains, subdivision.grid, parameters.chord_tolerance, segments,
+                 sources);
 
   Arrangement arrangement;
   arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
@@ -143,6 +173,7 @@ subdivideRoom(const RoomLayers& layers,
   cells.checkPieces(warnings);
   subdivision.vertices = arrangement.vertices;
   subdivision.edges = cells.edges();
+  subdivision.creases = cells.creases();
   if (subdivision.edges.empty())
     return "its plan encloses no room";
 

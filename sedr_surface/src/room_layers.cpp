@@ -29,8 +29,9 @@ labelOf(LoopRole role)
 RoomLayers::RoomLayers(const PlanRoom& room)
     : room_(room.id)
 {
-  addSlab(room.floor, StructureLabel::Floor, "floor");
-  addSlab(room.ceiling, StructureLabel::Ceiling, "ceiling");
+  addSlab(room.floor, room.boundary, StructureLabel::Floor, "floor");
+  addSlab(room.ceiling, room.boundary, StructureLabel::Ceiling, "ceiling");
+  slabs.back().is_facet = room.hasFacets();
   addLoop(room.boundary, LoopRole::Wall, "wall");
   for (std::size_t c = 0; c < room.columns.size(); ++c)
     addLoop(room.columns[c], LoopRole::ColumnFace, numbered("column", c) + "_face");
@@ -41,10 +42,10 @@ RoomLayers::RoomLayers(const PlanRoom& room)
     const std::string name = numbered("niche", n);
     Part niche;
     niche.boundary = loops.size();
-    niche.region.floor =
-        addSlab(room.niches[n].bottom, StructureLabel::Detail, name + "_bottom");
-    niche.region.ceiling =
-        addSlab(room.niches[n].top, StructureLabel::Detail, name + "_top");
+    niche.region.floor = addSlab(room.niches[n].bottom, room.niches[n].boundary,
+                                 StructureLabel::Detail, name + "_bottom");
+    niche.region.ceiling = addSlab(room.niches[n].top, room.niches[n].boundary,
+                                   StructureLabel::Detail, name + "_top");
     addLoop(room.niches[n].boundary, LoopRole::NicheSide, name + "_side");
     niches_.push_back(niche);
   }
@@ -61,7 +62,10 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
     part.boundary = loops.size();
     part.holes = details[d].holes.size();
     (is_floor ? part.region.floor : part.region.ceiling) =
-        addSlab(details[d].slab, StructureLabel::Detail, numbered(name, d));
+        addSlab(details[d].slab, details[d].boundary,
+                details[d].is_facet ? StructureLabel::Ceiling : StructureLabel::Detail,
+                numbered(name, d));
+    slabs.back().is_facet = details[d].is_facet;
     addLoop(details[d].boundary, role, numbered(name, d) + "_edge");
     for (std::size_t h = 0; h < details[d].holes.size(); ++h)
       addLoop(details[d].holes[h], role,
@@ -71,9 +75,12 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
 }
 
 int
-RoomLayers::addSlab(const PlanSlab& slab, StructureLabel label, const std::string& name)
+RoomLayers::addSlab(const PlanSlab& slab,
+                    const PlanLoop& loop,
+                    StructureLabel label,
+                    const std::string& name)
 {
-  slabs.push_back({slab, elements.size()});
+  slabs.push_back({slab, elements.size(), &loop});
   elements.push_back({room_, label, "room_" + std::to_string(room_) + "_" + name});
   return static_cast<int>(slabs.size()) - 1;
 }

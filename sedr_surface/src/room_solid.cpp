@@ -38,11 +38,13 @@ std::string
 slabProblem(const PlanSlab& slab, const std::string& name)
 {
   const Eigen::Vector4d& plane = slab.plane;
-  const bool is_sound = plane.allFinite() && plane[2] >= 0.7 * plane.head<3>().norm() &&
-                        plane[2] > 0 &&
+  constexpr double least_upward = 0.49; // a slope of 60 degrees, and what rounding adds
+  const bool is_sound = plane.allFinite() &&
+                        plane[2] >= least_upward * plane.head<3>().norm() &&
+                        plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
                         std::abs(slab.heightAt({0, 0})) <= 4 * most_coordinate;
   return is_sound ? std::string()
-                  : name + " is not finite, leans by more than 45 degrees or lies "
+                  : name + " is not finite, leans by more than 60 degrees or lies "
                            "beyond 1000000 m";
 }
 
@@ -57,7 +59,7 @@ measure(const TriangleMesh& solid, RoomSolidReport& report)
     report.area += area;
     if (label == StructureLabel::Wall || label == StructureLabel::Column)
       report.wall_area += area;
-    else if (std::abs(normal.z()) < area) // upright: slabs lean by 45 degrees at most
+    else if (label == StructureLabel::Detail && std::abs(normal.z()) < area) // upright
       report.riser_area += area;
     else
       (normal.z() < 0 ? report.floor_area : report.ceiling_area) += area;

@@ -4,6 +4,7 @@
 #include <pcl/sedr_surface/constrained_triangulation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -99,21 +100,35 @@ SolidBuilder::addSlab(int slab)
   std::vector<GridPoint> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
   bool faces_up = false;
+  const auto numberOf = [&](std::uint32_t v) {
+    if (number[v] == PlanTriangulation::none) {
+      number[v] = static_cast<std::uint32_t>(points.size());
+      points.push_back(plan_.vertices[v]);
+      vertices.push_back(v);
+    }
+    return number[v];
+  };
   for (const SubdivisionEdge& edge : plan_.edges) {
     if (edge.left.has(slab) == edge.right.has(slab))
       continue;
     faces_up = edge.left.ceiling == slab || edge.right.ceiling == slab;
-    for (const std::uint32_t v : {edge.a, edge.b})
-      if (number[v] == PlanTriangulation::none) {
-        number[v] = static_cast<std::uint32_t>(points.size());
-        points.push_back(plan_.vertices[v]);
-        vertices.push_back(v);
-      }
-    rim.push_back(std::minmax(number[edge.a], number[edge.b]));
+    const std::uint32_t a = numberOf(edge.a);
+    const std::uint32_t b = numberOf(edge.b);
+    rim.push_back(std::minmax(a, b));
   }
   std::sort(rim.begin(), rim.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> folds = rim;
+  for (const SubdivisionCrease& crease : plan_.creases)
+    if (crease.slab == slab) {
+      const std::uint32_t a = numberOf(crease.a);
+      const std::uint32_t b = numberOf(crease.b);
+      folds.push_back(std::minmax(a, b));
+    }
+  std::sort(folds.begin(), folds.end());
   PlanTriangulation faces;
-  if (!triangulateConstrained(points, rim, faces))
+  // A corner that was cut off may lie on a crease: then the curve does without them.
+  if (!triangulateConstrained(points, folds, faces) &&
+      !triangulateConstrained(points, rim, faces))
     return false;
   const std::vector<bool> is_inside = insideOf(faces, rim);
   for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
@@ -122,11 +137,20 @@ SolidBuilder::addSlab(int slab)
     std::array<Corner, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t v = vertices[faces.triangles[t][faces_up ? i : 2 - i]];
-      corners[i] = {v, levels_[v].levelOf(slab)};
+      corners[i] = {v, levelOf(slab, v)};
     }
     addTriangle(corners, layers_.slabs[static_cast<std::size_t>(slab)].element);
   }
   return true;
+}
+
+std::int64_t
+SolidBuilder::levelOf(int slab, std::uint32_t vertex) const
+{
+  if (levels_[vertex].has(slab))
+    return levels_[vertex].levelOf(slab);
+  const PlanSlab& own = layers_.slabs[static_cast<std::size_t>(slab)].slab;
+  return std::llround(own.heightAt(plan_.placeOf(vertex)) / plan_.grid.unit());
 }
 
 std::vector<std::int64_t>

@@ -34,6 +34,9 @@ private:
    * @return false if it could not be triangulated */
   bool addSlab(int slab);
 
+  /** @brief Level of a slab above a vertex, which may lie within the slab. */
+  std::int64_t levelOf(int slab, std::uint32_t vertex) const;
+
   /** @brief Adds what stands on an edge: where one of its sides is solid and the other
    * is not. */
   void addUpright(const SubdivisionEdge& edge);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
+#include "label_colours.h"
 
 #include <pcl/sedr_surface/solid_obj.h>
 
@@ -30,7 +31,8 @@ byElement(const TriangleMesh& mesh)
 std::string
 solidToObj(const TriangleMesh& mesh,
            const std::vector<SolidElement>& elements,
-           const std::string& material_file)
+           const std::string& material_file,
+           const std::map<std::uint32_t, std::uint32_t>& storey_of)
 {
   std::ostringstream obj;
   obj << "# metres, z up, faces outwards\n";
@@ -47,7 +49,11 @@ solidToObj(const TriangleMesh& mesh,
     room = mesh.rooms[t];
     if (mesh.elements[t] != element) {
       const SolidElement& e = elements[mesh.elements[t] - 1];
-      obj << "g " << e.name << "\nusemtl " << toString(e.label) << '\n';
+      obj << "g " << e.name << " room_" << e.room;
+      const auto storey = storey_of.find(e.room);
+      if (storey != storey_of.end())
+        obj << " storey_" << storey->second;
+      obj << "\nusemtl " << toString(e.label) << '\n';
     }
     element = mesh.elements[t];
     obj << 'f';
@@ -61,19 +67,11 @@ solidToObj(const TriangleMesh& mesh,
 std::string
 solidMaterials()
 {
-  struct Material {
-    StructureLabel label;
-    const char* colour; ///< red, green and blue from 0 to 1
-  };
-  constexpr Material materials[] = {{StructureLabel::Ceiling, "0.93 0.93 0.90"},
-                                    {StructureLabel::Floor, "0.72 0.58 0.42"},
-                                    {StructureLabel::Wall, "0.82 0.84 0.86"},
-                                    {StructureLabel::Detail, "0.42 0.62 0.78"},
-                                    {StructureLabel::Column, "0.80 0.45 0.35"}};
   std::ostringstream mtl;
   mtl << "# by label\n";
-  for (const Material& m : materials)
-    mtl << "newmtl " << toString(m.label) << "\nKa 0 0 0\nKd " << m.colour
+  for (const LabelColour& c : label_colours)
+    mtl << "newmtl " << toString(c.label) << "\nKa 0 0 0\nKd " << decimalText(c.red, 2)
+        << ' ' << decimalText(c.green, 2) << ' ' << decimalText(c.blue, 2)
         << "\nKs 0 0 0\nd 1\nillum 1\n";
   return mtl.str();
 }

@@ -29,7 +29,7 @@ secondsSince(std::chrono::steady_clock::time_point start)
 std::string
 inchDoubt(const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
-  constexpr float lowest = 60; // metres, if the metre is the unit
+  constexpr float lowest = 60;   // metres, if the metre is the unit
   constexpr float highest = 200; // above, the check of the scan tells the unit
   if (cloud.empty())
     return {};

@@ -7,6 +7,7 @@
 #include <pcl/sedr_segmentation/niche_fit.h>
 #include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_segmentation/scan_check.h>
+#include <pcl/sedr_segmentation/sheet_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,32 @@
 
 namespace pcl {
 namespace sedr {
+
+namespace {
+
+/** @brief Of a ceiling, less than this is no matter, square metres. */
+constexpr double worth_word = 1;
+
+/** @brief How far a height is from those of a room's ceiling over a column about a
+ * place and its neighbours, metres: a slope has many. */
+double
+distanceFromCeiling(const PlanRoom& room,
+                    const Eigen::Vector2d& place,
+                    double size,
+                    double height)
+{
+  double low = room.ceilingAt(place);
+  double high = low;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const double z = room.ceilingAt(place + size * Eigen::Vector2d(x, y));
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+  return std::max({0.0, low - height, height - high});
+}
+
+} // namespace
 
 pcl::IndicesPtr
 StructureChain::labelled(StructureLabel label) const
@@ -90,7 +117,6 @@ StructureChain::findDetails(StageReport& report)
       rooms[static_cast<std::size_t>(i)] = room;
     }
     report.points_out += details[r].indices.size() + labelLowerCeilings(r);
-    warnOfVault(r);
   }
   return true;
 }
@@ -133,34 +159,83 @@ StructureChain::labelLowerCeilings(std::size_t region)
   return found;
 }
 
-void
-StructureChain::warnOfVault(std::size_t region)
+StructureChain::PlaceOff
+StructureChain::ceilingOff(
+    std::size_t region,
+    const std::function<double(const Eigen::Vector2d&, double)>& distance) const
 {
-  constexpr double off = 0.1;      // metres from the plane that stands for it
-  constexpr double worth_word = 1; // square metres
+  constexpr double off = 0.1; // metres from what stands for it
   const Building& building = getBuilding();
   const CellGrid columns(building.cell_size);
-  const PlanSlab& slab = regions_[region].ceiling_slab;
-  double area = 0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  PlaceOff place;
   for (const RoomColumn& column : building.rooms[region].columns) {
-    const double modelled = slab.heightAt(columns.centre(column.cell));
     if (column.is_level || !column.ceiling_seen ||
-        std::abs(column.ceiling - modelled) <= off)
+        distance(columns.centre(column.cell), column.ceiling) <= off)
       continue;
-    area += building.cell_size * building.cell_size;
-    low = std::min<double>(low, column.ceiling);
-    high = std::max<double>(high, column.ceiling);
+    place.area += building.cell_size * building.cell_size;
+    place.low = std::min<double>(place.low, column.ceiling);
+    place.high = std::max<double>(place.high, column.ceiling);
   }
-  if (area < worth_word)
-    return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%.1f m2 of its ceiling are not level, from %.2f to %.2f m: they are "
-                "modelled by the main plane",
-                area, low, high);
-  warn(static_cast<std::uint32_t>(region + 1), text);
+  return place;
+}
+
+bool
+StructureChain::hasSheet(std::size_t region) const
+{
+  constexpr double least_share = 0.2; // of patches: ribs, risers and lamps make a few
+  std::vector<Eigen::Vector3d> points;
+  for (const int i : seenCeiling(region))
+    points.push_back(
+        (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
+  return slopingShare(points) >= least_share;
+}
+
+pcl::Indices
+StructureChain::seenCeiling(std::size_t region) const
+{
+  pcl::Indices seen;
+  for (const int i : regions_[region].ceiling)
+    if (static_cast<std::size_t>(i) < scanned_points_) // else put where it was hidden
+      seen.push_back(i);
+  return seen;
+}
+
+pcl::IndicesPtr
+StructureChain::sheetPoints() const
+{
+  pcl::IndicesPtr sheets(new pcl::Indices);
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    if (!hasSheet(r))
+      continue;
+    const pcl::Indices seen = seenCeiling(r);
+    sheets->insert(sheets->end(), seen.begin(), seen.end());
+  }
+  std::sort(sheets->begin(), sheets->end());
+  return sheets;
+}
+
+void
+StructureChain::warnOfCeilings()
+{
+  for (const PlanRoom& room : plan->rooms) {
+    const std::size_t region = room.id - 1;
+    const bool has_facets = room.hasFacets();
+    const PlanSlab& slab = regions_[region].ceiling_slab;
+    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
+      return has_facets ? distanceFromCeiling(room, p, getBuilding().cell_size, z)
+                        : std::abs(z - slab.heightAt(p));
+    });
+    if (off.area < worth_word)
+      continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  has_facets ? "%.1f m2 of its ceiling, from %.2f to %.2f m, are more "
+                               "than 10 cm off its facets"
+                             : "%.1f m2 of its ceiling are not level, from %.2f to "
+                               "%.2f m: they are modelled by the main plane",
+                  off.area, off.low, off.high);
+    warn(room.id, text);
+  }
 }
 
 bool
@@ -254,6 +329,7 @@ StructureChain::fitPlan(StageReport& report)
   floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
   floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
   floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
+  floorplan_fitting.setSheetIndices(sheetPoints());
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
@@ -261,6 +337,7 @@ StructureChain::fitPlan(StageReport& report)
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
   giveStoreys(getBuilding(), *plan);
+  warnOfCeilings();
   const std::string doubt = footProblem(*plan);
   if (!doubt.empty())
     warnings.push_back(doubt);

@@ -31,8 +31,11 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
   constexpr double straight = 4; // grid units: what rounding leaves
   auto spokes = spokesOf(plan);
   std::vector<bool> is_dropped(plan.edges.size(), false);
+  std::vector<bool> is_creased(plan.vertices.size(), false);
+  for (const SubdivisionCrease& crease : plan.creases)
+    is_creased[crease.a] = is_creased[crease.b] = true;
   for (std::uint32_t v = 0; v < plan.vertices.size(); ++v) {
-    if (spokes[v].size() != 2)
+    if (spokes[v].size() != 2 || is_creased[v])
       continue;
     const Spoke in = spokes[v][0];
     const Spoke out = spokes[v][1];

@@ -21,6 +21,8 @@ constexpr const char* svg_style = R"(
   .gap { fill: none; stroke: #f6f3ec; stroke-width: 0.8; }
   .jamb { fill: none; stroke: #111; stroke-width: 0.25; stroke-linecap: square; }
   .line { fill: none; stroke: #555; stroke-width: 0.15; }
+  .frame { fill: none; stroke: #111; stroke-width: 0.25; }
+  .north { fill: #111; stroke: none; }
   .size { fill: #555; text-anchor: middle; }
   .level { fill: #2b62a8; text-anchor: middle; }
   .name { fill: #111; text-anchor: middle; }

@@ -7,6 +7,13 @@
 namespace pcl {
 namespace sedr {
 
+namespace {
+
+/** @brief A step of less than this between two facets of a ceiling is none, metres. */
+constexpr double facet_step = 0.002;
+
+} // namespace
+
 VertexLevels::VertexLevels(const RoomLayers& layers,
                            const PlanSubdivision& subdivision,
                            std::uint32_t vertex,
@@ -14,7 +21,17 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
 {
   const Eigen::Vector2d place = subdivision.placeOf(vertex);
   const double unit = subdivision.grid.unit();
-  const auto same = static_cast<std::int64_t>(solidSeparation(subdivision.grid) / unit);
+  const double separation = solidSeparation(subdivision.grid);
+  const auto isFacet = [&](int slab) {
+    return layers.slabs[static_cast<std::size_t>(slab)].is_facet;
+  };
+  // Where two facets meet, their borders are known to some tenths of a millimetre.
+  const auto sameFor = [&](int slab, int other) {
+    return static_cast<std::int64_t>((isFacet(slab) && isFacet(other)
+                                          ? std::max(separation, facet_step)
+                                          : separation) /
+                                     unit);
+  };
   std::vector<std::pair<std::int64_t, int>> heights;
   for (const Spoke& spoke : spokes)
     for (const int slab : {spoke.left.floor, spoke.left.ceiling})
@@ -25,10 +42,13 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   std::int64_t level = 0;
+  int first = 0; // slab of the level
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const auto [height, slab] = heights[i];
-    if (i == 0 || height - level >= same)
+    if (i == 0 || height - level >= sameFor(first, slab)) {
       level = height;
+      first = slab;
+    }
     of_slab_.emplace_back(slab, level);
   }
   const auto crossing = subdivision.crossings.find(vertex);
@@ -51,6 +71,13 @@ VertexLevels::join(int slab, int other)
   for (auto& entry : of_slab_)
     if (entry.second >= low && entry.second <= high)
       entry.second = low;
+}
+
+bool
+VertexLevels::has(int slab) const
+{
+  return std::any_of(of_slab_.begin(), of_slab_.end(),
+                     [slab](const auto& s) { return s.first == slab; });
 }
 
 std::int64_t

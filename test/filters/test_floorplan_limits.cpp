@@ -60,9 +60,9 @@ TEST(FloorplanLimits, CoordinatesBeyondAThousandKilometresAreRefused)
 TEST(FloorplanLimits, SlabsThatLeanTooMuchAreRefused)
 {
   Floorplan plan = smallPlan();
-  plan.rooms[0].ceiling = slabAt(2.5, 1.0); // 45 degrees
+  plan.rooms[0].ceiling = slabAt(2.5, 1.73); // 60 degrees
   EXPECT_EQ(problemOf(plan), "");
-  plan.rooms[0].ceiling = slabAt(2.5, 1.1);
+  plan.rooms[0].ceiling = slabAt(2.5, 1.9);
   expectRefused(plan, "face up");
   plan = smallPlan();
   plan.rooms[0].details[0].slab = slabAt(2.2, 0, -2);

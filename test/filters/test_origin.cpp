@@ -24,7 +24,8 @@ TEST(Origin, TextAndCommentReadBack)
 TEST(Origin, WhatIsNoOriginIsNotRead)
 {
   Origin origin{{1, 2, 3}};
-  for (const char* text : {"", "1 2", "1 2 3 4", "1 2 x", "1 2 nan", "1 2 inf", "1;2;3"})
+  for (const char* text :
+       {"", "1 2", "1 2 3 4", "1 2 x", "1 2 nan", "1 2 inf", "1;2;3"})
     EXPECT_FALSE(Origin::fromText(text, origin)) << text;
   EXPECT_FALSE(Origin::fromComment("# origin 1 2 3", origin));
   EXPECT_EQ(origin, (Origin{{1, 2, 3}}));

@@ -156,7 +156,7 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   const std::string upper = floorplanToSvg(plan, 0, &storeys[1]);
   EXPECT_EQ(between(lower, "width=", "<title>"), between(upper, "width=", "<title>"));
   EXPECT_TRUE(holds(lower, "Floor plan 1:50, ground &amp; more</title>"));
-  EXPECT_TRUE(holds(upper, ">attic<"));
+  EXPECT_TRUE(holds(upper, ">attic, 2 rooms, "));
   EXPECT_TRUE(holds(lower, "id=\"room_2\"") && !holds(lower, "id=\"room_3\""));
   EXPECT_TRUE(holds(upper, "id=\"room_3\"") && !holds(upper, "id=\"room_2\""));
   // The origin of the plan, 3 m to the right of the margin of 20 mm and as high as

@@ -4,6 +4,12 @@
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
+#include <pcl/PolygonMesh.h>
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -81,6 +87,31 @@ TEST_F(MeshIo, a_mesh_comes_back_to_the_last_digit_of_a_float)
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_EQ(copy.vertices[v].cast<float>(), mesh.vertices[v].cast<float>());
   EXPECT_FALSE(std::filesystem::exists(path("torus.ply.part")));
+}
+
+TEST_F(MeshIo, pcl_reads_labels_rooms_and_colours_of_vertices)
+{
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 3}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
+  mesh.labels = {2, 3};
+  mesh.rooms = {7, 7};
+  ASSERT_EQ(savePly(path("corner.ply"), mesh), "");
+  pcl::PolygonMesh read;
+  ASSERT_GE(pcl::io::loadPLYFile(path("corner.ply"), read), 0);
+  EXPECT_EQ(read.polygons.size(), 2u);
+  pcl::PointCloud<pcl::PointXYZL> labelled;
+  pcl::fromPCLPointCloud2(read.cloud, labelled);
+  ASSERT_EQ(labelled.size(), 4u);
+  EXPECT_EQ(labelled[3].z, 3);
+  EXPECT_EQ(labelled[2].label, 2u);
+  EXPECT_EQ(labelled[3].label, 3u);
+  EXPECT_EQ(labelled[0].label, 3u) << "the wall is the larger one there";
+  pcl::PointCloud<pcl::PointXYZRGB> coloured;
+  pcl::fromPCLPointCloud2(read.cloud, coloured);
+  EXPECT_EQ(coloured[2].r, 184) << "a floor's";
+  EXPECT_EQ(coloured[3].b, 219) << "a wall's";
+  EXPECT_GE(pcl::getFieldIndex(read.cloud, "room"), 0);
 }
 
 TEST_F(MeshIo, ascii_ply_with_polygons_other_properties_and_names_is_read)

@@ -294,8 +294,8 @@ TEST_F(CloudFiles, CoordinatesTooLargeForAFloatAreRefusedButStrayPointsAreNot)
   EXPECT_EQ(refusal("FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 2\n"
                     "DATA ascii\n412345.5 5650100 90\n412346.5 5650101 91\n"),
             "");
-  const std::string sentence = refusal(
-      programs::pcdBytes({{412345.5f, 5650100, 90}, {412346.5f, 5650101, 91}}));
+  const std::string sentence =
+      refusal(programs::pcdBytes({{412345.5f, 5650100, 90}, {412346.5f, 5650101, 91}}));
   EXPECT_NE(sentence.find("5650101 m"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("(412000, 5650000, 0)"), std::string::npos) << sentence;
 }

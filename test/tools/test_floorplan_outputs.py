@@ -145,10 +145,15 @@ def read_ply(path):
             counts[element] = int(words[2])
         elif words[0] == "property":
             properties[element].append(words[1:])
-    assert [p[-1] for p in properties["vertex"]] == ["x", "y", "z"]
+    assert [p[-1] for p in properties["vertex"]] == ["x", "y", "z", "red", "green", "blue", "label", "room"]
     number = {"float": "f", "double": "d"}[properties["vertex"][0][0]]
-    at = struct.calcsize("<3" + number) * counts["vertex"]
-    vertices = list(struct.iter_unpack("<3" + number, body[:at]))
+    row = "<3" + number + "3B2I"
+    at = struct.calcsize(row) * counts["vertex"]
+    rows = list(struct.iter_unpack(row, body[:at]))
+    vertices = [r[:3] for r in rows]
+    looks = {(r[6], r[3:6]) for r in rows}
+    assert len(looks) == len({label for label, _ in looks}), "a colour a label"
+    assert {r[7] for r in rows} == {1, 2}
     assert [p[-1] for p in properties["face"]] == ["vertex_indices", "label", "room", "element"]
     groups, labels = defaultdict(list), {}
     for _ in range(counts["face"]):
@@ -159,6 +164,32 @@ def read_ply(path):
         labels[names[e]] = label
     assert at == len(body)
     return vertices, groups, labels
+
+
+def area_of(polyline):
+    """The area within a closed polyline with bulges."""
+    vertices = list(polyline.vertices)
+    area = 0
+    for v, w in zip(vertices, vertices[1:] + vertices[:1]):
+        a, b = v.dxf.location, w.dxf.location
+        area += (a.x * b.y - b.x * a.y) / 2
+        if v.dxf.bulge:
+            angle = 4 * math.atan(v.dxf.bulge)
+            radius = math.dist((a.x, a.y), (b.x, b.y)) / 2 / math.sin(abs(angle) / 2)
+            area += math.copysign(radius ** 2 / 2 * (abs(angle) - math.sin(abs(angle))), angle)
+    return area
+
+
+def read_glb(path):
+    """JSON and bytes of a binary glTF."""
+    with open(path, "rb") as file:
+        content = file.read()
+    magic, version, size, json_size, kind = struct.unpack_from("<4s2II4s", content)
+    assert (magic, version, size, kind) == (b"glTF", 2, len(content), b"JSON")
+    after = 20 + json_size
+    binary_size, kind = struct.unpack_from("<I4s", content, after)
+    assert kind == b"BIN\0" and after + 8 + binary_size == len(content) and after % 4 == 0
+    return json.loads(content[20:after]), content[after + 8:]
 
 
 def read_png(path):
@@ -197,6 +228,27 @@ def read_png(path):
         rows.append([tuple(row[i:i + 3]) for i in range(0, len(row), step)])
         before = row
     return rows
+
+
+def text_boxes(path):
+    """Box and words of each text of an SVG, letters as wide as those of sans-serif fonts on average."""
+    boxes = []
+    for text in xml.etree.ElementTree.parse(path).getroot().iter("{http://www.w3.org/2000/svg}text"):
+        x, y, font = (float(text.get(k)) for k in ("x", "y", "font-size"))
+        turn = re.match(r"rotate\((\S+)", text.get("transform", "rotate(0"))
+        angle = math.radians(float(turn.group(1)))
+        width, height = 0.56 * font * len(text.text), font
+        if "start" in text.get("class").split():
+            x += width / 2
+        half = (abs(math.cos(angle)) * width / 2 + abs(math.sin(angle)) * height / 2,
+                abs(math.sin(angle)) * width / 2 + abs(math.cos(angle)) * height / 2)
+        boxes.append((x - half[0], y - half[1], x + half[0], y + half[1], text.text))
+    return boxes
+
+
+def collisions(boxes):
+    return [(a[4], b[4]) for i, a in enumerate(boxes) for b in boxes[:i]
+            if min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])]
 
 
 class Outputs(unittest.TestCase):
@@ -239,6 +291,8 @@ class Outputs(unittest.TestCase):
         vertices, groups, materials, library = read_obj(self.path("solid.obj"))
         self.expect_solid(vertices, groups, 5)
         self.assertEqual(library, "solid.mtl")
+        with open(self.path("solid.obj")) as file:
+            self.assertIn("\ng room_2_floor room_2 storey_1\n", file.read())
         with open(self.path("solid.mtl")) as file:
             defined = re.findall(r"^newmtl (\S+)", file.read(), re.M)
         self.assertLessEqual(set(materials.values()), set(defined))
@@ -260,6 +314,42 @@ class Outputs(unittest.TestCase):
         self.assertEqual(labels["room_1_detail_1_edge_2"], 4)
         self.assertEqual(labels["room_1_column_1_face_1"], 5)
 
+    def test_glb(self):
+        self.run_tool(EXTRUSION, self.plan, self.path("solid.glb"))
+        gltf, binary = read_glb(self.path("solid.glb"))
+        self.assertEqual(gltf["asset"]["version"], "2.0")
+
+        def floats(accessor):
+            a = gltf["accessors"][accessor]
+            view = gltf["bufferViews"][a["bufferView"]]
+            self.assertEqual((a["componentType"], a["type"]), (5126, "VEC3"))
+            self.assertEqual(view["byteLength"], 12 * a["count"])
+            rows = list(struct.iter_unpack("<3f", binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]))
+            if "min" in a:
+                self.assertEqual(a["min"], [min(r[k] for r in rows) for k in range(3)])
+                self.assertEqual(a["max"], [max(r[k] for r in rows) for k in range(3)])
+            return rows
+
+        nodes, (storey,) = gltf["nodes"], gltf["scenes"][0]["nodes"]
+        rooms = [nodes[r] for r in nodes[storey]["children"]]
+        self.assertEqual([r["name"] for r in rooms], ["room_1", "room_2"])
+        volumes = []
+        for room in rooms:
+            volume = 0
+            for part in (nodes[p] for p in room["children"]):
+                (primitive,) = gltf["meshes"][part["mesh"]]["primitives"]
+                places = floats(primitive["attributes"]["POSITION"])
+                normals = floats(primitive["attributes"]["NORMAL"])
+                material = gltf["materials"][primitive["material"]]["name"]
+                if part["name"].endswith("_ceiling"):
+                    self.assertEqual(material, "ceiling")
+                    self.assertTrue(all(math.dist(n, (0, 1, 0)) < 1e-6 for n in normals), "y is up")
+                for a, b, c in zip(places[::3], places[1::3], places[2::3]):
+                    volume += dot(a, cross(b, c)) / 6
+            volumes.append(volume)
+        self.assertAlmostEqual(volumes[0], HALL_VOLUME, 3)
+        self.assertAlmostEqual(volumes[1], CELL_VOLUME, 3)
+
     def test_dxf(self):
         try:
             import ezdxf
@@ -272,7 +362,7 @@ class Outputs(unittest.TestCase):
         kinds = Counter((e.dxftype(), e.dxf.layer) for e in drawing.modelspace()
                         if e.dxftype() != "TEXT")
         # Edges of soffit, platform and niche that lie on walls are not drawn twice.
-        self.assertEqual(kinds, {("LINE", "WALL"): 7, ("ARC", "WALL"): 1, ("CIRCLE", "COLUMN"): 1,
+        self.assertEqual(kinds, {("POLYLINE", "ROOM"): 2, ("DIMENSION", "DIMENSION"): 7, ("LINE", "WALL"): 7, ("ARC", "WALL"): 1, ("CIRCLE", "COLUMN"): 1,
                                  ("LINE", "COLUMN"): 4, ("LINE", "DETAIL"): 1,
                                  ("LINE", "FLOOR_DETAIL"): 1, ("LINE", "NICHE"): 3})
         for layer in ("WALL", "COLUMN", "DETAIL", "FLOOR_DETAIL", "NICHE", "TEXT", "DIMENSION"):
@@ -282,6 +372,16 @@ class Outputs(unittest.TestCase):
         self.assertEqual((apse.dxf.start_angle, apse.dxf.end_angle), (270, 90))
         (column,) = drawing.modelspace().query("CIRCLE")
         self.assertEqual((column.dxf.center.x, column.dxf.center.y, column.dxf.radius), (3, 2, 0.4))
+        self.assertEqual(drawing.header["$INSUNITS"], 6, "metres")
+        outlines = sorted(abs(area_of(line)) for line in drawing.modelspace().query("POLYLINE"))
+        self.assertAlmostEqual(outlines[0], 15, 6)
+        self.assertAlmostEqual(outlines[1], 24 + 2 * math.pi, 6)
+        self.assertTrue(all(line.is_closed for line in drawing.modelspace().query("POLYLINE")))
+        lengths = sorted(round(d.get_measurement(), 6) for d in drawing.modelspace().query("DIMENSION"))
+        self.assertEqual(lengths, [3, 3, 4, 5, 5, 6, 6])
+        shown = {t.dxf.text for d in drawing.modelspace().query("DIMENSION")
+                 for t in drawing.blocks.get(d.dxf.geometry).query("TEXT")}
+        self.assertEqual(shown, {"3.00", "4.00", "5.00", "6.00"})
         ends = Counter()
         for e in drawing.modelspace().query("LINE ARC[layer=='WALL']"):
             if e.dxf.layer != "WALL":
@@ -291,9 +391,22 @@ class Outputs(unittest.TestCase):
         self.assertEqual(set(ends.values()), {2}, "walls are closed loops")
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
-        for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "6.00", "R 2.00",
+        for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "R 2.00",
                      "2.60", "+0.30"):
             self.assertIn(text, texts)
+
+    def test_texts_of_the_svg_do_not_collide(self):
+        """Also in the plans that SEDR_PLANS names, parted by colons."""
+        plans = [self.plan] + [p for p in os.environ.get("SEDR_PLANS", "").split(":") if p]
+        for plan in plans:
+            for scale in ("0", "50", "100", "200"):
+                self.run_tool(DRAWING, plan, self.path("sheet.svg"), "--scale", scale)
+                for name in filter(re.compile(r"sheet(_\d+)?\.svg$").match, os.listdir(self.folder)):
+                    boxes = text_boxes(self.path(name))
+                    self.assertGreater(len(boxes), 4)
+                    self.assertEqual(collisions(boxes), [], "%s 1:%s" % (plan, scale))
+                    os.remove(self.path(name))
+        self.assertEqual(collisions([(0, 0, 2, 1, "a"), (1, 0.5, 3, 2, "b")]), [("b", "a")])
 
     def test_svg(self):
         self.run_tool(DRAWING, self.plan, self.path("plan.svg"), "--scale", "50")

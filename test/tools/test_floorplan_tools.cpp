@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
     FloorplanTools,
     ::testing::Values(std::make_pair(FLOORPLAN_EXTRUSION, "solid.ply"),
                       std::make_pair(FLOORPLAN_EXTRUSION, "solid.obj"),
+                      std::make_pair(FLOORPLAN_EXTRUSION, "solid.glb"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.svg"),
                       std::make_pair(FLOORPLAN_DRAWING, "plan.dxf")));
 
@@ -191,7 +192,7 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out.svg"));
   EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
-  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
+  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2, "), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)

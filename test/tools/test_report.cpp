@@ -339,6 +339,22 @@ TEST_F(ReportFacts, OfTheCoverageAreASection)
   EXPECT_EQ(coveragePart(read(R"({"format": "sedr-report"})")), "") << "not told";
 }
 
+TEST_F(ReportFacts, OfFilesLinkThoseThatAreThere)
+{
+  const auto path = [&](const char* name) { return (folder_.path() / name).string(); };
+  writeFile(path("floorplan.json"), pcl::sedr::floorplanToJson(twoStoreys()));
+  for (const char* name : {"model.ifc", "floorplan_2.dxf", "other.txt"})
+    writeFile(path(name), "");
+  const ReportData data = read(R"({"format": "sedr-report"})");
+  const std::string part =
+      deliverablesPart(ResultFolder(folder_.path().string()), data);
+  EXPECT_NE(part.find("<a href=\"model.ifc\">model.ifc</a>"), std::string::npos)
+      << part;
+  EXPECT_NE(part.find("<a href=\"floorplan_2.dxf\">"), std::string::npos);
+  EXPECT_EQ(countOf("<a href", part), 4u) << "with both files of JSON";
+  EXPECT_EQ(countOf("model.glb", part), 0u);
+}
+
 TEST_F(ReportFacts, OfOneStoreyAreToldAsEver)
 {
   writeFile((folder_.path() / "floorplan.json").string(),

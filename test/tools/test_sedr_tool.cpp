@@ -191,6 +191,10 @@ TEST_F(SedrTool, WritesTheSolidAndTheDrawings)
   EXPECT_NE(bytesOf(in("model/solid.mtl")).find("newmtl wall"), std::string::npos);
   EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("Room 1"), std::string::npos);
   EXPECT_NE(bytesOf(in("model/floorplan.dxf")).find("AC1009"), std::string::npos);
+  const std::string ifc = bytesOf(in("model/model.ifc"));
+  EXPECT_NE(ifc.find("FILE_SCHEMA(('IFC4'))"), std::string::npos);
+  EXPECT_NE(ifc.find("=IFCSPACE("), std::string::npos);
+  EXPECT_EQ(bytesOf(in("model/model.glb")).substr(0, 4), "glTF");
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   const auto& solid = report.at("rooms").at(0).at("solid");
   EXPECT_EQ(solid.at("closed_manifold"), true);

@@ -183,6 +183,9 @@ transformedSlab(PlanSlab slab, const PlanTransform& transform)
 {
   slab.plane.head<2>() = Eigen::Rotation2Dd(transform.angle) * slab.plane.head<2>();
   slab.plane[3] -= slab.plane.head<3>().dot(transform.shift);
+  if (slab.curve)
+    slab.curve = std::make_shared<const SlabCurve>(
+        moved(*slab.curve, transform.angle, transform.shift));
   return slab;
 }
 

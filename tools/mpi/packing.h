@@ -102,14 +102,24 @@ template <typename Archive>
 void
 serialize(Archive& archive, pcl::sedr::PlanSlab& slab, unsigned)
 {
-  archive& slab.plane& slab.inliers& slab.residual;
+  archive& slab.plane& slab.inliers& slab.residual& slab.inferred;
+  pcl::sedr::SlabCurve curve = slab.curve ? *slab.curve : pcl::sedr::SlabCurve();
+  bool is_curved = slab.curve != nullptr;
+  archive& is_curved;
+  if (!is_curved)
+    return;
+  archive& curve.kind& curve.centre& curve.base& curve.axis;
+  archive& curve.along& curve.across& curve.up;
+  archive& curve.spacing& curve.columns& curve.heights;
+  if (Archive::is_loading::value)
+    slab.curve = std::make_shared<const pcl::sedr::SlabCurve>(std::move(curve));
 }
 
 template <typename Archive>
 void
 serialize(Archive& archive, pcl::sedr::PlanDetail& detail, unsigned)
 {
-  archive& detail.boundary& detail.holes& detail.slab;
+  archive& detail.boundary& detail.holes& detail.slab& detail.is_facet;
 }
 
 template <typename Archive>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/report_data.h"
+#include "results/result_folder.h"
 
 #include <string>
 
@@ -33,6 +34,9 @@ std::string coveragePart(const ReportData& data);
 /** @brief Histogram and figures of the distances.
  * @param range distance that has the last colour, metres */
 std::string histogramPart(const ReportData& data, double range);
+
+/** @brief The files of the folder, with what opens each. */
+std::string deliverablesPart(const ResultFolder& folder, const ReportData& data);
 
 std::string stagesPart(const ReportData& data);
 

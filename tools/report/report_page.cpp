@@ -188,6 +188,7 @@ makePage(const std::string& path, const PageSettings& settings)
     body += picturesPart(contents, pictures);
     body += distancesPart(contents, pictures, settings);
   }
+  body += deliverablesPart(folder, contents.data);
   body += stagesPart(contents.data) + parametersPart(contents.data);
   return frame(path, contents.data, body);
 }

@@ -3,6 +3,7 @@
 
 #include "chain_pictures.h"
 #include "drawing_files.h"
+#include "ifc_file.h"
 #include "output_folder.h"
 #include "progress.h"
 #include "report.h"
@@ -31,8 +32,8 @@ namespace tools {
 namespace {
 
 const std::vector<std::string> output_names{
-    "structure.pcd", "mesh.ply",       "solid.ply",  "solid.obj",
-    "solid.mtl",     "floorplan.json", "report.json"};
+    "structure.pcd",  "mesh.ply",  "solid.ply", "solid.obj",  "solid.mtl",
+    "floorplan.json", "model.ifc", "model.glb", "report.json"};
 
 /** @brief Runs a step that is no stage of the chain, with progress; it is handed its
  * report, to fill in the points. */
@@ -131,8 +132,21 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
                               c.levelling ? &*c.levelling : nullptr, c.origin);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
-  for (const char* name : {"solid.ply", "solid.obj"})
-    saveSolid(folder.file(name), solid, c.extrusion.getElements(), c.origin);
+  for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
+    saveSolid(folder.file(name), solid, c.extrusion.getElements(),
+              *chain.getFloorplan(), c.origin);
+}
+
+/** @brief Writes model.ifc; what is not in it is among the chain's warnings. */
+void
+writeBuildingModel(const OutputFolder& folder,
+                   Reconstruction& chain,
+                   const ModelSettings& settings)
+{
+  const IfcModel model = saveIfc(folder.file("model.ifc"), *chain.getFloorplan(),
+                                 settingsOf(settings.ifc), chain.getOrigin());
+  auto& warnings = chain.getChain().warnings;
+  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }
 
 void
@@ -223,6 +237,7 @@ makeModel(const ModelSettings& settings,
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       writeModel(folder, chain, !settings.no_mesh);
+      writeBuildingModel(folder, chain, settings);
       writeDrawings(folder, *chain.getFloorplan(), settings.input, chain.getOrigin());
       report.points_in = report.points_out = chain.getStructure()->size();
     }));

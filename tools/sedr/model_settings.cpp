@@ -67,6 +67,7 @@ addModelOptions(Options& options, ModelSettings& s)
   options.flag("partial", s.partial,
                "write the model even if it holds less than half of the floor that was "
                "seen");
+  addIfcOptions(options, s.ifc);
   options.flag("report", s.report,
                "write report.html, one page on all of it, as pcl_sedr_report does");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ifc_file.h"
 #include "options.h"
 #include "scan_options.h"
 
@@ -45,6 +46,7 @@ struct ModelSettings {
   bool partial = false; ///< take what there is, however little
   bool pictures = false;
   bool report = false;
+  IfcOptions ifc;
 };
 
 /** @brief Declares the options that say how a model is made. */

@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/solid_glb.h>
 #include <pcl/sedr_surface/solid_obj.h>
 
 #include <filesystem>
@@ -35,9 +36,10 @@ hasExtension(const std::string& path, const std::string& extension)
 void
 checkSolidOutput(const std::string& path)
 {
-  if (!hasExtension(path, ".ply") && !hasExtension(path, ".obj"))
-    throw ToolError("a solid is written as PLY or OBJ, '" + path +
-                    "' ends neither in .ply nor in .obj");
+  if (!hasExtension(path, ".ply") && !hasExtension(path, ".obj") &&
+      !hasExtension(path, ".glb"))
+    throw ToolError("a solid is written as PLY, OBJ or GLB, '" + path +
+                    "' ends neither in .ply nor in .obj or .glb");
   checkWritable(path);
   if (hasExtension(path, ".obj"))
     checkWritable(materialsOf(path).string());
@@ -47,6 +49,7 @@ void
 saveSolid(const std::string& path,
           const TriangleMesh& mesh,
           const std::vector<SolidElement>& elements,
+          const Floorplan& plan,
           const Origin& origin)
 {
   const std::vector<std::string> of_origin = originComments(origin);
@@ -58,13 +61,20 @@ saveSolid(const std::string& path,
       throw ToolError(problem);
     return;
   }
+  if (hasExtension(path, ".glb")) {
+    writeWhole(path, [&](std::ostream& stream) {
+      stream << solidToGlb(mesh, elements, storeysOf(plan), origin);
+    });
+    return;
+  }
   const auto materials = materialsOf(path);
   writeWhole(materials.string(),
              [](std::ostream& stream) { stream << solidMaterials(); });
   writeWhole(path, [&](std::ostream& stream) {
     for (const std::string& comment : of_origin)
       stream << "# " << comment << '\n';
-    stream << solidToObj(mesh, elements, materials.filename().string());
+    stream << solidToObj(mesh, elements, materials.filename().string(),
+                         storeyOfRooms(plan));
   });
 }
 

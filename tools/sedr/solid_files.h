@@ -17,15 +17,18 @@ namespace tools {
 /** @brief Whether a file's name ends in `extension`, such as ".ply". */
 bool hasExtension(const std::string& path, const std::string& extension);
 
-/** @brief Throws a ToolError if the name of a solid does not end in .ply or .obj, or if
- * it, and the materials of an OBJ, cannot be written. To be asked before the work. */
+/** @brief Throws a ToolError if the name of a solid does not end in .ply, .obj or .glb,
+ * or if it, and the materials of an OBJ, cannot be written. To be asked before the
+ * work. */
 void checkSolidOutput(const std::string& path);
 
 /** @brief Writes solids as PLY, or as OBJ with a file of materials beside it, solid.mtl
- * for solid.obj; each whole or not at all. What fails is a ToolError. */
+ * for solid.obj, or as GLB; each whole or not at all. What fails is a ToolError.
+ * @param plan whose solids they are: it tells their storeys */
 void saveSolid(const std::string& path,
                const TriangleMesh& mesh,
                const std::vector<SolidElement>& elements,
+               const Floorplan& plan,
                const Origin& origin = {});
 
 /** @brief What the header of a mesh says of its origin: nothing of 0. */

@@ -52,6 +52,7 @@ heightAt(const Slab& slab, Vec2 point)
 struct SlabDetail {
   Loop loop;
   Slab slab;
+  bool is_facet = false; ///< of a ceiling that is not level: labelled as the ceiling
 };
 
 /** @brief The pane of a window, in the middle of the reveal. */

@@ -70,7 +70,7 @@ private:
     for (std::size_t i = details.size(); i > 0; --i)
       add(SlabPatch{details[i - 1].slab, details[i - 1].loop,
                     withDetails(holes, room, layer, static_cast<Region>(i))},
-          Label::Detail, front);
+          details[i - 1].is_facet ? label : Label::Detail, front);
     add(SlabPatch{slabOf(room, kMain, layer), room.outline,
                   withDetails(holes, room, layer, kMain)},
         label, front);

@@ -153,9 +153,12 @@ private:
     for (Region region = kMain; region < count; ++region) {
       std::vector<bool> member(count + 1, false);
       member[region + 1] = true;
+      const bool is_main =
+          region == kMain ||
+          detailsOf(room_, layer)[static_cast<std::size_t>(region - 1)].is_facet;
       for (const Polygon& polygon : polygonsOf(points_, ringsOf(layer, member)))
         addPolygon(polygon, slabOf(room_, region, layer), layer,
-                   region == kMain ? label : Label::Detail);
+                   is_main ? label : Label::Detail);
     }
   }
 

@@ -2,18 +2,20 @@
 #include "rooms.h"
 
 #include "../ribs.h"
+#include "../vaults.h"
 #include "loops.h"
 #include "objects.h"
 #include "openings.h"
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kSteepest = 45.0; ///< degrees
+constexpr double kSteepest = 60.0; ///< degrees
 constexpr std::size_t kMostStoreys = 200;
 constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
@@ -106,6 +108,47 @@ readRibs(const std::vector<JsonView>& list, Room& room)
   }
 }
 
+/** @brief A part of a ceiling that is not level: a slope, a vault or a dome. */
+void
+readFacet(const JsonView& view, Room& room)
+{
+  const auto append = [&](std::vector<SlabDetail> facets) {
+    room.details.insert(room.details.end(), facets.begin(), facets.end());
+  };
+  if (const auto dome = view.find("dome")) {
+    view.allowOnly({"dome"});
+    dome->allowOnly({"at", "height", "radius", "rim"});
+    Dome cap;
+    cap.at = dome->at("at").point2();
+    cap.height = dome->at("height").number();
+    cap.radius = dome->at("radius").size();
+    cap.rim = dome->at("rim").size();
+    if (cap.rim > cap.radius)
+      dome->at("rim").fail("is more than the radius of the dome");
+    append(facetsOf(cap));
+    return;
+  }
+  if (const auto vault = view.find("vault")) {
+    view.allowOnly({"loop", "vault"});
+    vault->allowOnly({"at", "direction", "height", "radius"});
+    Vault barrel;
+    barrel.at = vault->at("at").point2();
+    barrel.direction = vault->at("direction").number() * pi / 180.0;
+    barrel.height = vault->at("height").number();
+    barrel.radius = vault->at("radius").size();
+    try {
+      append(facetsOf(barrel, readLoop(view.at("loop"))));
+    }
+    catch (const std::invalid_argument& error) {
+      view.fail(std::string("cannot be built: ") + error.what());
+    }
+    return;
+  }
+  SlabDetail slope = readSlabDetail(view, room.ceiling, "drop", -1);
+  slope.is_facet = true;
+  room.details.push_back(slope);
+}
+
 /** @brief A hole in a ceiling; all rooms are known by name already. */
 CeilingVoid
 readVoid(const JsonView& view, const Scene& scene)
@@ -122,8 +165,8 @@ Room
 readShell(const JsonView& view)
 {
   view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
-                  "ceiling_details", "ribs", "plenum", "voids", "columns", "niches",
-                  "openings", "furniture"});
+                  "ceiling_details", "facets", "ribs", "plenum", "voids", "columns",
+                  "niches", "openings", "furniture"});
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
@@ -136,6 +179,8 @@ readShell(const JsonView& view)
     room.storey = storey->count(1, kMostStoreys);
   if (const auto plenum = view.find("plenum"))
     room.plenum = plenum->size();
+  for (const JsonView& facet : view.itemsOf("facets"))
+    readFacet(facet, room);
   readRibs(view.itemsOf("ribs"), room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
     room.floor_details.push_back(readSlabDetail(detail, room.floor, "rise", 1));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/slab_curve.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -107,26 +109,34 @@ struct PlanLoop {
 /** @brief The same loop, run the other way. */
 PlanLoop reversed(const PlanLoop& loop);
 
-/** @brief A plane that is not vertical: a x + b y + c z + d = 0 with unit normal, c >
- * 0. */
+/** @brief A floor or ceiling, or a part of one: a plane that is not vertical, a x + b y
+ * + c z + d = 0 with unit normal, c > 0; or a curve. */
 struct PlanSlab {
-  Eigen::Vector4d plane = Eigen::Vector4d(0, 0, 1, 0);
+  Eigen::Vector4d plane = Eigen::Vector4d(0, 0, 1, 0); ///< of a curve, the one nearest
   std::size_t inliers = 0;
   double residual = 0; ///< root mean square distance of the inliers, metres
+  double inferred = 0; ///< of a facet: share of its area of which nothing was seen
+  std::shared_ptr<const SlabCurve> curve{}; ///< of a vault, a dome; null: a plane
 
   double heightAt(const Eigen::Vector2d& p) const
   {
-    return -(plane[0] * p.x() + plane[1] * p.y() + plane[3]) / plane[2];
+    return curve ? curve->heightAt(p)
+                 : -(plane[0] * p.x() + plane[1] * p.y() + plane[3]) / plane[2];
   }
+
+  /** @brief Unit normal, upwards. */
+  Eigen::Vector3d normalAt(const Eigen::Vector2d& p) const;
 };
 
-/** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer.
- * Where details overlap, the later one of a room's list is what is there. */
+/** @brief A part of the ceiling at a height of its own: soffit, beam, recess or coffer;
+ * or a facet of a ceiling that is not level, such as the slope of a roof. Where details
+ * overlap, the later one of a room's list is what is there. */
 struct PlanDetail {
   PlanLoop boundary; ///< counter-clockwise
   std::vector<PlanLoop>
       holes; ///< clockwise: a soffit that runs around the room has one
   PlanSlab slab;
+  bool is_facet = false; ///< its points are labelled as those of the ceiling
 
   bool contains(const Eigen::Vector2d& p) const;
 };
@@ -146,9 +156,13 @@ struct PlanRoom {
   std::vector<PlanLoop> columns;
   PlanSlab floor;
   PlanSlab ceiling;
-  std::vector<PlanDetail> details;       ///< of the ceiling
+  std::vector<PlanDetail> details;       ///< of the ceiling, facets first
   std::vector<PlanDetail> floor_details; ///< steps, platforms, pits: parts of the floor
   std::vector<PlanNiche> niches;
+
+  /** @brief Whether its ceiling is more than level planes: a slope, a curve, or facets.
+   */
+  bool hasFacets() const;
 
   /** @brief Whether `p` lies in the room: inside the boundary, outside every column. */
   bool contains(const Eigen::Vector2d& p) const;

@@ -23,8 +23,8 @@ std::string floorplanToJson(const Floorplan& plan,
                             const Levelling* levelling = nullptr,
                             const Origin& origin = {});
 
-/** @brief The origin that floorplanToJson() wrote, or that of report.json; 0, 0, 0 where
- * there is none.
+/** @brief The origin that floorplanToJson() wrote, or that of report.json; 0, 0, 0
+ * where there is none.
  * @return false if it is there, but no three numbers */
 bool originFromJson(const std::string& text, Origin& origin);
 

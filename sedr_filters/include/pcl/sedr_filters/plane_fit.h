@@ -95,10 +95,13 @@ findLargerSlab(const PointView& points,
                         threads);
 }
 
-/** @brief Distance of a point from a slab, metres, positive above it. */
+/** @brief Distance of a point from a slab, metres, positive above it; of a curve to
+ * first order. */
 inline double
 distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)
 {
+  if (slab.curve)
+    return slab.curve->distanceAbove(p.cast<double>());
   return slab.plane.head<3>().dot(p.cast<double>()) + slab.plane[3];
 }
 

@@ -6,6 +6,7 @@
 #include <pcl/sedr_filters/room_lookup.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -65,12 +66,15 @@ public:
 private:
   void addStrip(const UprightSurface& surface);
 
-  /** @brief Cells of a level surface: a grid in plan. */
+  /** @brief Cells of a level surface: a grid in plan, finer where the surface is steep.
+   */
   struct Sheet {
     Eigen::Vector2d origin;
     std::size_t width = 0;
     std::size_t height = 0;
-    std::vector<std::size_t> cell; ///< of each cell of the grid, or none
+    std::vector<std::uint8_t> parts; ///< of each cell of the grid, to each side
+    std::vector<std::size_t> first;  ///< of each cell of the grid, in `cell`
+    std::vector<std::size_t> cell;   ///< of each part, row by row, or none
   };
 
   /** @brief Appends the cells of a sheet over the inside of `loop`: `pointAt(place,

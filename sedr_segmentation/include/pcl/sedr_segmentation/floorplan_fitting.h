@@ -55,6 +55,13 @@ public:
   void setWallIndices(const IndicesConstPtr& walls) { walls_ = walls; }
   IndicesConstPtr getWallIndices() const { return walls_; }
 
+  /** @brief Points of ceilings that are not level, as they were seen: rooms that have
+   * some get a ceiling of facets (PlanDetail::is_facet, PlanSlab::curve), unless these
+   * explain too little of it. Those of the room are among the points of the ceilings
+   * and details, too. May be left out. */
+  void setSheetIndices(const IndicesConstPtr& sheets) { sheets_ = sheets; }
+  IndicesConstPtr getSheetIndices() const { return sheets_; }
+
   /** @brief Room of every point of the cloud, 0 none; empty (default): the field `room`
    * of the point type, or one room where it has none. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
@@ -160,6 +167,7 @@ private:
   IndicesConstPtr floor_;
   IndicesConstPtr details_;
   IndicesConstPtr walls_;
+  IndicesConstPtr sheets_;
   std::vector<std::uint32_t> rooms_;
   std::function<sedr::PointView()> raw_; ///< the raw cloud as it is then
   IndicesConstPtr raw_indices_;

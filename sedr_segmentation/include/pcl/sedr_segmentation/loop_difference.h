@@ -16,7 +16,8 @@ std::pair<std::vector<PlanElement>, std::vector<PlanElement>>
 partsInside(const PlanLoop& first, const PlanLoop& second);
 
 /** @brief A counter-clockwise loop `by` metres farther out all around, farther in where
- * that is negative. Arcs stay arcs; where neighbours part, a short segment joins them. */
+ * that is negative. Arcs stay arcs; where neighbours part, a short segment joins them.
+ */
 PlanLoop widened(const PlanLoop& loop, double by);
 
 /** @brief What is left of the inside of `loop` without that of `cutter`, both

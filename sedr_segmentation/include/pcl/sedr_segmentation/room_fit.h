@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct RoomEvidence {
   /** @brief Walls of other rooms: what is on them shows none of this one. */
   std::vector<PlanElement> faces_of_others;
   std::vector<int> behind; ///< points farther out than `around`: backs of deep niches
+  std::shared_ptr<const PlanSlab> sheet{}; ///< the ceiling where it is not level, as a
+                                           ///< relief; null: planes
 };
 
 /** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).

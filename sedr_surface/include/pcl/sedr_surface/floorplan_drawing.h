@@ -35,8 +35,10 @@ double drawingScale(const Floorplan& plan);
 
 /** @brief A floor plan as DXF of AutoCAD's release 12, one unit a metre: LINE, ARC and
  * CIRCLE on the layers WALL, COLUMN, DETAIL (of the ceiling), FLOOR_DETAIL and NICHE,
- * as they are in the plan to a tenth of a micrometre; numbers, areas and heights of
- * rooms on TEXT, sizes of walls on DIMENSION, gaps of doorways on DOORWAY.
+ * as they are in the plan to a tenth of a micrometre; the outline of each room as one
+ * closed polyline with bulges on ROOM; numbers, areas and heights of rooms on TEXT,
+ * lengths of walls as dimensions, and radii, on DIMENSION, gaps of doorways on DOORWAY.
+ * Units are set to metres.
  * @param storey, origin as for floorplanToSvg() */
 std::string floorplanToDxf(const Floorplan& plan,
                            const PlanStorey* storey = nullptr,

@@ -24,6 +24,13 @@ struct SubdivisionEdge {
   std::vector<std::size_t> elements; ///< SolidElements of the plan that lie on it
 };
 
+/** @brief A straight line within a region along which its curved slab is folded. */
+struct SubdivisionCrease {
+  std::uint32_t a = 0; ///< index of a vertex
+  std::uint32_t b = 0;
+  int slab = PlanRegion::nothing;
+};
+
 /** @brief A room's plan cut into regions with one floor and one ceiling each.
  *
  * Edges have nothing in common but their ends, and around every vertex the regions
@@ -33,6 +40,7 @@ struct PlanSubdivision {
   PlanGrid grid;
   std::vector<GridPoint> vertices; ///< no two the same
   std::vector<SubdivisionEdge> edges;
+  std::vector<SubdivisionCrease> creases;
   /// Slabs that cross at a vertex: there they have one height.
   std::map<std::uint32_t, std::pair<int, int>> crossings;
 

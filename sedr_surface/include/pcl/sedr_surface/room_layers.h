@@ -51,7 +51,9 @@ enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
 struct RoomLayers {
   struct Slab {
     PlanSlab slab;
-    std::size_t element = 0; ///< index of its SolidElement
+    std::size_t element = 0;        ///< index of its SolidElement
+    const PlanLoop* loop = nullptr; ///< around all of it
+    bool is_facet = false;          ///< of a ceiling that is not level
   };
 
   struct Loop {
@@ -95,7 +97,10 @@ private:
     bool contains(const std::vector<int>& winding) const;
   };
 
-  int addSlab(const PlanSlab& slab, StructureLabel label, const std::string& name);
+  int addSlab(const PlanSlab& slab,
+              const PlanLoop& loop,
+              StructureLabel label,
+              const std::string& name);
 
   void addLoop(const PlanLoop& loop, LoopRole role, const std::string& name);
 

@@ -4,22 +4,26 @@
 #include <pcl/sedr_surface/room_layers.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief Solids as OBJ: an object a room, a group an element, named as the element is,
- * and materials by label. Metres, z up, seven decimals.
+/** @brief Solids as OBJ: an object a room, groups of the element, its room and, where
+ * it is known, its storey, and materials by label. Metres, z up, seven decimals.
  *
  * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
  * @param elements what the mesh's elements are, as FloorplanExtrusion::getElements()
  * @param material_file name of the file that holds solidMaterials(), without a folder;
- * empty for none */
+ * empty for none
+ * @param storey_of numbers of the storeys of rooms, as storeyOfRooms() has them */
 std::string solidToObj(const TriangleMesh& mesh,
                        const std::vector<SolidElement>& elements,
-                       const std::string& material_file);
+                       const std::string& material_file,
+                       const std::map<std::uint32_t, std::uint32_t>& storey_of = {});
 
 /** @brief The materials of solidToObj(), as an MTL file: ceiling, floor, wall, detail,
  * column. */

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -189,9 +190,30 @@ private:
 
   bool findDetails(StageReport& report);
 
-  /** @brief Warns of what of a room's ceiling is neither level nor on its main plane.
-   */
-  void warnOfVault(std::size_t region);
+  /** @brief What of a ceiling that is not level lies off what stands for it. */
+  struct PlaceOff {
+    double area = 0;                                      ///< square metres
+    double low = std::numeric_limits<double>::infinity(); ///< metres
+    double high = -std::numeric_limits<double>::infinity();
+  };
+
+  /** @brief What of a room's ceiling is neither level nor near what stands for it:
+   * `distance(place, height)` says how far a height is from that, metres. */
+  PlaceOff ceilingOff(
+      std::size_t region,
+      const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
+
+  /** @brief Whether a room's ceiling is more than level planes. */
+  bool hasSheet(std::size_t region) const;
+
+  /** @brief The points of a room's ceiling that were scanned. */
+  pcl::Indices seenCeiling(std::size_t region) const;
+
+  /** @brief The points of all ceilings that are not level, increasing. */
+  pcl::IndicesPtr sheetPoints() const;
+
+  /** @brief Warns of ceilings that are not level and that the plan does not tell. */
+  void warnOfCeilings();
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
   bool fitPlan(StageReport& report);

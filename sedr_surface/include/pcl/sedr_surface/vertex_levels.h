@@ -24,6 +24,9 @@ public:
                std::uint32_t vertex,
                const std::vector<Spoke>& spokes);
 
+  /** @brief Whether one of the regions about the vertex has the slab. */
+  bool has(int slab) const;
+
   /** @brief Level of a slab that one of the regions about the vertex has. */
   std::int64_t levelOf(int slab) const;
 

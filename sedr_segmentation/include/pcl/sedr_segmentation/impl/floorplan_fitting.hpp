@@ -68,7 +68,8 @@ FloorplanFitting<PointT>::validate()
       return fail(name, "raw cloud: " + raw_problem);
   }
   return checkPart("ceiling", ceiling_, true) && checkPart("floor", floor_, true) &&
-         checkPart("detail", details_, false) && checkPart("wall", walls_, false);
+         checkPart("detail", details_, false) && checkPart("wall", walls_, false) &&
+         checkPart("sheet", sheets_, false);
 }
 
 template <typename PointT>
@@ -125,15 +126,24 @@ FloorplanFitting<PointT>::run(sedr::Floorplan& plan)
   if (walls_)
     evidence.walls = *walls_;
   evidence.room = rooms_.empty() ? sedr::roomsOf(*input_) : rooms_;
+  if (sheets_)
+    evidence.sheets = *sheets_;
   std::string problem;
+  std::vector<sedr::RoomSheet> sheets;
   plan = sedr::fitPlan(sedr::PointView(*input_), evidence, parameters_, problem,
-                       warnings_, &boundaries_);
+                       warnings_, &boundaries_, &sheets);
   if (!problem.empty())
     return fail("FloorplanFitting", problem);
   fitToRaw(plan);
   constexpr double tolerance = 0.05; // metres, of what lies on a wall
   const sedr::PointView points(*input_);
   const std::vector<std::string> cuts = sedr::separateRooms(plan, points, *indices_);
+  const bool has_raw =
+      raw_ && raw_().size() > 0 && !(raw_indices_ && raw_indices_->empty());
+  const sedr::PointView raw = has_raw ? raw_() : points;
+  sedr::giveCeilings(sheets, has_raw ? &raw : nullptr,
+                     has_raw && raw_indices_ ? *raw_indices_ : Indices(),
+                     parameters_.threads, plan);
   sedr::measureEvidence(plan, points, *indices_, tolerance, parameters_.threads);
   warnings_.insert(warnings_.end(), cuts.begin(), cuts.end());
   return true;

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+// The ceiling of a room as a sheet: a height field over its plan, described by facets.
+
+/** @brief What is believed of ceilings, and how finely they are looked at. Costs are
+ * logarithms of probability. */
+struct SheetParameters {
+  double cell_size = 0.1; ///< of the plan, each of one facet; larger in large rooms
+  std::size_t most_cells = 20000; ///< of a room
+  double unevenness = 0.005;      ///< by which a ceiling strays from its shape, metres:
+                                  ///< plaster within a straightedge's tolerance
+  double patch = 0.5;      ///< metres within which it strays as one: what is seen there
+                           ///< counts once
+  double outlier = 4.5;    ///< cost of a patch that no facet explains: three deviations
+  double crease = 0.5;     ///< cost of a metre along which facets meet
+  double step = 2;         ///< cost of a metre along which they miss each other by
+                           ///< `full_step` or more
+  double full_step = 0.2;  ///< metres
+  double least_area = 0.4; ///< of a facet, square metres
+  double least_relief = 1; ///< of a free form, square metres
+  double relief_spacing = 0.25; ///< between its heights, metres
+  double steepest = M_PI / 3;   ///< of a plane, radians
+  double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
+  unsigned threads = 1;
+};
+
+/** @brief A part of the plan in square cells. */
+struct SheetGrid {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of the first cell's corner
+  double size = 0.1;                                ///< of a cell, metres
+  int columns = 0;
+  int rows = 0;
+
+  std::size_t count() const
+  {
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  }
+
+  std::size_t indexOf(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(x);
+  }
+
+  int columnOf(std::size_t cell) const
+  {
+    return static_cast<int>(cell % static_cast<std::size_t>(columns));
+  }
+
+  int rowOf(std::size_t cell) const
+  {
+    return static_cast<int>(cell / static_cast<std::size_t>(columns));
+  }
+
+  bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < columns && y < rows; }
+
+  Eigen::Vector2d centre(std::size_t cell) const
+  {
+    return origin + size * Eigen::Vector2d(columnOf(cell) + 0.5, rowOf(cell) + 0.5);
+  }
+
+  /** @brief Index of the cell around a place; count() beside the grid. */
+  std::size_t at(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2d place = (p - origin) / size;
+    if (!(place.x() >= 0 && place.y() >= 0 && place.x() < columns && place.y() < rows))
+      return count();
+    return indexOf(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  }
+};
+
+/** @brief A ceiling in facets. */
+struct Sheet {
+  static constexpr std::int32_t none = -1;
+
+  SheetGrid grid;
+  std::vector<std::uint8_t> is_inside; ///< of each cell: whether it is of the room
+  std::vector<std::uint8_t> is_seen;   ///< whether a facet explains points in it
+  std::vector<std::int32_t> label;     ///< facet of each cell, beside the room too
+  std::vector<PlanSlab> facets; ///< the largest first; inliers and residual known
+  double noise = 0;             ///< standard deviation of the points, metres
+  double explained = 0; ///< share of the cells with points that a facet explains
+
+  /** @brief z of the facet above a place; beside the grid that of the nearest cell. */
+  double heightAt(const Eigen::Vector2d& p) const;
+};
+
+/** @brief Describes the points of a ceiling by facets: planes of any tilt, cylinders
+ * that lie, caps of spheres and ellipsoids, else heights on a grid.
+ *
+ * Which there are is a question of what they explain and what they cost: a facet stays
+ * where it explains more, by an information criterion, than its parameters. Which cell
+ * has which is decided for all at once, by minimum cuts, so that borders are short and
+ * lie where facets meet. Lamps and beams of less than a facet's least area, places
+ * without points and outliers go with what is around them.
+ * @param points z up, metres; of a ceiling seen from below, thinned evenly
+ * @param domain cells of the plan that are of the room, and around which
+ * facets are known; as many as the grid has, see sheetGrid()
+ * @param directions that the axes of vaults may have beside those that are seen, those
+ * of the walls: radians
+ * @return no facets where there are fewer than 50 points
+ *
+ * The same for any number of threads. O(n) a facet that is tried. */
+Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
+               const SheetGrid& grid,
+               const std::vector<std::uint8_t>& domain,
+               const std::vector<double>& directions,
+               const SheetParameters& parameters = {});
+
+/** @brief The share of the patches of a ceiling, of half a metre, that are smooth and
+ * slope by more than 4 degrees: none of level planes, most of a roof or of vaults,
+ * however shallow these are. 0 where there are no points. O(n). */
+double slopingShare(const std::vector<Eigen::Vector3d>& points);
+
+/** @brief The last fit: every facet of a sheet to the points of the scan near it, as
+ * many of each cell, away from its borders; reliefs stay as they are.
+ * @param indices those of the scan's points that count; empty: all. O(n). */
+void refitToScan(Sheet& sheet,
+                 const PointView& scan,
+                 const std::vector<int>& indices,
+                 const SheetParameters& parameters = {});
+
+/** @brief A grid over a box in plan, with three cells to spare on every side. */
+SheetGrid sheetGrid(const Eigen::AlignedBox2d& box, const SheetParameters& parameters);
+
+/** @brief The cells of a grid that lie within a loop, by their centres, or at most half
+ * a cell beside it. */
+std::vector<std::uint8_t> cellsWithin(const SheetGrid& grid, const PlanLoop& loop);
+
+/** @brief The heights of a sheet as a slab, of `spacing` metres or more. */
+PlanSlab reliefOf(const Sheet& sheet, double spacing);
+
+/** @brief Gives a room its ceiling: its largest facet is the main one, others lie over
+ * it, with borders where facets meet, at steps, and at the room's walls. Details of the
+ * ceiling make way.
+ * @param points those that the sheet was fitted to */
+void giveCeiling(const Sheet& sheet,
+                 const std::vector<Eigen::Vector3d>& points,
+                 PlanRoom& room);
+
+/** @brief The directions of a room's straight walls and those square to them, radians,
+ * the most frequent first. */
+std::vector<double> wallDirections(const PlanLoop& boundary);
+
+} // namespace sedr
+} // namespace pcl

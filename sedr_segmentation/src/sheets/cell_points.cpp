@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_points.h"
+
+#include "shape_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+CellPoints::CellPoints(const SheetGrid& grid,
+                       const std::vector<std::uint8_t>& domain,
+                       const std::vector<Eigen::Vector3d>& points)
+    : grid_(grid)
+    , domain_(domain)
+    , first_(grid.count() + 1, 0)
+{
+  const auto cellOf = [&](const Eigen::Vector3d& p) {
+    const std::size_t cell = grid.at(p.head<2>());
+    return cell < grid.count() && domain[cell] && std::isfinite(p.z()) ? cell
+                                                                       : grid.count();
+  };
+  for (const Eigen::Vector3d& p : points)
+    if (const std::size_t cell = cellOf(p); cell < grid.count())
+      ++first_[cell + 1];
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    first_[cell + 1] += first_[cell];
+  points_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const Eigen::Vector3d& p : points)
+    if (const std::size_t cell = cellOf(p); cell < grid.count())
+      points_[next[cell]++] = p;
+}
+
+std::vector<Eigen::Vector3d>
+CellPoints::pointsOf(const std::vector<std::size_t>& cells, std::size_t most) const
+{
+  std::size_t count = 0;
+  for (const std::size_t cell : cells)
+    count += first_[cell + 1] - first_[cell];
+  const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
+  std::vector<Eigen::Vector3d> chosen;
+  chosen.reserve(count / step + 1);
+  std::size_t k = 0;
+  for (const std::size_t cell : cells)
+    for (const Eigen::Vector3d* p = begin(cell); p != end(cell); ++p)
+      if (k++ % step == 0)
+        chosen.push_back(*p);
+  return chosen;
+}
+
+std::vector<std::size_t>
+CellPoints::window(std::size_t cell, int reach) const
+{
+  std::vector<std::size_t> cells;
+  const int x = grid_.columnOf(cell);
+  const int y = grid_.rowOf(cell);
+  for (int row = std::max(0, y - reach); row <= std::min(grid_.rows - 1, y + reach);
+       ++row)
+    for (int column = std::max(0, x - reach);
+         column <= std::min(grid_.columns - 1, x + reach); ++column)
+      if (const std::size_t near = grid_.indexOf(column, row); !isEmpty(near))
+        cells.push_back(near);
+  return cells;
+}
+
+double
+CellPoints::noise() const
+{
+  constexpr double least = 1e-4;
+  constexpr std::size_t most_patches = 2000;
+  constexpr std::size_t least_points = 10;
+  const std::size_t step = grid_.count() / most_patches + 1;
+  std::vector<double> deviations;
+  for (std::size_t cell = 0; cell < grid_.count(); cell += step) {
+    if (isEmpty(cell))
+      continue;
+    const auto near = pointsOf(window(cell, 1), 500);
+    if (near.size() < least_points)
+      continue;
+    const PlanSlab plane = fitPlane(near);
+    double sum = 0;
+    for (const Eigen::Vector3d& p : near)
+      sum += std::pow(distanceOf(plane, p), 2);
+    deviations.push_back(std::sqrt(sum / static_cast<double>(near.size() - 3)));
+  }
+  if (deviations.empty())
+    return least;
+  // A third of the patches may lie on creases, steps and lamps.
+  const auto typical =
+      deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 3);
+  std::nth_element(deviations.begin(), typical, deviations.end());
+  return std::max(least, *typical);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/sheet_fit.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The points of a sheet, cell by cell of its grid. */
+class CellPoints {
+public:
+  /** @brief Points beside the cells of `domain` are left out. O(n). */
+  CellPoints(const SheetGrid& grid,
+             const std::vector<std::uint8_t>& domain,
+             const std::vector<Eigen::Vector3d>& points);
+
+  const SheetGrid& grid() const { return grid_; }
+  std::size_t size() const { return points_.size(); }
+  bool isEmpty(std::size_t cell) const { return first_[cell] == first_[cell + 1]; }
+  bool isInside(std::size_t cell) const { return domain_[cell] != 0; }
+
+  const Eigen::Vector3d* begin(std::size_t cell) const
+  {
+    return points_.data() + first_[cell];
+  }
+  const Eigen::Vector3d* end(std::size_t cell) const
+  {
+    return points_.data() + first_[cell + 1];
+  }
+
+  /** @brief The points of some cells, no more than about `most`, evenly chosen. */
+  std::vector<Eigen::Vector3d> pointsOf(const std::vector<std::size_t>& cells,
+                                        std::size_t most) const;
+
+  /** @brief Cells with points, at most `reach` cells from one. */
+  std::vector<std::size_t> window(std::size_t cell, int reach) const;
+
+  /** @brief Standard deviation of the points about smooth patches of 3 x 3 cells: that
+   * of the middle one of all patches, metres, at least 0.1 mm. */
+  double noise() const;
+
+private:
+  const SheetGrid& grid_;
+  const std::vector<std::uint8_t>& domain_;
+  std::vector<std::size_t> first_;
+  std::vector<Eigen::Vector3d> points_;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "facet_labels.h"
+#include "shape_proposals.h"
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The facets that a ceiling has, and which cell has which. */
+struct FacetChoice {
+  std::vector<FacetProposal> facets; ///< `cells` unused; a relief's kind says nothing
+  std::vector<FacetCosts> costs;     ///< of each
+  std::vector<std::int32_t> label;   ///< of each cell
+};
+
+/** @brief Chooses those of some proposals that explain most for what they cost, labels
+ * the cells, fits each to its cells, tries them one by one as other shapes and pairs of
+ * them as one, and goes on until the costs fall no more. What none explains becomes a
+ * relief. */
+FacetChoice chooseFacets(const CellPoints& cells,
+                         std::vector<FacetProposal> proposals,
+                         const std::vector<double>& directions,
+                         double deviation,
+                         const SheetParameters& parameters);
+
+} // namespace sedr
+} // namespace pcl

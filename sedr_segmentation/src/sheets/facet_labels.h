@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cell_points.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What a facet costs in every cell, beside the height it has there. */
+struct FacetCosts {
+  std::vector<float> cost;   ///< of each cell: of what its points are off
+  std::vector<float> height; ///< of each cell: z above its middle
+};
+
+/** @brief The costs of a facet. In cells without points, and beside the domain, it is
+ * nothing.
+ * @param deviation of points from their facet, metres */
+FacetCosts costsOf(const PlanSlab& facet,
+                   const CellPoints& cells,
+                   double deviation,
+                   const SheetParameters& parameters);
+
+/** @brief What all the labels cost: cells, and borders between them. */
+double energyOf(const std::vector<FacetCosts>& facets,
+                const CellPoints& cells,
+                const SheetParameters& parameters,
+                const std::vector<std::int32_t>& label);
+
+/** @brief Gives every cell of the domain its facet, such that costs of cells and of
+ * borders are small together: alpha-expansions (Boykov, Veksler and Zabih 2001), until
+ * none lowers the costs.
+ * @param[in,out] label of each cell, of those in the domain 0 or more */
+void labelCells(const std::vector<FacetCosts>& facets,
+                const CellPoints& cells,
+                const SheetParameters& parameters,
+                std::vector<std::int32_t>& label);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The closed forms that a facet may have, by increasing number of parameters.
+ */
+enum class ShapeKind { Plane, Cylinder, Sphere, EllipticCylinder, Ellipsoid };
+
+/** @brief How many numbers say what a facet of the kind is. */
+int parametersOf(ShapeKind kind);
+
+/** @brief Distance of a point from a slab to first order, positive above it. */
+double distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p);
+
+/** @brief The plane of least squares in z. At least three points. */
+PlanSlab fitPlane(const std::vector<Eigen::Vector3d>& points);
+
+/** @brief A shape through points that are all of it, roughly: a start for
+ * refineShape().
+ *
+ * Cylinders are looked for along the direction in which the points curve least, and
+ * along `directions`.
+ * @return a slab; that of fitPlane() where the points do not curve as the kind does */
+PlanSlab startShape(ShapeKind kind,
+                    const std::vector<Eigen::Vector3d>& points,
+                    const std::vector<double>& directions);
+
+/** @brief Least squares of distances by Tukey's biweight: what is farther than 4.7
+ * `deviation` counts for nothing. Gauss and Newton's way, damped.
+ * @param[in,out] slab of the kind; where the fit fails it stays
+ * @return the root mean square distance of what counts, metres; infinite where there is
+ * none */
+double refineShape(ShapeKind kind,
+                   const std::vector<Eigen::Vector3d>& points,
+                   double deviation,
+                   PlanSlab& slab);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facet_choice.h"
+
+#include <pcl/sedr_segmentation/sheet_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr float unexplained = 0.7F; ///< of what an outlier costs
+constexpr double band = 3;          ///< deviations that a point of a facet is off
+
+/** @brief Gives cells without a label that of the nearest one with, by steps. */
+void
+fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
+{
+  std::vector<std::size_t> front;
+  for (std::size_t cell = 0; cell < label.size(); ++cell)
+    if (label[cell] != Sheet::none)
+      front.push_back(cell);
+  while (!front.empty()) {
+    std::vector<std::size_t> next;
+    for (const std::size_t cell : front)
+      for (const auto& [dx, dy] :
+           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        const int x = grid.columnOf(cell) + dx;
+        const int y = grid.rowOf(cell) + dy;
+        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != Sheet::none)
+          continue;
+        label[grid.indexOf(x, y)] = label[cell];
+        next.push_back(grid.indexOf(x, y));
+      }
+    front = std::move(next);
+  }
+}
+
+/** @brief Takes the label from pieces of facets that are too small to be one. */
+void
+dropSmallPieces(const SheetGrid& grid,
+                double least_area,
+                std::vector<std::int32_t>& label)
+{
+  std::vector<std::uint8_t> is_known(label.size(), 0);
+  for (std::size_t first = 0; first < label.size(); ++first) {
+    if (label[first] == Sheet::none || is_known[first])
+      continue;
+    const std::int32_t own = label[first];
+    std::vector<std::size_t> piece{first};
+    is_known[first] = 1;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      for (const auto& [dx, dy] :
+           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        const int x = grid.columnOf(piece[k]) + dx;
+        const int y = grid.rowOf(piece[k]) + dy;
+        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != own ||
+            is_known[grid.indexOf(x, y)])
+          continue;
+        is_known[grid.indexOf(x, y)] = 1;
+        piece.push_back(grid.indexOf(x, y));
+      }
+    if (static_cast<double>(piece.size()) * grid.size * grid.size < least_area)
+      for (const std::size_t cell : piece)
+        label[cell] = Sheet::none;
+  }
+}
+
+/** @brief Numbers facets by their cells, the largest first, without those that have
+ * none. */
+void
+sortBySize(FacetChoice& choice)
+{
+  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
+  for (std::size_t k = 0; k < choice.facets.size(); ++k)
+    sizes.emplace_back(0, k);
+  for (const std::int32_t label : choice.label)
+    if (label != Sheet::none)
+      --sizes[static_cast<std::size_t>(label)].first;
+  std::sort(sizes.begin(), sizes.end());
+  FacetChoice sorted;
+  std::vector<std::int32_t> number(sizes.size(), Sheet::none);
+  for (const auto& [size, k] : sizes) {
+    if (size == 0)
+      continue;
+    number[k] = static_cast<std::int32_t>(sorted.facets.size());
+    sorted.facets.push_back(std::move(choice.facets[k]));
+    sorted.costs.push_back(std::move(choice.costs[k]));
+  }
+  for (const std::int32_t label : choice.label)
+    sorted.label.push_back(
+        label == Sheet::none ? label : number[static_cast<std::size_t>(label)]);
+  choice = std::move(sorted);
+}
+
+/** @brief Whether all cells about one have its label, and none lies at a wall. */
+bool
+isWithin(const Sheet& sheet, std::size_t cell)
+{
+  const SheetGrid& grid = sheet.grid;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int x = grid.columnOf(cell) + dx;
+      const int y = grid.rowOf(cell) + dy;
+      if (!grid.holds(x, y) || !sheet.is_inside[grid.indexOf(x, y)] ||
+          sheet.label[grid.indexOf(x, y)] != sheet.label[cell])
+        return false;
+    }
+  return true;
+}
+
+/** @brief The plane that stands for a curve: through its points, level if it would lean
+ * by more than planes may. */
+Eigen::Vector4d
+planeNear(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double least_upward = 0.5; // 60 degrees
+  const Eigen::Vector4d plane = points.size() < 3
+                                    ? Eigen::Vector4d::Zero()
+                                    : Eigen::Vector4d(fitPlane(points).plane);
+  if (plane.allFinite() && plane[2] >= least_upward)
+    return plane;
+  double height = 0;
+  for (const Eigen::Vector3d& p : points)
+    height += p.z() / static_cast<double>(points.size());
+  return {0, 0, 1, -height};
+}
+
+/** @brief The last fit of every facet, to points away from its borders, and what is
+ * known of it then. */
+void
+finishFacets(const CellPoints& cells,
+             const FacetChoice& choice,
+             double deviation,
+             const SheetParameters& parameters,
+             Sheet& sheet)
+{
+  constexpr std::size_t most_points = 40000;
+  constexpr std::size_t least_cells = 20;
+  std::vector<std::vector<std::size_t>> own(choice.facets.size());
+  std::vector<std::vector<std::size_t>> within(choice.facets.size());
+  for (std::size_t cell = 0; cell < sheet.label.size(); ++cell) {
+    if (!cells.isInside(cell) || cells.isEmpty(cell))
+      continue;
+    const auto facet = static_cast<std::size_t>(sheet.label[cell]);
+    own[facet].push_back(cell);
+    if (isWithin(sheet, cell))
+      within[facet].push_back(cell);
+  }
+  for (std::size_t k = 0; k < choice.facets.size(); ++k) {
+    const FacetProposal& facet = choice.facets[k];
+    PlanSlab slab = facet.slab;
+    const bool is_relief = slab.curve && slab.curve->kind == CurveKind::Relief;
+    const auto& fitted = within[k].size() >= least_cells ? within[k] : own[k];
+    if (!is_relief && !fitted.empty()) {
+      FacetProposal refined = facet;
+      refineShape(facet.kind, cells.pointsOf(fitted, most_points), deviation,
+                  refined.slab);
+      if (isBuilt(refined, parameters))
+        slab = refined.slab;
+    }
+    if (slab.curve)
+      slab.plane = planeNear(cells.pointsOf(own[k], most_points));
+    double sum = 0;
+    for (const std::size_t cell : own[k])
+      for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
+        const double distance = distanceOf(slab, *p);
+        if (std::abs(distance) >= band * deviation)
+          continue;
+        ++slab.inliers;
+        sum += distance * distance;
+      }
+    slab.residual =
+        slab.inliers > 0 ? std::sqrt(sum / static_cast<double>(slab.inliers)) : 0;
+    sheet.facets.push_back(std::move(slab));
+  }
+}
+
+} // namespace
+
+double
+Sheet::heightAt(const Eigen::Vector2d& p) const
+{
+  const Eigen::Vector2d place = (p - grid.origin) / grid.size;
+  const int x =
+      std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
+  const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, grid.rows - 1);
+  return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(p);
+}
+
+SheetGrid
+sheetGrid(const Eigen::AlignedBox2d& box, const SheetParameters& parameters)
+{
+  constexpr int spare = 3;
+  SheetGrid grid;
+  const double fitting =
+      std::sqrt(box.volume() / static_cast<double>(parameters.most_cells));
+  grid.size = std::max(parameters.cell_size, fitting);
+  grid.origin = box.min() - Eigen::Vector2d::Constant(spare * grid.size);
+  const Eigen::Vector2d extent = box.sizes() / grid.size;
+  grid.columns = static_cast<int>(std::ceil(extent.x())) + 2 * spare;
+  grid.rows = static_cast<int>(std::ceil(extent.y())) + 2 * spare;
+  return grid;
+}
+
+std::vector<std::uint8_t>
+cellsWithin(const SheetGrid& grid, const PlanLoop& loop)
+{
+  std::vector<std::uint8_t> cells(grid.count(), 0);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const Eigen::Vector2d p = grid.centre(cell);
+    cells[cell] = loop.contains(p) || loop.distance(p) <= grid.size / 2 ? 1 : 0;
+  }
+  return cells;
+}
+
+Sheet
+fitSheet(const std::vector<Eigen::Vector3d>& points,
+         const SheetGrid& grid,
+         const std::vector<std::uint8_t>& domain,
+         const std::vector<double>& directions,
+         const SheetParameters& parameters)
+{
+  constexpr std::size_t least_points = 50;
+  Sheet sheet;
+  sheet.grid = grid;
+  sheet.is_inside = domain;
+  const CellPoints cells(sheet.grid, sheet.is_inside, points);
+  if (cells.size() < least_points)
+    return sheet;
+  sheet.noise = cells.noise();
+  const double deviation = std::hypot(sheet.noise, parameters.unevenness);
+  FacetChoice choice =
+      chooseFacets(cells, proposeFacets(cells, directions, deviation, parameters),
+                   directions, deviation, parameters);
+  for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
+    if (!domain[cell])
+      choice.label[cell] = Sheet::none;
+  dropSmallPieces(grid, parameters.least_area, choice.label);
+  fillNearest(grid, choice.label);
+  for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
+    if (!domain[cell])
+      choice.label[cell] = Sheet::none;
+  sortBySize(choice);
+  if (choice.facets.empty())
+    return sheet;
+  sheet.label = choice.label;
+  fillNearest(grid, sheet.label);
+
+  const double weight = std::pow(grid.size / parameters.patch, 2);
+  std::size_t with_points = 0;
+  std::size_t seen = 0;
+  sheet.is_seen.assign(grid.count(), 0);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    if (!domain[cell] || cells.isEmpty(cell))
+      continue;
+    const auto facet = static_cast<std::size_t>(sheet.label[cell]);
+    sheet.is_seen[cell] =
+        choice.costs[facet].cost[cell] < unexplained * weight * parameters.outlier;
+    ++with_points;
+    seen += sheet.is_seen[cell];
+  }
+  sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
+  finishFacets(cells, choice, deviation, parameters, sheet);
+  return sheet;
+}
+
+PlanSlab
+reliefOf(const Sheet& sheet, double spacing)
+{
+  SlabCurve relief;
+  relief.kind = CurveKind::Relief;
+  relief.spacing = spacing;
+  relief.centre = sheet.grid.origin;
+  const double width = sheet.grid.size * sheet.grid.columns;
+  const double depth = sheet.grid.size * sheet.grid.rows;
+  relief.columns = static_cast<std::size_t>(std::ceil(width / spacing)) + 1;
+  const auto rows = static_cast<std::size_t>(std::ceil(depth / spacing)) + 1;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < relief.columns; ++column)
+      relief.heights.push_back(sheet.heightAt(
+          relief.centre + spacing * Eigen::Vector2d(static_cast<double>(column),
+                                                    static_cast<double>(row))));
+  PlanSlab slab = sheet.facets.front();
+  slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
+  return slab;
+}
+
+} // namespace sedr
+} // namespace pcl

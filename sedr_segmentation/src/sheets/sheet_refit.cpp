@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shape_proposals.h"
+
+#include <pcl/sedr_filters/middle_value.h>
+#include <pcl/sedr_segmentation/sheet_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::size_t most_a_cell = 40; ///< points: near a scanner there are thousands
+
+ShapeKind
+kindOf(const PlanSlab& slab)
+{
+  if (!slab.curve)
+    return ShapeKind::Plane;
+  if (slab.curve->kind == CurveKind::Cylinder)
+    return slab.curve->isRound() ? ShapeKind::Cylinder : ShapeKind::EllipticCylinder;
+  return slab.curve->isSphere() ? ShapeKind::Sphere : ShapeKind::Ellipsoid;
+}
+
+/** @brief The cells that lie within their facet, away from the walls. */
+std::vector<std::uint8_t>
+cellsWithinFacets(const Sheet& sheet)
+{
+  const SheetGrid& grid = sheet.grid;
+  std::vector<std::uint8_t> is_within(grid.count(), 0);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    bool is_alike = sheet.is_inside[cell] != 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = grid.columnOf(cell) + dx;
+        const int y = grid.rowOf(cell) + dy;
+        // Beside the room is a wall, whose points are near a facet, too.
+        is_alike = is_alike && grid.holds(x, y) &&
+                   sheet.is_inside[grid.indexOf(x, y)] != 0 &&
+                   sheet.label[grid.indexOf(x, y)] == sheet.label[cell];
+      }
+    is_within[cell] = is_alike ? 1 : 0;
+  }
+  return is_within;
+}
+
+/** @brief Calls `use(cell, point)` for the points near the facet of their cell. */
+template <typename Use>
+void
+forAllNear(const Sheet& sheet,
+           const std::vector<std::uint8_t>& is_within,
+           const PointView& scan,
+           const std::vector<int>& indices,
+           Use use)
+{
+  const double band = std::max(0.03, 5 * sheet.noise);
+  const std::size_t size = indices.empty() ? scan.size() : indices.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+    if (!scan.isFinite(i))
+      continue;
+    const Eigen::Vector3d p = scan[i].cast<double>();
+    const std::size_t cell = sheet.grid.at(p.head<2>());
+    if (cell >= sheet.grid.count() || !is_within[cell])
+      continue;
+    const PlanSlab& facet = sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
+    if (std::abs(distanceOf(facet, p)) < band)
+      use(cell, p);
+  }
+}
+
+} // namespace
+
+void
+refitToScan(Sheet& sheet,
+            const PointView& scan,
+            const std::vector<int>& indices,
+            const SheetParameters& parameters)
+{
+  constexpr std::size_t least_points = 200;
+  const std::vector<std::uint8_t> is_within = cellsWithinFacets(sheet);
+  std::vector<std::uint32_t> count(sheet.grid.count(), 0);
+  forAllNear(sheet, is_within, scan, indices,
+             [&](std::size_t cell, const Eigen::Vector3d&) { ++count[cell]; });
+  std::vector<std::uint32_t> passed(sheet.grid.count(), 0);
+  std::vector<std::vector<Eigen::Vector3d>> points(sheet.facets.size());
+  forAllNear(sheet, is_within, scan, indices,
+             [&](std::size_t cell, const Eigen::Vector3d& p) {
+               const std::uint64_t before = passed[cell]++;
+               const std::uint64_t most = most_a_cell;
+               if (count[cell] <= most ||
+                   before * most / count[cell] != (before + 1) * most / count[cell])
+                 points[static_cast<std::size_t>(sheet.label[cell])].push_back(p);
+             });
+  for (std::size_t f = 0; f < sheet.facets.size(); ++f) {
+    PlanSlab& facet = sheet.facets[f];
+    if (points[f].size() < least_points ||
+        (facet.curve && facet.curve->kind == CurveKind::Relief))
+      continue;
+    std::vector<double> off;
+    for (const Eigen::Vector3d& p : points[f])
+      off.push_back(std::abs(distanceOf(facet, p)));
+    constexpr double of_median = 1.4826;
+    const double noise = of_median * middleValue(std::move(off));
+    FacetProposal refined{kindOf(facet), facet, {}};
+    refined.slab.residual =
+        refineShape(refined.kind, points[f], std::hypot(noise, parameters.unevenness),
+                    refined.slab);
+    refined.slab.inliers = points[f].size();
+    if (isBuilt(refined, parameters))
+      facet = refined.slab;
+  }
+}
+
+} // namespace sedr
+} // namespace pcl

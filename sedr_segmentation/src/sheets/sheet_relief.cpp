@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_relief.h"
+
+#include <pcl/sedr_filters/middle_value.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Connected cells, eight neighbours each. */
+std::vector<std::vector<std::size_t>>
+piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
+{
+  std::vector<std::uint8_t> is_known(grid.count(), 0);
+  std::vector<std::vector<std::size_t>> pieces;
+  for (std::size_t first = 0; first < grid.count(); ++first) {
+    if (!is_in[first] || is_known[first])
+      continue;
+    std::vector<std::size_t> piece{first};
+    is_known[first] = 1;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int x = grid.columnOf(piece[k]) + dx;
+          const int y = grid.rowOf(piece[k]) + dy;
+          if (!grid.holds(x, y))
+            continue;
+          const std::size_t next = grid.indexOf(x, y);
+          if (!is_in[next] || is_known[next])
+            continue;
+          is_known[next] = 1;
+          piece.push_back(next);
+        }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/** @brief Gives heights that are not known the mean of those around, from the known
+ * ones outwards. */
+void
+spread(SlabCurve& relief)
+{
+  const auto columns = static_cast<std::ptrdiff_t>(relief.columns);
+  const auto rows = static_cast<std::ptrdiff_t>(relief.rows());
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    std::vector<double> next = relief.heights;
+    for (std::ptrdiff_t y = 0; y < rows; ++y)
+      for (std::ptrdiff_t x = 0; x < columns; ++x) {
+        if (std::isfinite(relief.heights[static_cast<std::size_t>(y * columns + x)]))
+          continue;
+        double sum = 0;
+        int count = 0;
+        for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(0, y - 1);
+             v <= std::min(rows - 1, y + 1); ++v)
+          for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - 1);
+               u <= std::min(columns - 1, x + 1); ++u) {
+            const double z = relief.heights[static_cast<std::size_t>(v * columns + u)];
+            if (!std::isfinite(z))
+              continue;
+            sum += z;
+            ++count;
+          }
+        if (count == 0)
+          continue;
+        next[static_cast<std::size_t>(y * columns + x)] = sum / count;
+        has_changed = true;
+      }
+    relief.heights = std::move(next);
+  }
+}
+
+/** @brief Heights on a grid through the points of some cells: at each the plane through
+ * the points about it, without outliers. */
+PlanSlab
+reliefThrough(const CellPoints& cells,
+              const std::vector<std::size_t>& own,
+              const SheetParameters& parameters)
+{
+  Eigen::AlignedBox2d box;
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(cells.grid().size / 2);
+  for (const std::size_t cell : own) {
+    box.extend(cells.grid().centre(cell) - half);
+    box.extend(cells.grid().centre(cell) + half);
+  }
+  SlabCurve relief;
+  relief.kind = CurveKind::Relief;
+  relief.spacing = parameters.relief_spacing;
+  relief.centre = box.min() - Eigen::Vector2d::Constant(relief.spacing);
+  const Eigen::Vector2d extent = box.sizes() / relief.spacing;
+  relief.columns = static_cast<std::size_t>(extent.x()) + 4;
+  const auto rows = static_cast<std::size_t>(extent.y()) + 4;
+  relief.heights.assign(relief.columns * rows,
+                        std::numeric_limits<double>::quiet_NaN());
+  const auto points = cells.pointsOf(own, 200000);
+  std::vector<std::vector<Eigen::Vector3d>> near(relief.heights.size());
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector2d at = (p.head<2>() - relief.centre) / relief.spacing;
+    for (const double y : {std::floor(at.y()), std::floor(at.y()) + 1})
+      for (const double x : {std::floor(at.x()), std::floor(at.x()) + 1})
+        near[static_cast<std::size_t>(y) * relief.columns + static_cast<std::size_t>(x)]
+            .push_back(p);
+  }
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    if (near[k].size() < 6)
+      continue;
+    PlanSlab plane = fitPlane(near[k]);
+    refineShape(ShapeKind::Plane, near[k], 0.02, plane);
+    const Eigen::Vector2d place =
+        relief.centre +
+        relief.spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
+                                         static_cast<double>(k / relief.columns));
+    std::vector<double> heights;
+    for (const Eigen::Vector3d& p : near[k])
+      heights.push_back(p.z());
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    relief.heights[k] = std::clamp(plane.heightAt(place), *low, *high);
+  }
+  spread(relief);
+  PlanSlab slab = fitPlane(points);
+  if (relief.isFinite())
+    slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
+  return slab;
+}
+
+} // namespace
+
+void
+addReliefs(const CellPoints& cells,
+           double deviation,
+           const SheetParameters& parameters,
+           float outlier,
+           FacetChoice& choice)
+{
+  constexpr float unexplained = 0.7F; // of what an outlier costs
+  const SheetGrid& grid = cells.grid();
+  std::vector<std::uint8_t> is_left(grid.count(), 0);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    is_left[cell] =
+        cells.isInside(cell) && !cells.isEmpty(cell) &&
+        (choice.facets.empty() ||
+         choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell] >
+             unexplained * outlier);
+  const auto least =
+      static_cast<std::size_t>(parameters.least_relief / (grid.size * grid.size));
+  choice.label.resize(grid.count(), 0);
+  const std::size_t before = choice.facets.size();
+  for (const std::vector<std::size_t>& piece : piecesOf(grid, is_left)) {
+    if (piece.size() < least && !(before == 0 && choice.facets.empty()))
+      continue;
+    FacetProposal facet;
+    facet.slab = reliefThrough(cells, piece, parameters);
+    FacetCosts costs = costsOf(facet.slab, cells, deviation, parameters);
+    // It is known where it was seen: elsewhere it explains nothing.
+    std::vector<std::uint8_t> is_own(grid.count(), 0);
+    for (const std::size_t cell : piece)
+      is_own[cell] = 1;
+    for (std::size_t cell = 0; cell < grid.count(); ++cell)
+      if (!is_own[cell] && cells.isInside(cell) && !cells.isEmpty(cell))
+        costs.cost[cell] = 2 * outlier;
+    for (const std::size_t cell : piece)
+      choice.label[cell] = static_cast<std::int32_t>(choice.facets.size());
+    choice.facets.push_back(std::move(facet));
+    choice.costs.push_back(std::move(costs));
+  }
+  if (choice.facets.size() > before)
+    labelCells(choice.costs, cells, parameters, choice.label);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_lines.h"
+
+#include <pcl/sedr_filters/room_lookup.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double usual_step = 0.05;     ///< metres between the places looked at
+constexpr std::size_t most_steps = 400; ///< along the longer side of a room
+
+/** @brief Heights of a ceiling over the floor on a grid over a room. */
+struct HeightGrid {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  double step = usual_step;
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<double> height; ///< NaN beside the room
+
+  Eigen::Vector2d placeOf(std::size_t k) const
+  {
+    return origin + step * Eigen::Vector2d(static_cast<double>(k % columns),
+                                           static_cast<double>(k / columns));
+  }
+};
+
+HeightGrid
+heightsOf(const PlanRoom& room)
+{
+  HeightGrid grid;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : room.boundary.polygon(0.001))
+    box.extend(corner);
+  if (box.isEmpty())
+    return grid;
+  grid.step = std::max(usual_step, box.sizes().maxCoeff() / most_steps);
+  // A hair within the walls, where the first and last places lie on them.
+  grid.origin = box.min() + Eigen::Vector2d::Constant(1e-6);
+  grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 2;
+  grid.rows = static_cast<std::size_t>(box.sizes().y() / grid.step) + 2;
+  const RoomLookup lookup(room);
+  for (std::size_t k = 0; k < grid.columns * grid.rows; ++k) {
+    const Eigen::Vector2d p = grid.placeOf(k);
+    grid.height.push_back(lookup.contains(p)
+                              ? lookup.ceilingAt(p) - lookup.floorAt(p)
+                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  return grid;
+}
+
+/** @brief The side of a square of the grid: its first place, and whether it runs along
+ * x. */
+using Side = std::pair<std::size_t, bool>;
+
+/** @brief Joins the crossings of a height with the sides of squares to lines. */
+class LineTracer {
+public:
+  LineTracer(const HeightGrid& grid, double height)
+      : grid_(grid)
+      , height_(height)
+  {}
+
+  std::vector<std::vector<Eigen::Vector2d>> run()
+  {
+    for (std::size_t y = 0; y + 1 < grid_.rows; ++y)
+      for (std::size_t x = 0; x + 1 < grid_.columns; ++x)
+        addSquare(y * grid_.columns + x);
+    std::vector<std::vector<Eigen::Vector2d>> lines;
+    // Open lines from their ends, then closed ones.
+    for (const std::size_t ends : {1U, 2U})
+      for (const auto& [side, others] : next_)
+        if (others.size() == ends && !is_used_[side])
+          lines.push_back(follow(side));
+    return lines;
+  }
+
+private:
+  bool isAbove(std::size_t k) const { return grid_.height[k] > height_; }
+
+  void addSquare(std::size_t k)
+  {
+    const std::array<std::size_t, 4> corners{k, k + 1, k + grid_.columns + 1,
+                                             k + grid_.columns};
+    for (const std::size_t corner : corners)
+      if (!std::isfinite(grid_.height[corner]))
+        return;
+    const std::array<Side, 4> sides{
+        {{k, true}, {k + 1, false}, {k + grid_.columns, true}, {k, false}}};
+    std::vector<Side> crossed;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (isAbove(corners[i]) != isAbove(corners[(i + 1) % 4]))
+        crossed.push_back(sides[i]);
+    for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) {
+      next_[crossed[i]].push_back(crossed[i + 1]);
+      next_[crossed[i + 1]].push_back(crossed[i]);
+    }
+  }
+
+  Eigen::Vector2d placeOf(const Side& side) const
+  {
+    const std::size_t other = side.first + (side.second ? 1 : grid_.columns);
+    const double low = grid_.height[side.first];
+    const double share = (height_ - low) / (grid_.height[other] - low);
+    return (1 - share) * grid_.placeOf(side.first) + share * grid_.placeOf(other);
+  }
+
+  std::vector<Eigen::Vector2d> follow(Side side)
+  {
+    std::vector<Eigen::Vector2d> line;
+    for (bool goes_on = true; goes_on;) {
+      is_used_[side] = true;
+      line.push_back(placeOf(side));
+      goes_on = false;
+      for (const Side& other : next_[side])
+        if (!is_used_[other]) {
+          side = other;
+          goes_on = true;
+          break;
+        }
+    }
+    return line;
+  }
+
+  const HeightGrid& grid_;
+  double height_;
+  std::map<Side, std::vector<Side>> next_;
+  std::map<Side, bool> is_used_;
+};
+
+/** @brief Adds a line from place to place as few straight pieces, 5 mm off at most. */
+void
+addPieces(const std::vector<Eigen::Vector2d>& line,
+          std::size_t first,
+          std::size_t last,
+          std::vector<PlanElement>& pieces)
+{
+  constexpr double tolerance = 0.005;
+  PlanElement piece;
+  piece.start = line[first];
+  piece.end = line[last];
+  std::size_t farthest = first;
+  double most = tolerance;
+  for (std::size_t k = first + 1; k < last; ++k) {
+    const double distance =
+        piece.length() > 0 ? piece.distance(line[k]) : (line[k] - piece.start).norm();
+    if (distance <= most)
+      continue;
+    most = distance;
+    farthest = k;
+  }
+  if (farthest == first) {
+    pieces.push_back(piece);
+    return;
+  }
+  addPieces(line, first, farthest, pieces);
+  addPieces(line, farthest, last, pieces);
+}
+
+} // namespace
+
+std::vector<PlanElement>
+heightLines(const PlanRoom& room, double height)
+{
+  std::vector<PlanElement> pieces;
+  if (!room.hasFacets())
+    return pieces;
+  const HeightGrid grid = heightsOf(room);
+  if (grid.columns < 2 || grid.rows < 2)
+    return pieces;
+  for (const auto& line : LineTracer(grid, height).run())
+    if (line.size() > 1)
+      addPieces(line, 0, line.size() - 1, pieces);
+  return pieces;
+}
+
+std::pair<double, double>
+heightRange(const PlanRoom& room)
+{
+  const RoomLookup lookup(room);
+  std::pair<double, double> range(std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity());
+  const auto add = [&](const Eigen::Vector2d& p) {
+    const double height = lookup.ceilingAt(p) - lookup.floorAt(p);
+    range.first = std::min(range.first, height);
+    range.second = std::max(range.second, height);
+  };
+  const HeightGrid grid = heightsOf(room);
+  for (std::size_t k = 0; k < grid.height.size(); ++k)
+    if (std::isfinite(grid.height[k]))
+      add(grid.placeOf(k));
+  // Eaves and ridges lie on the borders of facets.
+  constexpr double inside = 1e-3;
+  for (const PlanElement& wall : room.boundary.elements)
+    for (const double share : {0.02, 0.5, 0.98}) {
+      const double s = share * wall.length();
+      add(wall.pointAt(s) + inside * wall.normalAt(s));
+    }
+  for (const PlanDetail& detail : room.details)
+    for (const PlanElement& border : detail.boundary.elements)
+      if (room.contains(border.pointAt(border.length() / 2)))
+        add(border.pointAt(border.length() / 2));
+  return range;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_document.h"
+
+#include "ifc_guid.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+
+IfcDocument::IfcDocument(const Floorplan& of_plan,
+                         const IfcSettings& with_settings,
+                         const Origin& origin)
+    : plan(of_plan)
+    , settings(with_settings)
+    , shapes(step, with_settings.arcs)
+{
+  addRooms();
+  addProject(origin);
+}
+
+std::string
+IfcDocument::guid(const std::string& name) const
+{
+  return guidOf(settings.name + "/" + name);
+}
+
+void
+IfcDocument::addRooms()
+{
+  for (const PlanRoom& room : plan.rooms) {
+    rooms.emplace_back();
+    IfcRoom& added = rooms.back();
+    added.room = &room;
+    added.report = extrudeRoom(room, {}, added.solid, added.elements);
+    if (added.solid.empty())
+      model.warnings.push_back("room " + std::to_string(room.id) +
+                               " has no body in the IFC: " + added.report.problem);
+  }
+}
+
+StepRef
+IfcDocument::addUnits()
+{
+  const auto unit = [&](const char* kind, const char* name) {
+    return step.add("IFCSIUNIT", {StepValue::derived(), StepValue::enumerated(kind),
+                                  StepValue::none(), StepValue::enumerated(name)});
+  };
+  const std::vector<StepRef> units{
+      unit("LENGTHUNIT", "METRE"), unit("AREAUNIT", "SQUARE_METRE"),
+      unit("VOLUMEUNIT", "CUBIC_METRE"), unit("PLANEANGLEUNIT", "RADIAN")};
+  return step.add("IFCUNITASSIGNMENT", {units});
+}
+
+void
+IfcDocument::addMapConversion(StepRef context, const Origin& origin)
+{
+  if (origin.isZero() && settings.crs.empty())
+    return;
+  const StepValue none = StepValue::none();
+  const StepRef crs =
+      step.add("IFCPROJECTEDCRS", {settings.crs.empty() ? "not told" : settings.crs,
+                                   none, none, none, none, none, none});
+  step.add("IFCMAPCONVERSION", {context, crs, origin.place.x(), origin.place.y(),
+                                origin.place.z(), 1.0, 0.0, 1.0});
+}
+
+void
+IfcDocument::addProject(const Origin& origin)
+{
+  const StepValue none = StepValue::none();
+  const StepRef frame = shapes.axes(Eigen::Vector3d::Zero());
+  const StepRef context =
+      step.add("IFCGEOMETRICREPRESENTATIONCONTEXT",
+               {none, "Model", StepValue::integer(3), 0.00001, frame, none});
+  const auto part = [&](const char* name, const char* view) {
+    const StepValue derived = StepValue::derived();
+    return step.add("IFCGEOMETRICREPRESENTATIONSUBCONTEXT",
+                    {name, "Model", derived, derived, derived, derived, context, none,
+                     StepValue::enumerated(view), none});
+  };
+  body_context = part("Body", "MODEL_VIEW");
+  axis_context = part("Axis", "GRAPH_VIEW");
+  const StepRef units = addUnits();
+  const StepRef project =
+      step.add("IFCPROJECT", {guid("project"), none, settings.name, none, none, none,
+                              none, std::vector<StepRef>{context}, units});
+  addMapConversion(context, origin);
+  const StepValue whole = StepValue::enumerated("ELEMENT");
+  const StepRef site_place = shapes.placement({}, Eigen::Vector3d::Zero());
+  const StepRef site =
+      step.add("IFCSITE", {guid("site"), none, "site", none, none, site_place, none,
+                           none, whole, none, none, none, none, none});
+  const StepRef building_place = shapes.placement(site_place, Eigen::Vector3d::Zero());
+  const StepRef building =
+      step.add("IFCBUILDING", {guid("building"), none, settings.name, none, none,
+                               building_place, none, none, whole, none, none, none});
+  relate("IFCRELAGGREGATES", "site of project", project, std::vector<StepRef>{site});
+  relate("IFCRELAGGREGATES", "building of site", site, std::vector<StepRef>{building});
+  addStoreys(building, building_place);
+}
+
+void
+IfcDocument::addStoreys(StepRef building, StepRef building_placement)
+{
+  const StepValue none = StepValue::none();
+  std::map<std::uint32_t, std::size_t> index_of;
+  std::vector<StepRef> refs;
+  for (const PlanStorey& storey : storeysOf(plan)) {
+    const StepRef place = shapes.placement(building_placement, {0, 0, storey.floor});
+    const std::string name = "storey_" + std::to_string(storey.number);
+    const StepRef ref = step.add(
+        "IFCBUILDINGSTOREY", {guid(name), none, storey.name, none, none, place, none,
+                              none, StepValue::enumerated("ELEMENT"), storey.floor});
+    refs.push_back(ref);
+    for (const std::uint32_t room : storey.rooms)
+      index_of[room] = storeys.size();
+    storeys.push_back({storey, ref, place, {}, {}});
+  }
+  if (!refs.empty())
+    relate("IFCRELAGGREGATES", "storeys of building", building, refs);
+  for (IfcRoom& room : rooms)
+    room.storey = index_of[room.room->id];
+}
+
+StepRef
+IfcDocument::addElement(const std::string& type,
+                        const std::string& name,
+                        std::size_t storey,
+                        StepRef placement,
+                        StepRef shape,
+                        const std::vector<StepValue>& more)
+{
+  const StepValue none = StepValue::none();
+  std::vector<StepValue> attributes{guid(name), none,      name,  none,
+                                    none,       placement, shape, none};
+  attributes.insert(attributes.end(), more.begin(), more.end());
+  const StepRef element = step.add(type, attributes);
+  storeys[storey].elements.push_back(element);
+  return element;
+}
+
+StepRef
+IfcDocument::relate(const std::string& type,
+                    const std::string& name,
+                    const StepValue& relating,
+                    const StepValue& related)
+{
+  const StepValue none = StepValue::none();
+  return step.add(type, {guid(name), none, none, none, relating, related});
+}
+
+void
+IfcDocument::addProperties(StepRef object,
+                           const std::string& object_name,
+                           const std::string& set,
+                           const std::vector<Property>& properties)
+{
+  if (properties.empty())
+    return;
+  const StepValue none = StepValue::none();
+  std::vector<StepRef> values;
+  for (const auto& [name, value] : properties)
+    values.push_back(step.add("IFCPROPERTYSINGLEVALUE", {name, none, value, none}));
+  const std::string name = set + " of " + object_name;
+  const StepRef definition =
+      step.add("IFCPROPERTYSET", {guid(name), none, set, none, values});
+  relate("IFCRELDEFINESBYPROPERTIES", name + " defined", std::vector<StepRef>{object},
+         definition);
+}
+
+void
+IfcDocument::addQuantities(StepRef object,
+                           const std::string& object_name,
+                           const std::string& set,
+                           const std::vector<Quantity>& quantities)
+{
+  const StepValue none = StepValue::none();
+  std::vector<StepRef> values;
+  for (const Quantity& quantity : quantities)
+    values.push_back(step.add(std::string("IFCQUANTITY") + quantity.kind,
+                              {quantity.name, none, none, quantity.value, none}));
+  const std::string name = set + " of " + object_name;
+  const StepRef definition =
+      step.add("IFCELEMENTQUANTITY", {guid(name), none, set, none, none, values});
+  relate("IFCRELDEFINESBYPROPERTIES", name + " defined", std::vector<StepRef>{object},
+         definition);
+}
+
+StepRef
+IfcDocument::shapeOf(StepRef item, const std::string& type, const std::string& colour)
+{
+  shapes.colour(item, colour);
+  return shapes.product({shapes.body(body_context, type, {item})});
+}
+
+void
+IfcDocument::finish()
+{
+  for (const IfcStorey& storey : storeys) {
+    const std::string name = "storey_" + std::to_string(storey.storey.number);
+    if (!storey.spaces.empty())
+      relate("IFCRELAGGREGATES", "spaces of " + name, storey.ref, storey.spaces);
+    if (!storey.elements.empty())
+      relate("IFCRELCONTAINEDINSPATIALSTRUCTURE", "elements of " + name,
+             storey.elements, storey.ref);
+  }
+}
+
+StepValue
+lengthProperty(double metres)
+{
+  return StepValue::typed("IFCLENGTHMEASURE", metres);
+}
+
+StepValue
+shareProperty(double share)
+{
+  return StepValue::typed("IFCNORMALISEDRATIOMEASURE", std::clamp(share, 0.0, 1.0));
+}
+
+StepValue
+countProperty(std::size_t count)
+{
+  return StepValue::typed("IFCINTEGER",
+                          StepValue::integer(static_cast<std::int64_t>(count)));
+}
+
+StepValue
+textProperty(const std::string& text)
+{
+  return StepValue::typed("IFCTEXT", text);
+}
+
+StepValue
+booleanProperty(bool value)
+{
+  return StepValue::typed("IFCBOOLEAN", StepValue::logical(value));
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ifc_shapes.h"
+#include "step_file.h"
+
+#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
+#include <pcl/sedr_surface/room_solid.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+
+/** @brief A named value of a property set. */
+using Property = std::pair<std::string, StepValue>;
+
+/** @brief A value of a quantity set: its kind is "LENGTH", "AREA" or "VOLUME". */
+struct Quantity {
+  const char* kind;
+  std::string name;
+  double value = 0;
+};
+
+/** @brief A room as it is being written. */
+struct IfcRoom {
+  const PlanRoom* room = nullptr;
+  std::size_t storey = 0; ///< index
+  StepRef space;
+  TriangleMesh solid;
+  std::vector<SolidElement> elements; ///< of the solid
+  RoomSolidReport report;
+};
+
+/** @brief A storey as it is being written. */
+struct IfcStorey {
+  PlanStorey storey;
+  StepRef ref;
+  StepRef placement;
+  std::vector<StepRef> spaces;
+  std::vector<StepRef> elements;
+};
+
+/** @brief An IFC file on its way: project and storeys stand, what is in them is added.
+ */
+class IfcDocument {
+public:
+  IfcDocument(const Floorplan& plan, const IfcSettings& settings, const Origin& origin);
+
+  const Floorplan& plan;
+  const IfcSettings& settings;
+  StepFile step;
+  IfcShapes shapes;
+  IfcModel model;
+  std::vector<IfcStorey> storeys;
+  std::vector<IfcRoom> rooms; ///< in the order of the plan
+  StepRef body_context;
+  StepRef axis_context;
+
+  /** @brief The GlobalId of an object by its name, which is unique in the model. */
+  std::string guid(const std::string& name) const;
+
+  /** @brief Adds an element to the storey of a room: `type` such as "IFCCOLUMN", with
+   * the attributes that all elements have, and those `more` that follow. */
+  StepRef addElement(const std::string& type,
+                     const std::string& name,
+                     std::size_t storey,
+                     StepRef placement,
+                     StepRef shape,
+                     const std::vector<StepValue>& more);
+
+  void addProperties(StepRef object,
+                     const std::string& object_name,
+                     const std::string& set,
+                     const std::vector<Property>& properties);
+
+  void addQuantities(StepRef object,
+                     const std::string& object_name,
+                     const std::string& set,
+                     const std::vector<Quantity>& quantities);
+
+  /** @brief A relation of two objects, by the name that its GlobalId is made of. */
+  StepRef relate(const std::string& type,
+                 const std::string& name,
+                 const StepValue& relating,
+                 const StepValue& related);
+
+  /** @brief A body of swept solids or of a mesh, as a shape. */
+  StepRef shapeOf(StepRef item, const std::string& type, const std::string& colour);
+
+  /** @brief Adds what joins spaces and elements to their storeys. */
+  void finish();
+
+private:
+  void addProject(const Origin& origin);
+  StepRef addUnits();
+  void addMapConversion(StepRef context, const Origin& origin);
+  void addStoreys(StepRef building, StepRef building_placement);
+  void addRooms();
+};
+
+/** @brief Property values of the measures that Pset_SEDR has. */
+StepValue lengthProperty(double metres);
+StepValue shareProperty(double share);
+StepValue countProperty(std::size_t count);
+StepValue textProperty(const std::string& text);
+StepValue booleanProperty(bool value);
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

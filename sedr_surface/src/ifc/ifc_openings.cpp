@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_parts.h"
+#include "level_slab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+constexpr double overshoot = 0.1; ///< of an opening over both faces, metres
+
+/** @brief A box in the frame of a wall, z from the wall's bottom. */
+struct OpeningBox {
+  Eigen::AlignedBox2d plan;
+  double bottom = 0;
+  double top = 0;
+};
+
+/** @brief How far a wall reaches behind its face (negative y) in its frame, and before
+ * it: a curved one has its chord on the x axis. */
+Eigen::AlignedBox2d
+boxOfWall(const Floorplan& plan, const PlanWall& wall)
+{
+  Eigen::AlignedBox2d box;
+  const PlanElement& element = elementOf(plan, wall.face);
+  if (!element.isArc()) {
+    for (const Eigen::Vector2d& corner : wall.outline)
+      box.extend(corner);
+    return box;
+  }
+  constexpr int samples = 16;
+  const WallFrame frame = frameOf(plan, wall);
+  for (int i = 0; i <= samples; ++i) {
+    const auto [place, inward] =
+        faceAt(element, wall.stretch.from + wall.stretch.length() * i / samples);
+    box.extend(frame.toLocal(place));
+    box.extend(frame.toLocal(place - wall.thickness * inward));
+  }
+  return box;
+}
+
+/** @brief A doorway in a wall: a box across it, or nothing where it is not in it. */
+bool
+boxIn(const Floorplan& plan,
+      const WrittenWall& written,
+      const PlanDoorway& doorway,
+      double reach,
+      OpeningBox& box)
+{
+  constexpr double least_width = 0.05;
+  constexpr double cosine = 0.86; // 30 degrees between doorway and wall
+  const PlanElement& element = elementOf(plan, written.wall.face);
+  const WallFrame frame = frameOf(plan, written.wall);
+  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
+  const auto [place, inward] = faceAt(element, element.project(middle));
+  const double behind = -(middle - place).dot(inward);
+  if (behind < -reach || behind > written.wall.thickness + reach ||
+      std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
+    return false;
+  const Eigen::AlignedBox2d wall = boxOfWall(plan, written.wall);
+  const Eigen::Vector2d a = frame.toLocal(doorway.start);
+  const Eigen::Vector2d b = frame.toLocal(doorway.end);
+  const double from = std::min(a.x(), b.x());
+  const double to = std::max(a.x(), b.x());
+  if (std::min(to, wall.max().x()) - std::max(from, wall.min().x()) < least_width)
+    return false;
+  constexpr double on_floor = 0.05; // a sill lower than that is none
+  const double bottom = doorway.bottom - written.bottom;
+  box.bottom = bottom < on_floor ? 0 : bottom;
+  box.top = doorway.top - written.bottom;
+  if (box.top - box.bottom < least_width || box.bottom >= written.top - written.bottom)
+    return false;
+  double low = wall.min().y();
+  double high = wall.max().y();
+  if (element.isArc()) { // no more of a curved wall than is beside the doorway
+    low = std::numeric_limits<double>::infinity();
+    high = -low;
+    for (const Eigen::Vector2d& p : {doorway.start, middle, doorway.end}) {
+      const auto [face, in] = faceAt(element, element.project(p));
+      for (const double off : {0.0, written.wall.thickness}) {
+        low = std::min(low, frame.toLocal(face - off * in).y());
+        high = std::max(high, frame.toLocal(face - off * in).y());
+      }
+    }
+  }
+  box.plan = Eigen::AlignedBox2d(Eigen::Vector2d(from, low - overshoot),
+                                 Eigen::Vector2d(to, high + overshoot));
+  return true;
+}
+
+bool
+isOf(const Floorplan& plan, const WallFace& face, const PlanDoorway& doorway)
+{
+  const std::uint32_t id = plan.rooms[face.room].id;
+  return id == doorway.rooms[0] || id == doorway.rooms[1];
+}
+
+/** @brief Whether a doorway may be in a wall by the rooms of both. */
+bool
+isBetween(const Floorplan& plan, const PlanWall& wall, const PlanDoorway& doorway)
+{
+  const bool leads_outside = doorway.rooms[0] == 0 || doorway.rooms[1] == 0;
+  return isOf(plan, wall.face, doorway) &&
+         (!wall.other || leads_outside || isOf(plan, *wall.other, doorway));
+}
+
+StepRef
+writeOpening(IfcDocument& document,
+             const WrittenWall& wall,
+             const std::string& name,
+             StepRef item,
+             const char* kind)
+{
+  const StepValue none = StepValue::none();
+  const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
+  const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
+  const StepRef shape = document.shapeOf(item, "SweptSolid", "opening");
+  const StepRef opening = document.step.add(
+      "IFCOPENINGELEMENT", {document.guid(name), none, name, none, none, place, shape,
+                            none, StepValue::enumerated(kind)});
+  document.relate("IFCRELVOIDSELEMENT", name + " in " + wall.name, wall.ref, opening);
+  ++document.model.openings;
+  return opening;
+}
+
+PlanLoop
+loopAround(const Eigen::AlignedBox2d& box)
+{
+  return loopOf({box.min(),
+                 {box.max().x(), box.min().y()},
+                 box.max(),
+                 {box.min().x(), box.max().y()}});
+}
+
+/** @brief Puts a doorway into the walls that it leads through.
+ * @return how many */
+std::size_t
+writeDoorway(IfcDocument& document,
+             const std::vector<WrittenWall>& walls,
+             const PlanDoorway& doorway,
+             std::string name)
+{
+  constexpr double near = 0.15;
+  constexpr double far = 0.5; // half of a wall thicker than those of two faces
+  std::size_t count = 0;
+  for (const double reach : {near, far}) {
+    for (const WrittenWall& wall : walls) {
+      OpeningBox box;
+      if (!isBetween(document.plan, wall.wall, doorway) ||
+          !boxIn(document.plan, wall, doorway, reach, box))
+        continue;
+      const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
+      const StepRef body = document.shapes.extrusion(loopAround(box.plan), {},
+                                                     box.bottom, box.top - box.bottom);
+      const StepRef opening =
+          writeOpening(document, wall, name + part, body, "OPENING");
+      document.addQuantities(opening, name + part, "Qto_OpeningElementBaseQuantities",
+                             {{"LENGTH", "Width", doorway.width()},
+                              {"LENGTH", "Height", doorway.top - doorway.bottom},
+                              {"LENGTH", "Depth", wall.wall.thickness}});
+      ++count;
+    }
+    if (count > 0)
+      break;
+  }
+  return count;
+}
+
+/** @brief The wall that a niche is in: that whose face is nearest to its middle. */
+const WrittenWall*
+wallOf(const Floorplan& plan,
+       const std::vector<WrittenWall>& walls,
+       std::size_t room,
+       const Eigen::Vector2d& middle)
+{
+  const WrittenWall* nearest = nullptr;
+  double least = 1; // metre
+  for (const WrittenWall& wall : walls) {
+    const auto consider = [&](const WallFace& face) {
+      const PlanElement& element = elementOf(plan, face);
+      const double s = wall.wall.face == face ? element.project(middle) : 0;
+      const bool is_in_stretch =
+          !(wall.wall.face == face) || (s >= wall.wall.stretch.from - overshoot &&
+                                        s <= wall.wall.stretch.to + overshoot);
+      const double distance = element.distance(middle);
+      if (face.room == room && is_in_stretch && distance < least) {
+        least = distance;
+        nearest = &wall;
+      }
+    };
+    consider(wall.wall.face);
+    if (wall.wall.other)
+      consider(*wall.wall.other);
+  }
+  return nearest;
+}
+
+void
+writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
+{
+  for (std::size_t r = 0; r < document.plan.rooms.size(); ++r) {
+    const PlanRoom& room = document.plan.rooms[r];
+    for (std::size_t n = 0; n < room.niches.size(); ++n) {
+      const PlanNiche& niche = room.niches[n];
+      const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
+      const Eigen::Vector2d middle = boxOf(niche.boundary).center();
+      const WrittenWall* wall = wallOf(document.plan, walls, r, middle);
+      const double bottom = niche.bottom.heightAt(middle);
+      const double height = niche.top.heightAt(middle) - bottom;
+      if (!wall || height <= 0) {
+        document.model.warnings.push_back(name + " is in no wall of the IFC");
+        continue;
+      }
+      const StepRef body = document.shapes.extrusion(
+          inFrame(niche.boundary, frameOf(document.plan, wall->wall)), {},
+          bottom - wall->bottom, height);
+      writeOpening(document, *wall, name, body, "RECESS");
+    }
+  }
+}
+
+} // namespace
+
+void
+writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
+{
+  for (std::size_t d = 0; d < document.plan.doorways.size(); ++d) {
+    const PlanDoorway& doorway = document.plan.doorways[d];
+    const std::string name = "doorway_" + std::to_string(d + 1);
+    if (writeDoorway(document, walls, doorway, name) == 0)
+      document.model.warnings.push_back(
+          name + " between rooms " + std::to_string(doorway.rooms[0]) + " and " +
+          std::to_string(doorway.rooms[1]) +
+          " is no opening in the IFC: no wall stands there");
+  }
+  writeNiches(document, walls);
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+constexpr double chord_tolerance = 0.0005; ///< that of the solid, metres
+
+std::vector<double>
+numbers(const Eigen::VectorXd& v)
+{
+  return {v.data(), v.data() + v.size()};
+}
+
+bool
+hasArcs(const PlanLoop& loop)
+{
+  return std::any_of(loop.elements.begin(), loop.elements.end(),
+                     [](const PlanElement& e) { return e.isArc(); });
+}
+
+/** @brief The elements of a loop, arcs of nearly half a circle and more in three: three
+ * points on them do not tell them for sure. */
+std::vector<PlanElement>
+shortArcs(const PlanLoop& loop)
+{
+  std::vector<PlanElement> parts;
+  for (const PlanElement& e : loop.elements) {
+    const int n = e.isArc() && std::abs(e.sweep()) > 0.9 * M_PI ? 3 : 1;
+    const double length = e.length();
+    for (int k = 0; k < n; ++k)
+      parts.push_back(n == 1 ? e : e.part(length * k / n, length * (k + 1) / n));
+  }
+  return parts;
+}
+
+/** @brief Indices count from 1. */
+StepValue
+indexOf(std::size_t point)
+{
+  return StepValue::integer(static_cast<std::int64_t>(point) + 1);
+}
+
+struct Colour {
+  const char* kind;
+  double red, green, blue;
+  double transparency;
+};
+
+constexpr Colour colours[] = {
+    {"space", 0.55, 0.75, 0.90, 0.75}, {"wall", 0.82, 0.84, 0.86, 0},
+    {"slab", 0.72, 0.58, 0.42, 0},     {"ceiling", 0.93, 0.93, 0.90, 0},
+    {"column", 0.80, 0.45, 0.35, 0},   {"detail", 0.42, 0.62, 0.78, 0},
+    {"opening", 0.90, 0.30, 0.25, 0.5}};
+
+} // namespace
+
+StepRef
+IfcShapes::point(const Eigen::Vector3d& p)
+{
+  return step_.add("IFCCARTESIANPOINT", {numbers(p)});
+}
+
+StepRef
+IfcShapes::point(const Eigen::Vector2d& p)
+{
+  return step_.add("IFCCARTESIANPOINT", {numbers(p)});
+}
+
+StepRef
+IfcShapes::direction(const Eigen::Vector3d& way)
+{
+  return step_.add("IFCDIRECTION", {numbers(way)});
+}
+
+StepRef
+IfcShapes::axes(const Eigen::Vector3d& origin,
+                const Eigen::Vector3d& z,
+                const Eigen::Vector3d& x)
+{
+  const StepRef at = point(origin);
+  if (z == Eigen::Vector3d::UnitZ() && x == Eigen::Vector3d::UnitX())
+    return step_.add("IFCAXIS2PLACEMENT3D", {at, StepValue::none(), StepValue::none()});
+  const StepRef up = direction(z);
+  const StepRef along = direction(x);
+  return step_.add("IFCAXIS2PLACEMENT3D", {at, up, along});
+}
+
+StepRef
+IfcShapes::placement(StepRef parent,
+                     const Eigen::Vector3d& origin,
+                     const Eigen::Vector2d& x)
+{
+  const StepRef frame =
+      axes(origin, Eigen::Vector3d::UnitZ(), Eigen::Vector3d(x.x(), x.y(), 0));
+  return step_.add("IFCLOCALPLACEMENT", {parent, frame});
+}
+
+StepRef
+IfcShapes::polyline(const std::vector<Eigen::Vector2d>& corners, bool is_closed)
+{
+  std::vector<StepRef> points;
+  for (const Eigen::Vector2d& corner : corners)
+    points.push_back(point(corner));
+  if (is_closed)
+    points.push_back(points.front());
+  return step_.add("IFCPOLYLINE", {points});
+}
+
+StepRef
+IfcShapes::indexedCurve(const PlanLoop& loop)
+{
+  std::vector<StepValue> points;
+  std::vector<StepValue> segments;
+  const std::vector<PlanElement> parts = shortArcs(loop);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<StepValue> indices{indexOf(points.size())};
+    points.emplace_back(numbers(parts[i].start));
+    if (parts[i].isArc()) {
+      indices.push_back(indexOf(points.size()));
+      points.emplace_back(numbers(parts[i].pointAt(parts[i].length() / 2)));
+    }
+    indices.push_back(indexOf(i + 1 < parts.size() ? points.size() : 0));
+    segments.push_back(StepValue::typed(
+        parts[i].isArc() ? "IFCARCINDEX" : "IFCLINEINDEX", StepValue::list(indices)));
+  }
+  const StepRef list = step_.add("IFCCARTESIANPOINTLIST2D", {StepValue::list(points)});
+  return step_.add("IFCINDEXEDPOLYCURVE",
+                   {list, StepValue::list(segments), StepValue::none()});
+}
+
+StepRef
+IfcShapes::closedCurve(const PlanLoop& loop)
+{
+  return arcs_ == IfcArcs::Exact && hasArcs(loop)
+             ? indexedCurve(loop)
+             : polyline(loop.polygon(chord_tolerance), true);
+}
+
+StepRef
+IfcShapes::extrusion(const PlanLoop& boundary,
+                     const std::vector<PlanLoop>& holes,
+                     double bottom,
+                     double height)
+{
+  const StepRef outer = closedCurve(boundary);
+  std::vector<StepRef> inner;
+  for (const PlanLoop& hole : holes)
+    inner.push_back(closedCurve(hole));
+  const StepValue area = StepValue::enumerated("AREA");
+  const StepRef profile =
+      inner.empty()
+          ? step_.add("IFCARBITRARYCLOSEDPROFILEDEF", {area, StepValue::none(), outer})
+          : step_.add("IFCARBITRARYPROFILEDEFWITHVOIDS",
+                      {area, StepValue::none(), outer, inner});
+  const StepRef frame = axes({0, 0, bottom});
+  const StepRef up = direction(Eigen::Vector3d::UnitZ());
+  return step_.add("IFCEXTRUDEDAREASOLID", {profile, frame, up, height});
+}
+
+StepRef
+IfcShapes::faceSet(const TriangleMesh& mesh)
+{
+  std::vector<StepValue> points;
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
+    points.emplace_back(numbers(vertex));
+  std::vector<StepValue> triangles;
+  for (const Triangle& t : mesh.triangles)
+    triangles.push_back(
+        StepValue::list({StepValue::integer(t[0] + 1), StepValue::integer(t[1] + 1),
+                         StepValue::integer(t[2] + 1)}));
+  const StepRef list = step_.add("IFCCARTESIANPOINTLIST3D", {StepValue::list(points)});
+  return step_.add("IFCTRIANGULATEDFACESET",
+                   {list, StepValue::none(), StepValue::logical(true),
+                    StepValue::list(triangles), StepValue::none()});
+}
+
+StepRef
+IfcShapes::styleOf(const std::string& kind)
+{
+  StepRef& style = styles_[kind];
+  if (!style.isNone())
+    return style;
+  const auto* c =
+      std::find_if(std::begin(colours), std::end(colours),
+                   [&](const Colour& colour) { return kind == colour.kind; });
+  const StepRef rgb =
+      step_.add("IFCCOLOURRGB", {StepValue::none(), c->red, c->green, c->blue});
+  const StepRef shading = step_.add("IFCSURFACESTYLESHADING", {rgb, c->transparency});
+  style = step_.add("IFCSURFACESTYLE", {kind, StepValue::enumerated("BOTH"),
+                                        std::vector<StepRef>{shading}});
+  return style;
+}
+
+void
+IfcShapes::colour(StepRef body, const std::string& kind)
+{
+  const StepRef style = styleOf(kind);
+  step_.add("IFCSTYLEDITEM", {body, std::vector<StepRef>{style}, StepValue::none()});
+}
+
+StepRef
+IfcShapes::product(const std::vector<StepRef>& shapes)
+{
+  return step_.add("IFCPRODUCTDEFINITIONSHAPE",
+                   {StepValue::none(), StepValue::none(), shapes});
+}
+
+StepRef
+IfcShapes::body(StepRef context,
+                const std::string& type,
+                const std::vector<StepRef>& items)
+{
+  return step_.add("IFCSHAPEREPRESENTATION", {context, "Body", type, items});
+}
+
+StepRef
+IfcShapes::line(StepRef context, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+  const StepRef axis = polyline({from, to}, false);
+  return step_.add("IFCSHAPEREPRESENTATION",
+                   {context, "Axis", "Curve2D", std::vector<StepRef>{axis}});
+}
+
+PlanLoop
+inFrame(PlanLoop loop, const WallFrame& frame)
+{
+  for (PlanElement& e : loop.elements)
+    for (Eigen::Vector2d* p : {&e.start, &e.end, &e.centre})
+      *p = frame.toLocal(*p);
+  return loop;
+}
+
+PlanLoop
+loopOf(const std::vector<Eigen::Vector2d>& corners)
+{
+  PlanLoop loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    PlanElement e;
+    e.start = corners[i];
+    e.end = corners[(i + 1) % corners.size()];
+    loop.elements.push_back(e);
+  }
+  return loop;
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_parts.h"
+#include "level_slab.h"
+#include "mesh_prism.h"
+
+#include "../plan_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+constexpr double thinnest_slab = 0.05; ///< between two storeys, metres
+constexpr double thickest_slab = 1.0;
+
+/** @brief What is between a room's floor and the room below it. */
+struct SlabBelow {
+  std::size_t room = 0; ///< index of the one below
+  double thickness = 0;
+};
+
+std::optional<SlabBelow>
+slabBelow(const Floorplan& plan, std::size_t room, const Eigen::Vector2d& spot)
+{
+  std::optional<SlabBelow> nearest;
+  const double floor = plan.rooms[room].floorAt(spot);
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    if (r == room || !plan.rooms[r].boundary.contains(spot))
+      continue;
+    const double gap = floor - plan.rooms[r].ceilingAt(spot);
+    if (gap >= thinnest_slab && gap <= thickest_slab &&
+        (!nearest || gap < nearest->thickness))
+      nearest = SlabBelow{r, gap};
+  }
+  return nearest;
+}
+
+/** @brief Writes slabs and the boundaries on them. */
+class SlabWriter {
+public:
+  explicit SlabWriter(IfcDocument& document)
+      : document_(document)
+      , slab_above_(document.rooms.size())
+  {}
+
+  void write()
+  {
+    for (std::size_t r = 0; r < document_.rooms.size(); ++r)
+      writeFloor(r);
+    for (std::size_t r = 0; r < document_.rooms.size(); ++r)
+      if (slab_above_[r].empty())
+        writeCeiling(r);
+      else
+        for (const auto& [name, slab] : slab_above_[r])
+          writeBoundary(document_, r, name, slab, {}, "INTERNAL");
+  }
+
+private:
+  struct Slab {
+    std::string name;
+    StepRef ref;
+  };
+
+  double groundOf(std::size_t r) const
+  {
+    return document_.storeys[document_.rooms[r].storey].storey.floor;
+  }
+
+  /** @brief Adds a slab with a body, from z of the storey on. */
+  StepRef add(std::size_t r,
+              const std::string& name,
+              StepRef item,
+              const std::string& type,
+              const std::string& colour,
+              const char* kind,
+              double thickness,
+              bool is_assumed)
+  {
+    const IfcRoom& room = document_.rooms[r];
+    const StepRef place = document_.shapes.placement(
+        document_.storeys[room.storey].placement, Eigen::Vector3d::Zero());
+    const StepRef shape = document_.shapeOf(item, type, colour);
+    const StepRef slab = document_.addElement("IFCSLAB", name, room.storey, place,
+                                              shape, {StepValue::enumerated(kind)});
+    document_.addQuantities(
+        slab, name, "Qto_SlabBaseQuantities",
+        {{"LENGTH", "Width", thickness},
+         {"AREA", "GrossArea", std::abs(room.room->boundary.area())}});
+    document_.addProperties(slab, name, "Pset_SEDR",
+                            {{"ThicknessAssumed", booleanProperty(is_assumed)}});
+    ++document_.model.slabs;
+    return slab;
+  }
+
+  void writeFloor(std::size_t r)
+  {
+    const IfcRoom& written = document_.rooms[r];
+    const PlanRoom& room = *written.room;
+    const Eigen::Vector2d spot = textSpotIn(room.boundary, room.columns).place;
+    const auto below = slabBelow(document_.plan, r, spot);
+    const double thickness =
+        below ? below->thickness : document_.settings.assumed_thickness;
+    const std::string name = nameIn(room, "floor_slab");
+    const auto level = levelOf(room.floor, boxOf(room.boundary));
+    StepRef item;
+    const bool is_swept = level && !hasSunkenDetails(room);
+    if (is_swept)
+      item = document_.shapes.extrusion(room.boundary, {},
+                                        *level - thickness - groundOf(r), thickness);
+    else {
+      std::vector<std::string> parts{nameIn(room, "floor")};
+      for (std::size_t d = 0; d < room.floor_details.size(); ++d)
+        if (sideOf(room.floor_details[d], room.floor) < 0)
+          parts.push_back(nameIn(room, "floor_detail_" + std::to_string(d + 1)));
+      const TriangleMesh body = bodyOn(r, parts, -thickness);
+      if (body.empty())
+        return;
+      item = document_.shapes.faceSet(body);
+    }
+    const bool is_lowest = written.storey == 0 && !below;
+    const StepRef slab =
+        add(r, name, item, is_swept ? "SweptSolid" : "Tessellation", "slab",
+            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below);
+    writeBoundary(document_, r, name, slab, {}, below ? "INTERNAL" : "NOTDEFINED");
+    if (below)
+      slab_above_[below->room].push_back({name, slab});
+  }
+
+  void writeCeiling(std::size_t r)
+  {
+    const PlanRoom& room = *document_.rooms[r].room;
+    const double thickness = document_.settings.assumed_thickness;
+    const std::string name = nameIn(room, "ceiling_slab");
+    const auto level = levelOf(room.ceiling, boxOf(room.boundary));
+    StepRef item;
+    const bool is_swept = level && !hasRaisedDetails(room) && !hasSlopingCeiling(room);
+    if (is_swept)
+      item = document_.shapes.extrusion(room.boundary, {}, *level - groundOf(r),
+                                        thickness);
+    else {
+      const TriangleMesh body = bodyOn(r, ceilingParts(r), thickness);
+      if (body.empty())
+        return;
+      item = document_.shapes.faceSet(body);
+    }
+    const StepRef slab = add(r, name, item, is_swept ? "SweptSolid" : "Tessellation",
+                             "ceiling", "ROOF", thickness, true);
+    writeBoundary(document_, r, name, slab, {}, "NOTDEFINED");
+  }
+
+  /** @brief The ceiling, its facets and recesses: all but what hangs below it. */
+  std::vector<std::string> ceilingParts(std::size_t r) const
+  {
+    const IfcRoom& written = document_.rooms[r];
+    const PlanRoom& room = *written.room;
+    std::vector<std::string> parts;
+    for (const SolidElement& element : written.elements)
+      if (element.label == StructureLabel::Ceiling)
+        parts.push_back(element.name);
+    for (std::size_t d = 0; d < room.details.size(); ++d)
+      if (sideOf(room.details[d], room.ceiling) > 0)
+        parts.push_back(nameIn(room, "detail_" + std::to_string(d + 1)));
+    return parts;
+  }
+
+  /** @brief The body on parts of a room: of a level ceiling with recesses up to one
+   * height, else as thick everywhere. */
+  TriangleMesh
+  bodyOn(std::size_t r, const std::vector<std::string>& parts, double thickness) const
+  {
+    const IfcRoom& written = document_.rooms[r];
+    const std::vector<std::size_t> triangles = trianglesOn(written, parts);
+    double end = -std::numeric_limits<double>::infinity();
+    const double sign = thickness < 0 ? -1 : 1;
+    for (const std::size_t t : triangles)
+      for (int k = 0; k < 3; ++k)
+        end = std::max(end, sign * written.solid.corner(t, k).z());
+    const bool has_slopes = hasSlopingCeiling(*written.room);
+    return lowered(prismOn(written.solid, triangles,
+                           [&](const Eigen::Vector3d& p) {
+                             return has_slopes ? p.z() + thickness
+                                               : sign * end + thickness;
+                           }),
+                   groundOf(r));
+  }
+
+  IfcDocument& document_;
+  std::vector<std::vector<Slab>> slab_above_; ///< of each room: floors of those above
+};
+
+} // namespace
+
+std::vector<std::size_t>
+trianglesOn(const IfcRoom& written, const std::vector<std::string>& names)
+{
+  std::vector<std::size_t> found;
+  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
+    const std::uint32_t e = written.solid.elements[t];
+    if (e > 0 && std::find(names.begin(), names.end(), written.elements[e - 1].name) !=
+                     names.end())
+      found.push_back(t);
+  }
+  return found;
+}
+
+void
+writeSlabs(IfcDocument& document)
+{
+  SlabWriter(document).write();
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_parts.h"
+#include "level_slab.h"
+#include "mesh_prism.h"
+
+#include <pcl/sedr_filters/room_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+/** @brief Floor and ceiling of a room that is a prism. */
+struct Prism {
+  double floor = 0;
+  double ceiling = 0;
+};
+
+bool
+isApart(const PlanRoom& room, const PlanLoop& column)
+{
+  constexpr double touching = 0.01;
+  const auto corners = column.polygon(0.001);
+  return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& p) {
+    return room.boundary.contains(p) && room.boundary.distance(p) > touching &&
+           std::all_of(room.columns.begin(), room.columns.end(),
+                       [&](const PlanLoop& other) {
+                         return &other == &column ||
+                                (!other.contains(p) && other.distance(p) > touching);
+                       });
+  });
+}
+
+/** @brief Whether a swept profile is the room: level, without details and niches, and
+ * of the volume of its solid. */
+std::optional<Prism>
+prismOf(const IfcRoom& written)
+{
+  constexpr double same_volume = 0.0005;
+  const PlanRoom& room = *written.room;
+  if (!room.details.empty() || !room.floor_details.empty() || !room.niches.empty())
+    return std::nullopt;
+  const Eigen::AlignedBox2d box = boxOf(room.boundary);
+  const auto floor = levelOf(room.floor, box);
+  const auto ceiling = levelOf(room.ceiling, box);
+  if (!floor || !ceiling || *ceiling <= *floor ||
+      !std::all_of(room.columns.begin(), room.columns.end(),
+                   [&](const PlanLoop& column) { return isApart(room, column); }))
+    return std::nullopt;
+  const double volume = room.area() * (*ceiling - *floor);
+  if (written.report.closed &&
+      std::abs(volume - written.report.volume) > same_volume * written.report.volume)
+    return std::nullopt;
+  return Prism{*floor, *ceiling};
+}
+
+/** @brief The shares of a room's walls that were seen, by length; less than 0 where
+ * nothing is known. */
+double
+seenShare(const PlanRoom& room)
+{
+  double seen = 0;
+  double length = 0;
+  for (const PlanElement& e : room.boundary.elements)
+    if (e.evidence.isKnown()) {
+      seen += e.evidence.seen * e.length();
+      length += e.length();
+    }
+  return length > 0 ? seen / length : -1;
+}
+
+void
+describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
+{
+  const PlanRoom& room = *written.room;
+  const RoomHeights heights = heightsOf(room);
+  const double volume = written.report.volume > 0
+                            ? written.report.volume
+                            : volumeOf(room, heights.high - heights.low);
+  document.addQuantities(
+      written.space, name, "Qto_SpaceBaseQuantities",
+      {{"LENGTH", "Height", std::max(heights.high - heights.low, 0.0)},
+       {"LENGTH", "GrossPerimeter", room.perimeter()},
+       {"AREA", "GrossFloorArea", std::abs(room.boundary.area())},
+       {"AREA", "NetFloorArea", std::max(room.area(), 0.0)},
+       {"VOLUME", "NetVolume", volume}});
+  std::vector<Property> properties{
+      {"Room", countProperty(room.id)},
+      {"FloorResidual", lengthProperty(room.floor.residual)},
+      {"FloorPoints", countProperty(room.floor.inliers)},
+      {"CeilingResidual", lengthProperty(room.ceiling.residual)},
+      {"CeilingPoints", countProperty(room.ceiling.inliers)},
+      {"BodyClosed", booleanProperty(written.report.closed)}};
+  const double seen = seenShare(room);
+  if (seen >= 0)
+    properties.emplace_back("WallsSeenShare", shareProperty(seen));
+  document.addProperties(written.space, name, "Pset_SEDR", properties);
+}
+
+} // namespace
+
+void
+writeSpaces(IfcDocument& document)
+{
+  const StepValue none = StepValue::none();
+  for (IfcRoom& written : document.rooms) {
+    const PlanRoom& room = *written.room;
+    IfcStorey& storey = document.storeys[written.storey];
+    const double ground = storey.storey.floor;
+    const std::string name = nameIn(room, "space");
+    StepRef shape;
+    if (const auto prism = prismOf(written))
+      shape = document.shapeOf(document.shapes.extrusion(room.boundary, room.columns,
+                                                         prism->floor - ground,
+                                                         prism->ceiling - prism->floor),
+                               "SweptSolid", "space");
+    else if (!written.solid.empty())
+      shape = document.shapeOf(document.shapes.faceSet(lowered(written.solid, ground)),
+                               "Tessellation", "space");
+    const StepRef place =
+        document.shapes.placement(storey.placement, Eigen::Vector3d::Zero());
+    const std::string number = std::to_string(room.id);
+    written.space = document.step.add(
+        "IFCSPACE", {document.guid(name), none, number, none, none, place, shape,
+                     "Room " + number, StepValue::enumerated("ELEMENT"),
+                     StepValue::enumerated("INTERNAL"), heightsOf(room).low});
+    storey.spaces.push_back(written.space);
+    ++document.model.spaces;
+    describe(document, written, name);
+  }
+}
+
+void
+writeBoundary(IfcDocument& document,
+              std::size_t room,
+              const std::string& element_name,
+              StepRef element,
+              StepRef geometry,
+              const char* side)
+{
+  const StepValue none = StepValue::none();
+  const std::string name =
+      nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
+  document.step.add(
+      "IFCRELSPACEBOUNDARY1STLEVEL",
+      {document.guid(name), none, "1stLevel", none, document.rooms[room].space, element,
+       geometry, StepValue::enumerated("PHYSICAL"), StepValue::enumerated(side), none});
+}
+
+std::string
+nameIn(const PlanRoom& room, const std::string& part)
+{
+  return "room_" + std::to_string(room.id) + "_" + part;
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_parts.h"
+#include "wall_body.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+std::string
+faceName(const Floorplan& plan, const WallFace& face)
+{
+  return nameIn(plan.rooms[face.room], "wall_" + std::to_string(face.element + 1));
+}
+
+/** @brief A face of a straight wall as a rectangle, in the place of its room's storey.
+ * @param from,to ends of the face, the room to its left */
+StepRef
+rectangleOf(IfcDocument& document,
+            const Eigen::Vector2d& from,
+            const Eigen::Vector2d& to,
+            double bottom,
+            double height)
+{
+  const Eigen::Vector2d way = (to - from).normalized();
+  // Its normal leads out of the space.
+  const StepRef frame = document.shapes.axes(
+      {from.x(), from.y(), bottom}, {way.y(), -way.x(), 0}, {way.x(), way.y(), 0});
+  const StepRef plane = document.step.add("IFCPLANE", {frame});
+  const double length = (to - from).norm();
+  const StepRef rim = document.shapes.closedCurve(
+      loopOf({{0, 0}, {length, 0}, {length, height}, {0, height}}));
+  const StepRef surface =
+      document.step.add("IFCCURVEBOUNDEDPLANE", {plane, rim, std::vector<StepRef>{}});
+  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY",
+                           {surface, StepValue::none()});
+}
+
+void
+writeBoundaries(IfcDocument& document, const WrittenWall& written, bool is_level)
+{
+  const PlanWall& wall = written.wall;
+  const PlanElement& near = elementOf(document.plan, wall.face);
+  const char* side = wall.other ? "INTERNAL" : "NOTDEFINED";
+  const auto add = [&](const WallFace& face, double from, double to) {
+    const PlanElement& element = elementOf(document.plan, face);
+    const IfcStorey& storey = document.storeys[document.rooms[face.room].storey];
+    StepRef geometry;
+    if (!element.isArc() && is_level && to - from > 0.001)
+      geometry = rectangleOf(
+          document, faceAt(element, from).first, faceAt(element, to).first,
+          written.bottom - storey.storey.floor, written.top - written.bottom);
+    const bool is_back = wall.other && face == *wall.other;
+    writeBoundary(document, face.room, written.name + (is_back ? " back" : ""),
+                  written.ref, geometry, side);
+  };
+  add(wall.face, std::max(wall.stretch.from, 0.0),
+      std::min(wall.stretch.to, near.length()));
+  if (!wall.other)
+    return;
+  const PlanElement& far = elementOf(document.plan, *wall.other);
+  const double a = far.project(faceAt(near, wall.stretch.from).first);
+  const double b = far.project(faceAt(near, wall.stretch.to).first);
+  add(*wall.other, std::min(a, b), std::max(a, b));
+}
+
+void
+describe(IfcDocument& document, const WrittenWall& written)
+{
+  const PlanWall& wall = written.wall;
+  const PlanElement& face = elementOf(document.plan, wall.face);
+  document.addQuantities(written.ref, written.name, "Qto_WallBaseQuantities",
+                         {{"LENGTH", "Length", wall.stretch.length()},
+                          {"LENGTH", "Width", wall.thickness},
+                          {"LENGTH", "Height", written.top - written.bottom}});
+  if (wall.other)
+    document.addProperties(written.ref, written.name, "Pset_WallCommon",
+                           {{"IsExternal", booleanProperty(false)}});
+  std::vector<Property> properties{
+      {"ThicknessAssumed", booleanProperty(wall.isAssumed())},
+      {"Face", textProperty(faceName(document.plan, wall.face))},
+      {"Residual", lengthProperty(face.residual)},
+      {"Points", countProperty(face.inliers)}};
+  if (wall.other)
+    properties.emplace_back("OtherFace",
+                            textProperty(faceName(document.plan, *wall.other)));
+  if (face.evidence.isKnown()) {
+    properties.emplace_back("SeenShare", shareProperty(face.evidence.seen));
+    properties.emplace_back("HiddenShare", shareProperty(face.evidence.hidden));
+    properties.emplace_back("OpeningShare", shareProperty(face.evidence.opening));
+  }
+  document.addProperties(written.ref, written.name, "Pset_SEDR", properties);
+}
+
+} // namespace
+
+std::vector<WrittenWall>
+writeWalls(IfcDocument& document)
+{
+  const Floorplan& plan = document.plan;
+  WallParameters parameters;
+  parameters.assumed_thickness = document.settings.assumed_thickness;
+  std::map<std::string, int> parts;
+  std::vector<WrittenWall> written;
+  for (const PlanWall& wall : findWalls(plan, parameters)) {
+    const WallHeights heights = heightsOf(plan, wall);
+    constexpr double least_height = 0.01;
+    if (heights.highest() - heights.bottom < least_height)
+      continue;
+    WrittenWall added{wall, faceName(plan, wall.face),
+                      document.rooms[wall.face.room].storey};
+    const int part = ++parts[added.name];
+    if (part > 1)
+      added.name += "_part_" + std::to_string(part);
+    added.bottom = heights.bottom;
+    added.top = heights.highest();
+    const IfcStorey& storey = document.storeys[added.storey];
+    const WallFrame frame = frameOf(plan, wall);
+    added.placement = document.shapes.placement(
+        storey.placement,
+        {frame.origin.x(), frame.origin.y(), heights.bottom - storey.storey.floor},
+        frame.way);
+    StepRef item;
+    if (heights.isLevel()) {
+      const WallProfile profile = profileOf(plan, wall);
+      item = document.shapes.extrusion(profile.boundary, profile.holes, 0,
+                                       added.top - added.bottom);
+    }
+    else
+      item = document.shapes.faceSet(meshOf(plan, wall, heights));
+    document.shapes.colour(item, "wall");
+    std::vector<StepRef> shapes{document.shapes.body(
+        document.body_context, heights.isLevel() ? "SweptSolid" : "Tessellation",
+        {item})};
+    if (!elementOf(plan, wall.face).isArc())
+      shapes.push_back(
+          document.shapes.line(document.axis_context, {0, -wall.thickness / 2},
+                               {wall.stretch.length(), -wall.thickness / 2}));
+    added.ref = document.addElement(
+        "IFCWALL", added.name, added.storey, added.placement,
+        document.shapes.product(shapes),
+        {StepValue::enumerated(heights.isLevel() ? "STANDARD" : "NOTDEFINED")});
+    describe(document, added);
+    writeBoundaries(document, added, heights.isLevel());
+    ++document.model.walls;
+    document.model.paired_walls += wall.other ? 1 : 0;
+    written.push_back(added);
+  }
+  return written;
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

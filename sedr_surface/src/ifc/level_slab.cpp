@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_slab.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+
+namespace {
+
+constexpr double level = 0.001; ///< heights that differ by less are one, metres
+
+/** @brief How far the heights of a slab over a box are apart, by samples. */
+double
+spreadOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
+{
+  constexpr int samples = 8;
+  double low = slab.heightAt(box.center());
+  double high = low;
+  for (int i = 0; i <= samples; ++i)
+    for (int j = 0; j <= samples; ++j) {
+      const Eigen::Vector2d share(static_cast<double>(i) / samples,
+                                  static_cast<double>(j) / samples);
+      const double height = slab.heightAt(box.min() + share.cwiseProduct(box.sizes()));
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  return high - low;
+}
+
+} // namespace
+
+std::optional<double>
+levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
+{
+  if (box.isEmpty() || !(spreadOf(slab, box) < level))
+    return std::nullopt;
+  return slab.heightAt(box.center());
+}
+
+Eigen::AlignedBox2d
+boxOf(const PlanLoop& loop)
+{
+  constexpr double chord_tolerance = 0.001;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : loop.polygon(chord_tolerance))
+    box.extend(corner);
+  return box;
+}
+
+bool
+hasSlopingCeiling(const PlanRoom& room)
+{
+  // Fits lean by some millimetres: that is no roof.
+  constexpr double sloping = 0.03; // metres
+  const auto slopes = [](const PlanSlab& slab, const PlanLoop& loop) {
+    const Eigen::AlignedBox2d box = boxOf(loop);
+    return !box.isEmpty() && spreadOf(slab, box) > sloping;
+  };
+  return slopes(room.ceiling, room.boundary) ||
+         std::any_of(room.details.begin(), room.details.end(),
+                     [&](const PlanDetail& detail) {
+                       return slopes(detail.slab, detail.boundary);
+                     });
+}
+
+int
+sideOf(const PlanDetail& detail, const PlanSlab& slab)
+{
+  const Eigen::Vector2d middle = boxOf(detail.boundary).center();
+  const double above = detail.slab.heightAt(middle) - slab.heightAt(middle);
+  return above > level ? 1 : above < -level ? -1 : 0;
+}
+
+bool
+hasRaisedDetails(const PlanRoom& room)
+{
+  return std::any_of(
+      room.details.begin(), room.details.end(),
+      [&](const PlanDetail& detail) { return sideOf(detail, room.ceiling) > 0; });
+}
+
+bool
+hasSunkenDetails(const PlanRoom& room)
+{
+  return std::any_of(
+      room.floor_details.begin(), room.floor_details.end(),
+      [&](const PlanDetail& detail) { return sideOf(detail, room.floor) < 0; });
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

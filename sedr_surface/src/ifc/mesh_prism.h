@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+
+/** @brief The closed body between some triangles of a mesh, none of them vertical, and
+ * other heights above or below their vertices: a slab on a ceiling, a soffit below it.
+ * Faces outwards. O(n log n).
+ * @param triangles indices; none: an empty mesh
+ * @param height_at the other height over a vertex, at least a millimetre off it and on
+ * the same side of all */
+TriangleMesh prismOn(const TriangleMesh& mesh,
+                     const std::vector<std::size_t>& triangles,
+                     const std::function<double(const Eigen::Vector3d&)>& height_at);
+
+/** @brief A mesh with z counted from a height. */
+TriangleMesh lowered(TriangleMesh mesh, double height);
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

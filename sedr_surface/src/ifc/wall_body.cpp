@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_body.h"
+
+#include "level_slab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace ifc {
+namespace {
+
+/** @brief A place beside a face, within its room. */
+Eigen::Vector2d
+insideAt(const PlanElement& element, double s)
+{
+  constexpr double off = 0.02; // of the wall, whose place is known to millimetres
+  const auto [place, inward] = faceAt(element, std::clamp(s, 0.0, element.length()));
+  return place + off * inward;
+}
+
+/** @brief The rooms on the sides of a wall, and places in them along it. */
+struct Side {
+  const PlanRoom* room = nullptr;
+  const PlanElement* element = nullptr;
+  bool slopes = false;
+};
+
+std::vector<Side>
+sidesOf(const Floorplan& plan, const PlanWall& wall)
+{
+  std::vector<Side> sides;
+  const auto add = [&](const WallFace& face) {
+    const PlanRoom& room = plan.rooms[face.room];
+    sides.push_back({&room, &elementOf(plan, face), hasSlopingCeiling(room)});
+  };
+  add(wall.face);
+  if (wall.other)
+    add(*wall.other);
+  return sides;
+}
+
+double
+topAt(const Side& side, const Eigen::Vector2d& p)
+{
+  const double ceiling = side.room->ceilingAt(p);
+  return side.slopes ? ceiling : std::max(ceiling, side.room->ceiling.heightAt(p));
+}
+
+/** @brief Leaves out tops on the line between those before and after them. */
+std::vector<WallHeights::Top>
+simplified(const std::vector<WallHeights::Top>& tops)
+{
+  constexpr double tolerance = 0.001;
+  std::vector<WallHeights::Top> kept{tops.front()};
+  for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
+    const WallHeights::Top& from = kept.back();
+    const WallHeights::Top& to = tops[i + 1];
+    const double share = (tops[i].along - from.along) / (to.along - from.along);
+    if (std::abs(from.height + share * (to.height - from.height) - tops[i].height) >
+        tolerance)
+      kept.push_back(tops[i]);
+  }
+  kept.push_back(tops.back());
+  return kept;
+}
+
+PlanElement
+arcPart(const PlanElement& arc, const Stretch& stretch)
+{
+  return stretch.from <= 0 && stretch.to >= arc.length()
+             ? arc
+             : arc.part(std::max(stretch.from, 0.0),
+                        std::min(stretch.to, arc.length()));
+}
+
+/** @brief An arc about the same centre at another radius. */
+PlanElement
+withRadius(PlanElement arc, double radius)
+{
+  for (Eigen::Vector2d* p : {&arc.start, &arc.end})
+    *p = arc.centre + (*p - arc.centre) * (radius / arc.radius);
+  arc.radius = radius;
+  return arc;
+}
+
+double
+farRadius(const PlanElement& arc, double thickness)
+{
+  constexpr double least = 0.01;
+  return arc.counter_clockwise ? arc.radius + thickness
+                               : std::max(arc.radius - thickness, least);
+}
+
+PlanElement
+segmentOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+  PlanElement e;
+  e.start = from;
+  e.end = to;
+  return e;
+}
+
+} // namespace
+
+double
+WallHeights::highest() const
+{
+  double height = -std::numeric_limits<double>::infinity();
+  for (const Top& top : tops)
+    height = std::max(height, top.height);
+  return height;
+}
+
+WallHeights
+heightsOf(const Floorplan& plan, const PlanWall& wall)
+{
+  constexpr double step = 0.02;
+  constexpr double level = 0.005;
+  const std::vector<Side> sides = sidesOf(plan, wall);
+  const auto n =
+      static_cast<std::size_t>(std::clamp(wall.stretch.length() / step, 4.0, 500.0));
+  WallHeights heights;
+  heights.bottom = std::numeric_limits<double>::infinity();
+  double low = heights.bottom;
+  bool slopes = false;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(n);
+    const double s = wall.stretch.from + share * wall.stretch.length();
+    const Eigen::Vector2d on_face = faceAt(*sides[0].element, s).first;
+    double top = -std::numeric_limits<double>::infinity();
+    for (const Side& side : sides) {
+      const Eigen::Vector2d p = insideAt(
+          *side.element, &side == &sides[0] ? s : side.element->project(on_face));
+      heights.bottom = std::min(heights.bottom, side.room->floorAt(p));
+      top = std::max(top, topAt(side, p));
+      slopes = slopes || side.slopes;
+    }
+    low = std::min(low, top);
+    heights.tops.push_back({share, top});
+  }
+  const double high = heights.highest();
+  if (!slopes || high - low < level)
+    heights.tops = {{0, high}, {1, high}};
+  else if (!sides[0].element->isArc()) // whose sections follow the arc
+    heights.tops = simplified(heights.tops);
+  return heights;
+}
+
+WallProfile
+profileOf(const Floorplan& plan, const PlanWall& wall)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  if (!element.isArc()) {
+    const auto& o = wall.outline; // clockwise
+    return {loopOf({o[0], o[3], o[2], o[1]}), {}};
+  }
+  const WallFrame frame = frameOf(plan, wall);
+  const PlanElement near = arcPart(element, wall.stretch);
+  const PlanElement far = withRadius(near, farRadius(near, wall.thickness));
+  PlanLoop close{{near}};
+  PlanLoop behind{{far}};
+  if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
+    if (close.area() < 0) {
+      close = reversed(close);
+      behind = reversed(behind);
+    }
+    const bool is_outside = far.radius > near.radius;
+    return {inFrame(is_outside ? behind : close, frame),
+            {inFrame(is_outside ? close : behind, frame)}};
+  }
+  PlanLoop loop;
+  loop.elements.push_back(near);
+  loop.elements.push_back(segmentOf(near.end, far.end));
+  loop.elements.push_back(reversed(behind).elements.front());
+  loop.elements.push_back(segmentOf(far.start, near.start));
+  return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+}
+
+TriangleMesh
+meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  const WallFrame frame = frameOf(plan, wall);
+  TriangleMesh mesh;
+  constexpr double least_height = 0.001;
+  for (const WallHeights::Top& top : heights.tops) {
+    Eigen::Vector2d near(top.along * wall.outline[1].x(), 0);
+    Eigen::Vector2d far =
+        (1 - top.along) * wall.outline[3] + top.along * wall.outline[2];
+    if (element.isArc()) {
+      const Eigen::Vector2d place =
+          faceAt(element, wall.stretch.from + top.along * wall.stretch.length()).first;
+      near = frame.toLocal(place);
+      far = frame.toLocal(element.centre +
+                          (place - element.centre) *
+                              (farRadius(element, wall.thickness) / element.radius));
+    }
+    const double z = std::max(top.height - heights.bottom, least_height);
+    for (const Eigen::Vector2d& p : {near, far})
+      for (const double height : {0.0, z})
+        mesh.vertices.emplace_back(p.x(), p.y(), height);
+  }
+  // A section has four corners: near below and above, far below and above.
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                        std::uint32_t d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  const auto n = static_cast<std::uint32_t>(heights.tops.size());
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    const std::uint32_t i = 4 * k;
+    quad(i, i + 1, i + 5, i + 4);     // the face
+    quad(i + 2, i + 6, i + 7, i + 3); // the far side
+    quad(i + 1, i + 3, i + 7, i + 5); // the top
+    quad(i, i + 4, i + 6, i + 2);     // the bottom
+  }
+  quad(0, 2, 3, 1);
+  const std::uint32_t last = 4 * (n - 1);
+  quad(last, last + 1, last + 3, last + 2);
+  if (mesh.signedVolume() < 0)
+    mesh.flip();
+  return mesh;
+}
+
+} // namespace ifc
+} // namespace sedr
+} // namespace pcl

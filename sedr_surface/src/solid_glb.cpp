@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/solid_glb.h>
+
+#include "label_colours.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void
+appendNumber(std::string& bytes, std::uint32_t value)
+{
+  char raw[4];
+  std::memcpy(raw, &value, 4); // glTF is little-endian, as all that PCL runs on
+  bytes.append(raw, 4);
+}
+
+void
+appendFloats(std::string& bytes, const Eigen::Vector3d& p)
+{
+  const float values[3] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                           static_cast<float>(p.z())};
+  char raw[12];
+  std::memcpy(raw, values, 12);
+  bytes.append(raw, 12);
+}
+
+/** @brief z up as y up. */
+Eigen::Vector3d
+turned(const Eigen::Vector3d& p)
+{
+  return {p.x(), p.z(), -p.y()};
+}
+
+/** @brief Builds the file's JSON and its bytes. */
+class GlbBuilder {
+public:
+  GlbBuilder(const TriangleMesh& mesh, const std::vector<SolidElement>& elements)
+      : mesh_(mesh)
+      , elements_(elements)
+  {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (mesh.elements[t] > 0)
+        triangles_of_[mesh.elements[t]].push_back(t);
+    for (const auto& entry : triangles_of_)
+      elements_of_[elements[entry.first - 1].room].push_back(entry.first);
+  }
+
+  std::string build(const std::vector<PlanStorey>& storeys, const Origin& origin)
+  {
+    json_["asset"] = {{"version", "2.0"}, {"generator", "SEDR"}};
+    if (!origin.isZero())
+      json_["asset"]["extras"]["origin"] = {origin.place.x(), origin.place.y(),
+                                            origin.place.z()};
+    json_["scene"] = 0;
+    json_["scenes"] = Json::array({Json::object()});
+    for (const char* list : {"nodes", "meshes", "accessors", "bufferViews"})
+      json_[list] = Json::array();
+    addMaterials();
+    Json roots = Json::array();
+    for (const PlanStorey& storey : storeys)
+      roots.push_back(addStorey(storey));
+    if (!roots.empty())
+      json_["scenes"][0]["nodes"] = roots;
+    for (const char* list : {"nodes", "meshes", "accessors", "bufferViews"})
+      if (json_[list].empty()) // the schema has no empty lists
+        json_.erase(list);
+    if (!bytes_.empty())
+      json_["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
+    return file();
+  }
+
+private:
+  void addMaterials()
+  {
+    json_["materials"] = Json::array();
+    for (const LabelColour& c : label_colours) {
+      material_of_[static_cast<std::uint32_t>(c.label)] = json_["materials"].size();
+      json_["materials"].push_back(
+          {{"name", toString(c.label)},
+           {"pbrMetallicRoughness",
+            {{"baseColorFactor", {c.red, c.green, c.blue, 1.0}},
+             {"metallicFactor", 0.0},
+             {"roughnessFactor", 0.9}}},
+           {"doubleSided", true}});
+    }
+  }
+
+  std::size_t addNode(Json node)
+  {
+    json_["nodes"].push_back(std::move(node));
+    return json_["nodes"].size() - 1;
+  }
+
+  std::size_t addStorey(const PlanStorey& storey)
+  {
+    Json rooms = Json::array();
+    for (const std::uint32_t room : storey.rooms) {
+      Json parts = Json::array();
+      for (const std::uint32_t element : elements_of_[room])
+        parts.push_back(addElement(element));
+      if (!parts.empty())
+        rooms.push_back(
+            addNode({{"name", "room_" + std::to_string(room)}, {"children", parts}}));
+    }
+    Json node{{"name", "storey_" + std::to_string(storey.number)}};
+    node["extras"]["name"] = storey.name;
+    if (!rooms.empty())
+      node["children"] = rooms;
+    return addNode(node);
+  }
+
+  std::size_t addElement(std::uint32_t element)
+  {
+    const SolidElement& e = elements_[element - 1];
+    const auto& triangles = triangles_of_[element];
+    Eigen::AlignedBox3f box;
+    std::string normals;
+    const std::size_t start = bytes_.size();
+    for (const std::size_t t : triangles) {
+      const Eigen::Vector3d normal = turned(mesh_.scaledNormal(t).normalized());
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d p = turned(mesh_.corner(t, k));
+        box.extend(p.cast<float>());
+        appendFloats(bytes_, p);
+        appendFloats(normals, normal);
+      }
+    }
+    const std::size_t count = 3 * triangles.size();
+    const std::size_t place = addAccessor(start, count);
+    json_["accessors"][place]["min"] = {box.min().x(), box.min().y(), box.min().z()};
+    json_["accessors"][place]["max"] = {box.max().x(), box.max().y(), box.max().z()};
+    const std::size_t after = bytes_.size();
+    bytes_ += normals;
+    const std::size_t normal = addAccessor(after, count);
+    Json primitive{{"attributes", {{"POSITION", place}, {"NORMAL", normal}}}};
+    const auto material = material_of_.find(static_cast<std::uint32_t>(e.label));
+    if (material != material_of_.end())
+      primitive["material"] = material->second;
+    json_["meshes"].push_back(
+        {{"name", e.name}, {"primitives", Json::array({primitive})}});
+    return addNode({{"name", e.name}, {"mesh", json_["meshes"].size() - 1}});
+  }
+
+  /** @brief Of what has been appended to the bytes since `start`. */
+  std::size_t addAccessor(std::size_t start, std::size_t count)
+  {
+    constexpr int array_buffer = 34962;
+    constexpr int float_type = 5126;
+    json_["bufferViews"].push_back({{"buffer", 0},
+                                    {"byteOffset", start},
+                                    {"byteLength", bytes_.size() - start},
+                                    {"target", array_buffer}});
+    json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
+                                  {"componentType", float_type},
+                                  {"count", count},
+                                  {"type", "VEC3"}});
+    return json_["accessors"].size() - 1;
+  }
+
+  std::string file() const
+  {
+    constexpr std::uint32_t magic = 0x46546c67; // "glTF"
+    constexpr std::uint32_t json_chunk = 0x4e4f534a;
+    constexpr std::uint32_t binary_chunk = 0x004e4942;
+    std::string text = json_.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();
+    std::string glb;
+    appendNumber(glb, magic);
+    appendNumber(glb, 2);
+    appendNumber(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + binary));
+    appendNumber(glb, static_cast<std::uint32_t>(text.size()));
+    appendNumber(glb, json_chunk);
+    glb += text;
+    if (bytes_.empty())
+      return glb;
+    appendNumber(glb, static_cast<std::uint32_t>(bytes_.size())); // whole floats
+    appendNumber(glb, binary_chunk);
+    return glb + bytes_;
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<SolidElement>& elements_;
+  std::map<std::uint32_t, std::vector<std::size_t>> triangles_of_;  ///< by element
+  std::map<std::uint32_t, std::vector<std::uint32_t>> elements_of_; ///< by room
+  std::map<std::uint32_t, std::size_t> material_of_;                ///< by label
+  Json json_;
+  std::string bytes_;
+};
+
+} // namespace
+
+std::string
+solidToGlb(const TriangleMesh& mesh,
+           const std::vector<SolidElement>& elements,
+           const std::vector<PlanStorey>& storeys,
+           const Origin& origin)
+{
+  return GlbBuilder(mesh, elements).build(storeys, origin);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+SlabCurve
+barrel()
+{
+  SlabCurve curve;
+  curve.centre = {1, 2};
+  curve.base = 0.5;
+  curve.setDirection(30 * M_PI / 180);
+  curve.across = curve.up = 2;
+  return curve;
+}
+
+SlabCurve
+dome()
+{
+  SlabCurve curve = barrel();
+  curve.kind = CurveKind::Ellipsoid;
+  curve.along = 3;
+  curve.up = 1;
+  return curve;
+}
+
+SlabCurve
+relief()
+{
+  SlabCurve curve;
+  curve.kind = CurveKind::Relief;
+  curve.centre = {1, 1};
+  curve.spacing = 0.5;
+  curve.columns = 3;
+  curve.heights = {2, 2.5, 3, 2, 2.5, 3}; // a slope along x
+  return curve;
+}
+
+/** The way to the left of a curve's axis. */
+Eigen::Vector2d
+asideOf(const SlabCurve& curve)
+{
+  return {-curve.axis.y(), curve.axis.x()};
+}
+
+TEST(SlabCurve, ACylinderIsACircleAcrossItsAxis)
+{
+  const SlabCurve curve = barrel();
+  for (const double along : {-3.0, 0.0, 5.0})
+    for (const double aside : {-1.9, -1.0, 0.0, 0.6, 2.0}) {
+      const Eigen::Vector2d p =
+          curve.centre + along * curve.axis + aside * asideOf(curve);
+      EXPECT_NEAR(curve.heightAt(p), 0.5 + std::sqrt(4 - aside * aside), 1e-7);
+    }
+  EXPECT_EQ(curve.heightAt(curve.centre + 2.5 * asideOf(curve)), 0.5) << "beside it";
+  EXPECT_EQ(curve.highest(), 2.5);
+}
+
+TEST(SlabCurve, AnEllipsoidEndsAtItsRim)
+{
+  const SlabCurve curve = dome();
+  EXPECT_NEAR(curve.heightAt(curve.centre), 1.5, 1e-12);
+  EXPECT_NEAR(curve.heightAt(curve.centre + 3 * curve.axis), 0.5, 1e-7);
+  EXPECT_NEAR(curve.heightAt(curve.centre + 1.2 * asideOf(curve)), 1.3, 1e-12);
+  EXPECT_FALSE(curve.isSphere());
+}
+
+TEST(SlabCurve, AReliefIsStraightBetweenItsHeightsAndLevelBesideThem)
+{
+  const SlabCurve curve = relief();
+  EXPECT_NEAR(curve.heightAt({1.25, 1.1}), 2.25, 1e-12);
+  EXPECT_NEAR(curve.heightAt({9, 9}), 3, 1e-12);
+  EXPECT_NEAR(curve.gradientAt({1.6, 1.2}).x(), 1, 1e-12);
+  EXPECT_NEAR(curve.gradientAt({1.6, 1.2}).y(), 0, 1e-12);
+}
+
+TEST(SlabCurve, GradientsAreDifferencesOfHeights)
+{
+  constexpr double step = 1e-6;
+  for (const SlabCurve& curve : {barrel(), dome()})
+    for (const Eigen::Vector2d& off : {Eigen::Vector2d(0.3, -0.4), {-1.0, 0.8}}) {
+      const Eigen::Vector2d p = curve.centre + off;
+      for (const Eigen::Vector2d& way : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
+        EXPECT_NEAR(curve.gradientAt(p).dot(way),
+                    (curve.heightAt(p + step * way) - curve.heightAt(p - step * way)) /
+                        (2 * step),
+                    1e-6);
+    }
+  EXPECT_LE(barrel().gradientAt(barrel().centre + 1.9999999 * asideOf(barrel())).norm(),
+            1000 * (1 + 1e-12));
+}
+
+TEST(SlabCurve, DistancesFromRoundOnesAreExact)
+{
+  const SlabCurve curve = barrel();
+  const Eigen::Vector2d place = curve.centre + 1.2 * asideOf(curve) + 4 * curve.axis;
+  const Eigen::Vector3d p(place.x(), place.y(), 0.5 + 0.9); // 1.5 from the axis
+  EXPECT_NEAR(curve.distanceAbove(p), -0.5, 1e-12);
+  PlanSlab slab;
+  slab.curve = std::make_shared<const SlabCurve>(curve);
+  EXPECT_NEAR(distanceAbove(slab, p.cast<float>()), -0.5, 1e-6);
+  EXPECT_NEAR((slab.normalAt(place) -
+               Eigen::Vector3d(asideOf(curve).x() * 0.6, asideOf(curve).y() * 0.6, 0.8))
+                  .norm(),
+              0, 1e-9);
+}
+
+TEST(SlabCurve, MovesWithItsPlan)
+{
+  const SlabCurve curve = dome();
+  const SlabCurve there = moved(curve, 0.7, {3, -1, 0.2});
+  const Eigen::Vector2d p = curve.centre + Eigen::Vector2d(0.5, 0.3);
+  const Eigen::Vector2d q = Eigen::Rotation2Dd(0.7) * p + Eigen::Vector2d(3, -1);
+  EXPECT_NEAR(there.heightAt(q), curve.heightAt(p) + 0.2, 1e-12);
+}
+
+Floorplan
+vaultedPlan()
+{
+  Floorplan plan;
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 4), 2.5);
+  room.ceiling.curve = std::make_shared<const SlabCurve>(barrel());
+  room.ceiling.inferred = 1.0 / 3;
+  for (const SlabCurve& curve : {dome(), relief()}) {
+    room.details.push_back(detailOf(rectangle(1, 1, 2, 2), 2.2));
+    room.details.back().is_facet = true;
+    room.details.back().slab.curve = std::make_shared<const SlabCurve>(curve);
+  }
+  room.details.push_back(detailOf(rectangle(3, 3, 3.5, 3.5), 2.2));
+  plan.rooms.push_back(room);
+  return plan;
+}
+
+TEST(SlabCurveJson, FacetsReadBackAsTheyWereWritten)
+{
+  const Floorplan plan = vaultedPlan();
+  const std::string text = floorplanToJson(plan);
+  EXPECT_NE(text.find("\"version\": 2"), std::string::npos);
+  std::string problem;
+  const Floorplan read = floorplanFromJson(text, problem);
+  ASSERT_EQ(problem, "");
+  const PlanRoom& room = read.rooms[0];
+  EXPECT_EQ(room.ceiling.inferred, 1.0 / 3);
+  ASSERT_EQ(room.details.size(), 3U);
+  EXPECT_TRUE(room.details[0].is_facet && room.details[1].is_facet);
+  EXPECT_FALSE(room.details[2].is_facet);
+  for (int d = -1; d < 3; ++d)
+    for (const Eigen::Vector2d& p : {Eigen::Vector2d(1.3, 1.7), {0.1, 3.2}})
+      EXPECT_EQ(room.ceilingSlab(d).heightAt(p),
+                plan.rooms[0].ceilingSlab(d).heightAt(p));
+  EXPECT_EQ(floorplanToJson(read), text);
+}
+
+TEST(SlabCurveJson, PlansWithoutFacetsAreOfTheFirstVersion)
+{
+  Floorplan plan;
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 4), 2.5));
+  const std::string text = floorplanToJson(plan);
+  EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
+  EXPECT_EQ(text.find("facets"), std::string::npos);
+}
+
+TEST(SlabCurveJson, WhatIsNoCurveIsRefused)
+{
+  const auto problemWith = [](const std::string& from, const std::string& to) {
+    std::string text = floorplanToJson(vaultedPlan());
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    std::string problem;
+    EXPECT_TRUE(floorplanFromJson(text, problem).rooms.empty());
+    return problem;
+  };
+  EXPECT_NE(problemWith("\"cylinder\"", "\"cone\"").find("not a cone"),
+            std::string::npos);
+  EXPECT_NE(problemWith("\"across\": 2.0", "\"across\": 0.0").find("above 0 m"),
+            std::string::npos);
+  EXPECT_NE(problemWith("\"columns\": 3", "\"columns\": 4").find("relief"),
+            std::string::npos);
+}
+
+} // namespace

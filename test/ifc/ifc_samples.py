@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans with volumes known in closed form, and the tool that writes them as IFC."""
+
+import json
+import math
+import os
+import subprocess
+
+
+def segment(start, end, **more):
+    return dict({"type": "segment", "start": start, "end": end, "inliers": 900, "residual": 0.004}, **more)
+
+
+def arc(centre, radius, start, end, counter_clockwise=True):
+    return dict(segment(start, end), type="arc", centre=centre, radius=radius,
+                counter_clockwise=counter_clockwise)
+
+
+def polygon(corners):
+    return [segment(a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
+
+
+def rectangle(x0, y0, x1, y1, clockwise=False):
+    corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+    return polygon(corners[::-1] if clockwise else corners)
+
+
+def slab(height, slope_x=0, slope_y=0):
+    size = math.sqrt(1 + slope_x ** 2 + slope_y ** 2)
+    return {"plane": [-slope_x / size, -slope_y / size, 1 / size, -height / size], "inliers": 9000,
+            "residual": 0.003}
+
+
+def room(number, boundary, floor, ceiling, **more):
+    return dict({"id": number, "floor": floor, "ceiling": ceiling, "boundary": boundary, "columns": [],
+                 "details": [], "floor_details": [], "niches": []}, **more)
+
+
+def doorway(rooms, start, end, bottom=0.0, top=2.05):
+    return {"rooms": rooms, "start": start, "end": end, "bottom": bottom, "top": top}
+
+
+def house():
+    """A hall with an apse, columns and a soffit; behind 10 cm of wall a cell with a platform and a niche, and
+    behind 20 cm a plain box; above the cell an attic below a sloping roof; a rotunda apart."""
+    hall = room(1, [segment([0, 0], [6, 0], evidence={"seen": 0.7, "hidden": 0.2, "opening": 0.1}),
+                    arc([6, 2], 2, [6, 0], [6, 4]), segment([6, 4], [0, 4]), segment([0, 4], [0, 0])],
+                slab(0), slab(3),
+                columns=[[arc([3, 2], 0.4, [3.4, 2], [3.4, 2], False)],
+                         rectangle(4.5, 1, 5, 1.5, clockwise=True)],
+                details=[{"slab": slab(2.6), "boundary": rectangle(0, 0, 0.5, 4), "holes": []}])
+    cell = room(2, rectangle(0, 4.1, 5, 7.1), slab(0), slab(2.5),
+                floor_details=[{"slab": slab(0.3), "boundary": rectangle(3.5, 4.1, 5, 7.1), "holes": []}],
+                niches=[{"bottom": slab(1), "top": slab(2), "boundary": rectangle(1, 7.1, 2, 7.2)}])
+    box = room(3, rectangle(5.2, 4.5, 9.2, 7.1), slab(0), slab(2.5))
+    attic = room(4, rectangle(0, 4.1, 5, 7.1), slab(2.8), slab(2.8 + 1.5 - 0.5 * 4.1, 0, 0.5))
+    rotunda = room(5, [arc([14, 2], 3, [17, 2], [17, 2])], slab(0), slab(4))
+    return {"format": "sedr-floorplan", "version": 1, "unit": "m", "origin": [691600, 5335900, 500],
+            "rooms": [hall, cell, box, attic, rotunda],
+            "storeys": [{"number": 1, "name": "ground floor", "rooms": [1, 2, 3, 5]},
+                        {"number": 2, "name": "attic, \u00fcber \u20ac 'x' \\", "rooms": [4]}],
+            "doorways": [doorway([1, 2], [2.0, 4.05], [2.9, 4.05]), doorway([2, 3], [5.1, 5.0], [5.1, 5.9]),
+                         doorway([0, 1], [0.0, 1.0], [0.0, 2.0]), doorway([0, 5], [14.4, -1.07], [13.6, -1.07])]}
+
+
+VOLUMES = {1: (24 + 2 * math.pi - 0.16 * math.pi - 0.25) * 3 - 2 * 0.4, 2: 15 * 2.5 - 4.5 * 0.3 + 0.1,
+           3: 4 * 2.6 * 2.5, 4: 15 * (1.5 + 0.75), 5: 9 * math.pi * 4}
+
+
+def write(tool, plan, folder, *options, name="model"):
+    """The file that the tool makes of a plan."""
+    source, path = os.path.join(folder, name + ".json"), os.path.join(folder, name + ".ifc")
+    with open(source, "w") as file:
+        json.dump(plan, file)
+    result = subprocess.run([tool, source, path, *options], capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == "", result.stderr
+    return path

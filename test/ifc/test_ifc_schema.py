@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every attribute of the IFC files that SEDR writes, against the EXPRESS schema IFC4 ADD2 TC1, which is
+looked for in $SEDR_DATA/formats.
+
+    test_ifc_schema.py pcl_floorplan_ifc
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+
+import step_reader
+from express_schema import Check, Schema
+from ifc_samples import house, rectangle, room, slab, write
+
+TOOL = sys.argv[1]
+SCHEMA = os.path.join(os.environ.get("SEDR_DATA", ""), "formats", "IFC4_ADD2_TC1.exp")
+if not os.path.exists(SCHEMA):
+    print("skipped: SEDR_DATA names no folder with formats/IFC4_ADD2_TC1.exp")
+    sys.exit(77)
+
+
+class IfcSchema(unittest.TestCase):
+    schema = Schema(SCHEMA)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def problems(self, instances):
+        return Check(self.schema, instances).problems
+
+    def test_all_kinds_of_elements(self):
+        for options in ((), ("--ifc-arcs", "facets"), ("--crs", "EPSG:25832")):
+            instances = step_reader.read(write(TOOL, house(), self.folder, *options))
+            self.assertEqual(self.problems(instances), [])
+            kinds = {name for name, _ in instances.values()}
+            for kind in ("SPACE", "WALL", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
+                         "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID"):
+                self.assertIn("IFC" + kind, kinds)
+            self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "facets" not in options)
+
+    def test_one_room_without_an_origin(self):
+        plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",
+                "rooms": [room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5))]}
+        instances = step_reader.read(write(TOOL, plan, self.folder))
+        self.assertEqual(self.problems(instances), [])
+        self.assertNotIn("IFCMAPCONVERSION", {name for name, _ in instances.values()})
+
+    def test_plans_named_in_the_environment(self):
+        """SEDR_PLANS: files of plans, parted by colons; for plans of real scans."""
+        for plan in filter(None, os.environ.get("SEDR_PLANS", "").split(":")):
+            path = os.path.join(self.folder, "real.ifc")
+            self.assertEqual(os.spawnv(os.P_WAIT, TOOL, [TOOL, plan, path]), 0, plan)
+            self.assertEqual(self.problems(step_reader.read(path)), [], plan)
+
+    def test_the_check_itself(self):
+        """Each fault is found."""
+        path = write(TOOL, house(), self.folder)
+        with open(path) as file:
+            text = file.read()
+        faults = (("IFCWALL('", "IFCWALLS('"), (".STANDARD.", ".USUAL."), ("(.AREA.,$,", "(.AREA.,"),
+                  ("IFCLENGTHMEASURE(", "IFCLENGTH("), (",.INTERNAL.,$)", ",.INSIDE.,$)"), ("=IFCWALL('", "=IFCWALL('0"),
+                  ("IFCSIUNIT(*,", "IFCSIUNIT($,"), ("IFCPOLYLINE((", "IFCPOLYLINE(#1,("), ("IFCPLANE(", "IFCPLANE(-"),
+                  ("IFCQUANTITYLENGTH('Width',$,$,", "IFCQUANTITYLENGTH('Width',$,$,-"),
+                  ("IFCRELVOIDSELEMENT(", "IFCRELFILLSELEMENT("), ("IFCRELAGGREGATES(", "IFCRELNESTS("),
+                  ("IFCDIRECTION((0.,0.,1.))", "IFCDIRECTION((0.,0.,0.))"), ("IFCLINEINDEX((1,2))", "IFCLINEINDEX((1,3))"))
+        for right, wrong in faults:
+            self.assertIn(right, text)
+            broken = os.path.join(self.folder, "broken.ifc")
+            with open(broken, "w") as file:
+                file.write(text.replace(right, wrong, 1))
+            try:
+                self.assertNotEqual(self.problems(step_reader.read(broken)), [], wrong)
+            except ValueError:
+                pass  # no STEP at all
+
+    def test_the_same_bytes_each_run(self):
+        with open(write(TOOL, house(), self.folder, name="a"), "rb") as first, \
+                open(write(TOOL, house(), self.folder, name="b"), "rb") as second:
+            self.assertEqual(first.read(), second.read())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

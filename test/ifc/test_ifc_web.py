@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What web-ifc, an independent reader, makes of the IFC files that SEDR writes: volumes of spaces and walls,
+openings that cut. Skipped without node and web-ifc (npm install web-ifc; NODE_PATH says where).
+
+    test_ifc_web.py pcl_floorplan_ifc
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import step_reader
+from ifc_samples import VOLUMES, house, write
+
+TOOL = sys.argv[1]
+READER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "web_ifc_volumes.js")
+NODE = shutil.which("node") or shutil.which("nodejs")
+if NODE is None or subprocess.run([NODE, "-e", "require('web-ifc')"], capture_output=True).returncode:
+    print("skipped: node finds no web-ifc (npm install web-ifc, and NODE_PATH)")
+    sys.exit(77)
+
+
+def opened(path):
+    """Products by kind and name."""
+    result = subprocess.run([NODE, READER, path], capture_output=True, text=True, check=True)
+    return json.loads(result.stdout)
+
+
+def net_volumes(instances):
+    """NetVolume of every space by its name, from the file's quantities."""
+    values = {n: (name, v) for n, (name, v) in instances.items()}
+    volumes = {}
+    for name, v in instances.values():
+        if name == "IFCRELDEFINESBYPROPERTIES" and values[v[5]][0] == "IFCELEMENTQUANTITY":
+            for quantity in values[v[5]][1][5]:
+                kind, q = values[quantity]
+                if q[0] == "NetVolume":
+                    volumes["IFCSPACE " + values[v[4][0]][1][2]] = q[3]
+    return volumes
+
+
+class WebIfc(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def test_volumes_of_spaces(self):
+        for arcs in ("exact", "facets"):
+            found = opened(write(TOOL, house(), self.folder, "--ifc-arcs", arcs))
+            self.assertEqual(found["said"], [])
+            for number, volume in VOLUMES.items():
+                of_space = found["products"]["IFCSPACE %d" % number]["volume"]
+                self.assertAlmostEqual(of_space / volume, 1, delta=0.001, msg=str(number))
+
+    def test_heights_stand_above_their_storey(self):
+        products = opened(write(TOOL, house(), self.folder))["products"]
+        self.assertAlmostEqual(products["IFCSPACE 4"]["low"][2], 2.8, 5)
+        self.assertAlmostEqual(products["IFCSPACE 4"]["high"][2], 5.8, 5)
+        self.assertAlmostEqual(products["IFCSLAB room_4_floor_slab"]["low"][2], 2.5, 5)
+        gable = products["IFCWALL room_4_wall_2"]
+        self.assertAlmostEqual(gable["high"][2], 5.8, 2)
+        self.assertAlmostEqual(products["IFCWALL room_4_wall_1"]["high"][2], 4.3, 1)
+
+    def test_openings_cut_their_walls(self):
+        plan = house()
+        with_doors = opened(write(TOOL, plan, self.folder))["products"]
+        doorways = plan.pop("doorways")
+        plan["rooms"][1]["niches"] = []
+        without = opened(write(TOOL, plan, self.folder))["products"]
+        cut = {name: p["volume"] - with_doors[name]["volume"] for name, p in without.items()
+               if name.startswith("IFCWALL")}
+        expected = {"IFCWALL room_1_wall_3": 0.9 * 2.05 * 0.1, "IFCWALL room_2_wall_2": 0.9 * 2.05 * 0.2,
+                    "IFCWALL room_1_wall_4": 1 * 2.05 * 0.2, "IFCWALL room_2_wall_3": 1 * 1 * 0.1}
+        for name, volume in cut.items():
+            if name == "IFCWALL room_5_wall_1":  # a ring: the opening is across an arc
+                self.assertAlmostEqual(volume, 0.8 * 2.05 * 0.2, delta=0.01)
+            else:
+                self.assertAlmostEqual(volume, expected.get(name, 0), 3, name)
+        self.assertLessEqual(set(expected), set(cut))
+        self.assertEqual(len(doorways), 4)
+
+    def test_nothing_is_lost(self):
+        path = write(TOOL, house(), self.folder)
+        products = opened(path)["products"]
+        kinds = ("IFCSPACE", "IFCWALL", "IFCSLAB", "IFCCOLUMN", "IFCBEAM", "IFCCOVERING")
+        for name, values in step_reader.read(path).values():
+            if name in kinds:
+                self.assertGreater(products["%s %s" % (name, values[2])]["volume"], 0)
+
+    def test_plans_named_in_the_environment(self):
+        """SEDR_PLANS: files of plans, parted by colons; for plans of real scans."""
+        for plan in filter(None, os.environ.get("SEDR_PLANS", "").split(":")):
+            path = os.path.join(self.folder, "real.ifc")
+            subprocess.run([TOOL, plan, path], check=True)
+            products = opened(path)["products"]
+            for name, volume in net_volumes(step_reader.read(path)).items():
+                self.assertAlmostEqual(products[name]["volume"] / volume, 1, delta=0.001, msg=plan + " " + name)
+            for name, product in products.items():
+                self.assertGreater(product["volume"], 0, plan + " " + name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

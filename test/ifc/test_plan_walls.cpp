@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../sedr_surface/src/ifc/plan_walls.h"
+#include "plan_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using ifc::findWalls;
+using ifc::PlanWall;
+
+/** The area of a straight wall's plan. */
+double
+areaOf(const PlanWall& wall)
+{
+  double area = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& a = wall.outline[k];
+    const auto& b = wall.outline[(k + 1) % 4];
+    area += (a.x() * b.y() - b.x() * a.y()) / 2;
+  }
+  return std::abs(area);
+}
+
+std::vector<PlanWall>
+pairsOf(const std::vector<PlanWall>& walls)
+{
+  std::vector<PlanWall> pairs;
+  std::copy_if(walls.begin(), walls.end(), std::back_inserter(pairs),
+               [](const PlanWall& wall) { return wall.other.has_value(); });
+  return pairs;
+}
+
+TEST(PlanWalls, OfOneRoomAreAssumedAndMeetAtMitres)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  const auto walls = findWalls(plan);
+  ASSERT_EQ(walls.size(), 4u);
+  double area = 0;
+  for (const PlanWall& wall : walls) {
+    EXPECT_TRUE(wall.isAssumed());
+    EXPECT_DOUBLE_EQ(wall.thickness, 0.2);
+    area += areaOf(wall);
+  }
+  EXPECT_NEAR(area, 4.4 * 3.4 - 4 * 3, 1e-9) << "corners are filled, once";
+}
+
+TEST(PlanWalls, BetweenTwoRoomsThereIsOneOfBothFaces)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.15, 0, 8, 3), 2.5, 2)}};
+  const auto walls = findWalls(plan);
+  EXPECT_EQ(walls.size(), 7u);
+  const auto pairs = pairsOf(walls);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(pairs[0].thickness, 0.15, 1e-12);
+  EXPECT_NEAR(pairs[0].stretch.length(), 3, 1e-12);
+}
+
+TEST(PlanWalls, AFaceWithTwoRoomsBehindItIsPartedWithoutAGap)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 8, 3), 2.5),
+                        roomOf(rectangle(0, 3.1, 3.9, 6), 2.5, 2),
+                        roomOf(rectangle(4, 3.1, 8, 6), 2.5, 3)}};
+  auto pairs = pairsOf(findWalls(plan));
+  ASSERT_EQ(pairs.size(), 3u);
+  double along = 0;
+  for (const PlanWall& wall : pairs)
+    if (wall.face.room == 0)
+      along += wall.stretch.length();
+  EXPECT_NEAR(along, 8, 1e-9) << "one of them goes on behind the wall between the two";
+}
+
+TEST(PlanWalls, FarAndUnevenFacesAndOtherStoreysAreNoPair)
+{
+  auto above = roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2);
+  above.floor = slabAt(3);
+  above.ceiling = slabAt(5.5);
+  for (const PlanRoom& other :
+       {roomOf(rectangle(4.7, 0, 8, 3), 2.5, 2),
+        roomOf(polygon({{4.1, 0}, {8, 0}, {8, 3}, {4.5, 3}}), 2.5, 2), above})
+    EXPECT_TRUE(
+        pairsOf(findWalls({{roomOf(rectangle(0, 0, 4, 3), 2.5), other}})).empty());
+}
+
+TEST(PlanWalls, FacesThatTouchHaveNoWall)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.005, 0, 8, 3), 2.5, 2)}};
+  const auto walls = findWalls(plan);
+  EXPECT_EQ(walls.size(), 6u);
+  EXPECT_TRUE(pairsOf(walls).empty());
+}
+
+TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
+{
+  // A rotunda within a ring of which half was seen.
+  const PlanLoop half{{arc({0, 0}, 5, 0, 180), segment({-5, 0}, {-3.3, 0}),
+                       arc({0, 0}, 3.3, 180, 0), segment({3.3, 0}, {5, 0})}};
+  const auto walls = findWalls({{roomOf(circle({0, 0}, 3), 3), roomOf(half, 3, 2)}});
+  const auto pairs = pairsOf(walls);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(pairs[0].thickness, 0.3, 1e-9);
+  EXPECT_NEAR(pairs[0].stretch.length(), 3 * M_PI, 0.05);
+}
+
+TEST(PlanWalls, AnAssumedThicknessKeepsOutOfTheRoomBehind)
+{
+  // Not parallel, so no pair: 8 cm at one end, 0.5 m at the other.
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5),
+       roomOf(polygon({{4.08, 0}, {8, 0}, {8, 3}, {4.5, 3}}), 2.5, 2)}};
+  for (const PlanWall& wall : findWalls(plan))
+    if (wall.face == ifc::WallFace{0, 1}) {
+      EXPECT_LT(wall.thickness, 0.15);
+    }
+}
+
+} // namespace

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_surface/floorplan_ifc.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// Read by others in test_ifc_schema.py and test_ifc_web.py.
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+std::size_t
+count(const std::string& text, const std::string& part)
+{
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++n;
+  return n;
+}
+
+Floorplan
+twoRooms()
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
+  PlanDoorway doorway;
+  doorway.rooms = {1, 2};
+  doorway.start = {4.05, 1};
+  doorway.end = {4.05, 1.9};
+  doorway.top = 2.05;
+  plan.doorways.push_back(doorway);
+  return plan;
+}
+
+TEST(WriteIfc, AnEmptyPlanIsAnEmptyBuilding)
+{
+  const IfcModel model = writeIfc({});
+  EXPECT_EQ(model.spaces, 0u);
+  EXPECT_EQ(count(model.text, "=IFCBUILDING("), 1u);
+  EXPECT_TRUE(model.warnings.empty());
+}
+
+TEST(WriteIfc, TellsWhatIsInIt)
+{
+  const IfcModel model = writeIfc(twoRooms());
+  EXPECT_EQ(model.spaces, 2u);
+  EXPECT_EQ(model.walls, 7u);
+  EXPECT_EQ(model.paired_walls, 1u);
+  EXPECT_EQ(model.slabs, 4u);
+  EXPECT_EQ(model.openings, 1u);
+  EXPECT_EQ(count(model.text, "=IFCWALL("), 7u);
+  EXPECT_EQ(count(model.text, "=IFCRELVOIDSELEMENT("), 1u);
+  // 4 walls a room, the one between them twice, floor and ceiling.
+  EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 8u + 4u);
+}
+
+TEST(WriteIfc, ADoorwayWithoutAWallIsTold)
+{
+  Floorplan plan = twoRooms();
+  plan.doorways[0].start = {20, 1};
+  plan.doorways[0].end = {20, 2};
+  const IfcModel model = writeIfc(plan);
+  EXPECT_EQ(model.openings, 0u);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("doorway_1 between rooms 1 and 2"),
+            std::string::npos);
+}
+
+TEST(WriteIfc, GuidsAreOfTheBuildingsName)
+{
+  IfcSettings other;
+  other.name = "annexe";
+  const std::string a = writeIfc(twoRooms()).text;
+  EXPECT_EQ(a, writeIfc(twoRooms()).text);
+  const std::string b = writeIfc(twoRooms(), other).text;
+  const auto guid = [](const std::string& text) {
+    return text.substr(text.find("=IFCWALL('") + 10, 22);
+  };
+  EXPECT_NE(guid(a), guid(b));
+}
+
+TEST(WriteIfc, TheOriginIsAMapConversion)
+{
+  EXPECT_EQ(count(writeIfc(twoRooms()).text, "IFCMAPCONVERSION"), 0u);
+  IfcSettings settings;
+  settings.crs = "EPSG:25832";
+  const std::string text =
+      writeIfc(twoRooms(), settings, Origin{{691600, 5335900.5, 512}}).text;
+  EXPECT_EQ(count(text, "691600.,5335900.5,512.,1.,0.,1.);"), 1u);
+  EXPECT_EQ(count(text, "IFCPROJECTEDCRS('EPSG:25832',"), 1u);
+}
+
+TEST(WriteIfc, ASlopingCeilingGivesTrianglesALevelOneASweep)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  EXPECT_EQ(count(writeIfc(plan).text, "IFCTRIANGULATEDFACESET"), 0u);
+  plan.rooms[0].ceiling = slabAt(2.5, 0.3, 0);
+  const std::string text = writeIfc(plan).text;
+  // The space, two gable walls, the slab of the ceiling; walls at the eaves are level.
+  EXPECT_EQ(count(text, "=IFCTRIANGULATEDFACESET("), 4u);
+}
+
+TEST(WriteIfc, FacetsHaveNoArcs)
+{
+  const Floorplan plan{{roomOf(stadium(3, 1), 2.5)}};
+  EXPECT_GT(count(writeIfc(plan).text, "IFCARCINDEX"), 0u);
+  IfcSettings settings;
+  settings.arcs = IfcArcs::Facets;
+  EXPECT_EQ(count(writeIfc(plan, settings).text, "IFCARCINDEX"), 0u);
+}
+
+} // namespace

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulator/scan.h"
+#include "simulator/scenes.h"
+#include "simulator/truth_mesh.h"
+
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+namespace {
+
+namespace sim = pcl::sedr::sim;
+
+struct Expected {
+  std::string scene;
+  std::size_t walls;
+  std::size_t facets; ///< beside the main one
+  double radius;      ///< of the curves; 0: there are none
+};
+
+std::ostream&
+operator<<(std::ostream& stream, const Expected& e)
+{
+  return stream << e.scene;
+}
+
+class Ceiling : public testing::TestWithParam<Expected> {};
+
+/** @brief The closed structural mesh of a scene, in the frame of its scan. */
+std::shared_ptr<const pcl::sedr::TriangleMesh>
+truthOf(const sim::Scene& scene)
+{
+  const sim::Mesh truth = sim::truthMesh(scene);
+  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>();
+  for (const auto& vertex : truth.vertices) {
+    const sim::Vec3 v = sim::placed(scene.placement, vertex);
+    mesh->vertices.emplace_back(v.x, v.y, v.z);
+  }
+  for (const auto& f : truth.faces)
+    mesh->triangles.push_back(f.vertices);
+  return mesh;
+}
+
+TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
+{
+  sim::Scene scene =
+      sim::sceneNamed(std::string(CEILING_SCENES) + "/" + GetParam().scene + ".json");
+  for (sim::Scanner& scanner : scene.scanners)
+    scanner.noise = 0.01;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const auto& p : sim::scan(scene).points)
+    cloud->emplace_back(p.x, p.y, p.z);
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+
+  const auto plan = chain.getFloorplan();
+  ASSERT_EQ(plan->rooms.size(), 1U);
+  const pcl::sedr::PlanRoom& room = plan->rooms[0];
+  EXPECT_EQ(room.boundary.elements.size(), GetParam().walls);
+  EXPECT_EQ(room.details.size(), GetParam().facets);
+  for (int d = -1; d < static_cast<int>(room.details.size()); ++d)
+    if (const auto& curve = room.ceilingSlab(d).curve) {
+      EXPECT_NEAR(curve->across, GetParam().radius, 0.01 * GetParam().radius);
+    }
+
+  const auto& reports = chain.getChain().extrusion.getReports();
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_TRUE(reports[0].closed) << reports[0].problem;
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
+      chain.getChain().extrusion.getMesh()));
+  evaluation.setTruth(truthOf(scene));
+  pcl::sedr::MeshEvaluationResult figures;
+  ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+  EXPECT_LE(figures.truth_to_mesh->mean, 0.0005);
+  EXPECT_GE(figures.truth_to_mesh->within_1cm, 0.98);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ceilings,
+                         Ceiling,
+                         testing::Values(Expected{"gable_attic", 4, 1, 0},
+                                         Expected{"shed_roof", 6, 0, 0},
+                                         Expected{"hip_roof", 4, 3, 0},
+                                         Expected{"barrel_vault", 4, 0, 2.5},
+                                         Expected{"segmental_vault", 4, 0, 4},
+                                         Expected{"dome", 4, 1, 3},
+                                         Expected{"jack_arches", 4, 3, 1.84}));
+
+} // namespace

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sheet_test;
+
+double
+tangent(double degrees)
+{
+  return std::tan(degrees * M_PI / 180);
+}
+
+double
+gable(double, double y)
+{
+  return 1 + tangent(40) * std::min(y, 4 - y);
+}
+
+double
+hip(double x, double y)
+{
+  return 2 + tangent(30) * std::min({x, 6 - x, y, 4 - y});
+}
+
+/** A barrel along x that springs from the walls. */
+double
+barrel(double, double y)
+{
+  return 1.5 + std::sqrt(std::max(0.0, 4 - (y - 2) * (y - 2)));
+}
+
+/** A segment of a vault of 4 m radius that starts with a slope of 30 degrees. */
+double
+segmental(double, double y)
+{
+  return std::sqrt(16 - (y - 2) * (y - 2));
+}
+
+/** A dome of 2 m radius in the middle, whose rim is level with the ceiling around. */
+double
+domed(double x, double y)
+{
+  const double square = std::pow(x - 3, 2) + std::pow(y - 2, 2);
+  return square < 1.5 * 1.5 ? 3 + std::sqrt(4 - square) - std::sqrt(4 - 1.5 * 1.5) : 3;
+}
+
+/** Four arches side by side, of 1.5 m span and 0.16 m rise. */
+double
+jackArches(double x, double)
+{
+  const double off = std::fmod(x, 1.5) - 0.75;
+  return 1 + std::sqrt(1.84 * 1.84 - off * off);
+}
+
+TEST(FitSheet, ALevelCeilingIsOnePlane)
+{
+  const Scene scene = sceneOf(6, 4, [](double, double) { return 2.5; });
+  const Sheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  EXPECT_FALSE(sheet.facets[0].curve);
+  EXPECT_NEAR(sheet.noise, 0.01, 0.002);
+  EXPECT_NEAR(sheet.facets[0].heightAt({3, 2}), 2.5, 0.001);
+}
+
+TEST(FitSheet, AShedRoofIsOnePlane)
+{
+  const Scene scene =
+      sceneOf(6, 4, [](double x, double) { return 2 + tangent(15) * x; });
+  const Sheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
+}
+
+TEST(FitSheet, AGableHasTwoSlopesThatMeetInTheRidge)
+{
+  const Scene scene = sceneOf(6, 4, gable);
+  const PlanRoom room = fittedRoom(scene);
+  ASSERT_EQ(room.details.size(), 1U);
+  const Off off = offBy(scene, room);
+  EXPECT_LT(off.mean, 0.0005);
+  EXPECT_LT(off.beyond, 0.001);
+  // The border is one straight line, the ridge.
+  int on_ridge = 0;
+  for (const PlanElement& element : room.details[0].boundary.elements)
+    if (std::abs(element.start.y() - 2) < 0.005 &&
+        std::abs(element.end.y() - 2) < 0.005)
+      ++on_ridge;
+  EXPECT_EQ(on_ridge, 1);
+  EXPECT_NEAR(room.ceilingAt({3, 2}), 1 + 2 * tangent(40), 0.005);
+}
+
+TEST(FitSheet, AHipRoofHasFourSlopes)
+{
+  const Scene scene = sceneOf(6, 4, hip);
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_EQ(room.details.size(), 3U);
+  EXPECT_LT(offBy(scene, room).mean, 0.0006);
+  EXPECT_LT(offBy(scene, room).beyond, 0.001);
+}
+
+TEST(FitSheet, ABarrelVaultIsOneCylinder)
+{
+  const Scene scene = sceneOf(6, 4, barrel);
+  const Sheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  ASSERT_TRUE(sheet.facets[0].curve);
+  EXPECT_NEAR(sheet.facets[0].curve->across, 2, 0.005);
+  EXPECT_NEAR(sheet.facets[0].curve->base, 1.5, 0.005);
+}
+
+TEST(FitSheet, ASegmentalVaultIsOneCylinder)
+{
+  const Scene scene = sceneOf(6, 4, segmental);
+  const Sheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  ASSERT_TRUE(sheet.facets[0].curve);
+  EXPECT_NEAR(sheet.facets[0].curve->across, 4, 0.04);
+  EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
+}
+
+TEST(FitSheet, ADomeIsASphereInALevelCeiling)
+{
+  const Scene scene = sceneOf(6, 4, domed);
+  const PlanRoom room = fittedRoom(scene);
+  ASSERT_EQ(room.details.size(), 1U);
+  ASSERT_TRUE(room.details[0].slab.curve);
+  EXPECT_TRUE(room.details[0].slab.curve->isSphere());
+  EXPECT_NEAR(room.details[0].slab.curve->up, 2, 0.02);
+  EXPECT_LT(offBy(scene, room).mean, 0.0006);
+  EXPECT_LT(offBy(scene, room).beyond, 0.002);
+}
+
+TEST(FitSheet, JackArchesAreACylinderEach)
+{
+  const Scene scene = sceneOf(6, 4, jackArches);
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_EQ(room.details.size(), 3U);
+  EXPECT_LT(offBy(scene, room).mean, 0.0012);
+  EXPECT_LT(offBy(scene, room).beyond, 0.01);
+}
+
+TEST(FitSheet, NoiseOfTwoCentimetresMakesNoFurtherFacets)
+{
+  const Scene scene = sceneOf(6, 4, gable, 0.02);
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_EQ(room.details.size(), 1U);
+  EXPECT_LT(offBy(scene, room).mean, 0.001);
+}
+
+TEST(FitSheet, LampsAndPlacesThatWereNotSeenGoWithWhatIsAround)
+{
+  Scene scene = sceneOf(6, 4, gable);
+  std::vector<Eigen::Vector3d> points;
+  for (Eigen::Vector3d p : scene.points) {
+    if (std::abs(p.x() - 4.5) < 0.6 && std::abs(p.y() - 2) < 0.7)
+      continue; // hidden about the ridge
+    if (std::abs(p.x() - 2) < 0.25 && std::abs(p.y() - 1.2) < 0.25)
+      p.z() = 1.7; // a lamp
+    points.push_back(p);
+  }
+  scene.points = points;
+  const PlanRoom room = fittedRoom(scene);
+  ASSERT_EQ(room.details.size(), 1U);
+  EXPECT_LT(offBy(scene, room).mean, 0.0006);
+  EXPECT_LT(offBy(scene, room).beyond, 0.001);
+  EXPECT_GT(room.details[0].slab.inferred, 0.02);
+}
+
+TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
+{
+  const Scene scene = sceneOf(6, 4, [](double x, double y) {
+    return std::abs(x - 3) < 0.2 ? 2.2 : segmental(x, y) - 1;
+  });
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_EQ(room.details.size(), 2U);
+  EXPECT_NEAR(room.ceilingAt({3.15, 2}), 2.2, 0.005);
+  EXPECT_NEAR(room.ceilingAt({3.25, 2}), 3, 0.005);
+}
+
+TEST(SlopingShare, TellsVaultsFromLevelCeilings)
+{
+  EXPECT_GT(slopingShare(sceneOf(6, 4, jackArches).points), 0.5);
+  EXPECT_GT(slopingShare(sceneOf(6, 4, gable).points), 0.8);
+  for (const double noise : {0.002, 0.01, 0.02})
+    EXPECT_LT(slopingShare(
+                  sceneOf(
+                      6, 4, [](double x, double) { return x < 2.3 ? 2.3 : 2.5; }, noise)
+                      .points),
+              0.05);
+  EXPECT_EQ(slopingShare({}), 0);
+}
+
+TEST(FitSheet, TooFewPointsMakeNoSheet)
+{
+  Scene scene = sceneOf(6, 4, gable);
+  scene.points.resize(20);
+  EXPECT_TRUE(fitted(scene).facets.empty());
+  scene.points.clear();
+  EXPECT_TRUE(fitted(scene).facets.empty());
+}
+
+} // namespace

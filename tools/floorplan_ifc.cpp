@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
+#include "run_tool.h"
+#include "sedr/ifc_file.h"
+#include "sedr/solid_files.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_surface/floorplan_ifc.h>
+
+#include <string>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+void
+tell(const pcl::sedr::IfcModel& model)
+{
+  for (const auto& warning : model.warnings)
+    warn(warning);
+  say(std::to_string(model.spaces) + " spaces, " + std::to_string(model.walls) +
+      " walls, " + std::to_string(model.paired_walls) +
+      " of them seen from both sides, " + std::to_string(model.slabs) + " slabs, " +
+      std::to_string(model.columns) + " columns, " + std::to_string(model.openings) +
+      " openings");
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  std::string plan;
+  std::string output;
+  IfcOptions ifc;
+  Options options("pcl_floorplan_ifc", "Writes a floor plan as IFC4.");
+  options.file("PLAN.json", plan,
+               "floor plan, as pcl_sedr and pcl_floorplan_fitting write it");
+  options.file("OUTPUT.ifc", output, "building model to write");
+  addIfcOptions(options, ifc);
+  return runTool(options, argc, argv, [&] {
+    if (!hasExtension(output, ".ifc"))
+      throw ToolError("a building model is written as IFC, '" + output +
+                      "' does not end in .ifc");
+    checkWritable(output);
+    tell(saveIfc(output, *loadFloorplan(plan), settingsOf(ifc), planOrigin(plan)));
+    return Done;
+  });
+}

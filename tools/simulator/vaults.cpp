@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vaults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+constexpr double kSame = 1e-9; ///< metres
+
+/** @brief The part of a convex polygon where dot(p, across) lies in a band. */
+std::vector<Vec2>
+bandOf(const std::vector<Vec2>& polygon, Vec2 across, double low, double high)
+{
+  std::vector<Vec2> part = polygon;
+  for (const double side : {1.0, -1.0}) {
+    const double limit = side > 0 ? high : -low;
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Vec2 a = part[i];
+      const Vec2 b = part[(i + 1) % part.size()];
+      const double over_a = side * dot(a, across) - limit;
+      const double over_b = side * dot(b, across) - limit;
+      if (over_a <= kSame)
+        kept.push_back(a);
+      if ((over_a < -kSame && over_b > kSame) || (over_a > kSame && over_b < -kSame))
+        kept.push_back(a + (over_a / (over_a - over_b)) * (b - a));
+    }
+    part = kept;
+  }
+  return part;
+}
+
+SlabDetail
+facetOver(const std::vector<Vec2>& corners, const Slab& slab)
+{
+  SlabDetail facet;
+  for (const Vec2 corner : corners)
+    facet.loop.push_back({corner});
+  facet.slab = slab;
+  facet.is_facet = true;
+  return facet;
+}
+
+/** @brief How far apart facets of a circle turn, radians, and the radius of their
+ * edges, such that they stray as far inwards as outwards. */
+struct Steps {
+  double angle = 0.0;
+  double radius = 0.0;
+};
+
+Steps
+stepsOf(double radius)
+{
+  constexpr double mean_share = 2.0 / 3.0; // of what a chord strays at most
+  return {std::sqrt(8.0 * kFacetTolerance / radius),
+          radius + mean_share * kFacetTolerance};
+}
+
+} // namespace
+
+std::vector<SlabDetail>
+facetsOf(const Vault& vault, const Loop& loop)
+{
+  const Vec2 across = leftOf({std::cos(vault.direction), std::sin(vault.direction)});
+  std::vector<Vec2> polygon;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const LoopVertex& vertex : loop) {
+    if (vertex.bulge != 0.0)
+      throw std::invalid_argument("A vault needs straight sides");
+    polygon.push_back(vertex.position - vault.at);
+    low = std::min(low, dot(polygon.back(), across));
+    high = std::max(high, dot(polygon.back(), across));
+  }
+  if (std::max(high, -low) > vault.radius + kSame)
+    throw std::invalid_argument("A vault does not reach the sides of its loop");
+  const Steps steps = stepsOf(vault.radius);
+  const double first = std::asin(std::max(-1.0, low / steps.radius));
+  const double last = std::asin(std::min(1.0, high / steps.radius));
+  const auto count = static_cast<int>(std::ceil((last - first) / steps.angle));
+  const auto edgeAt = [&](int k) {
+    const double angle = first + (last - first) * k / count;
+    return Vec2{k == 0       ? low
+                : k == count ? high
+                             : steps.radius * std::sin(angle),
+                vault.height + steps.radius * std::cos(angle)};
+  };
+  std::vector<SlabDetail> facets;
+  for (int k = 0; k < count; ++k) {
+    const Vec2 from = edgeAt(k); // across, up
+    const Vec2 to = edgeAt(k + 1);
+    std::vector<Vec2> corners = bandOf(polygon, across, from.x, to.x);
+    for (Vec2& corner : corners)
+      corner = corner + vault.at;
+    const double slope = (to.y - from.y) / (to.x - from.x);
+    facets.push_back(
+        facetOver(corners, {from.y, slope * across, vault.at + from.x * across}));
+  }
+  return facets;
+}
+
+std::vector<SlabDetail>
+facetsOf(const Dome& dome)
+{
+  const Steps steps = stepsOf(dome.radius);
+  const double out = std::asin(std::min(1.0, dome.rim / steps.radius));
+  const auto rings = static_cast<int>(std::ceil(out / steps.angle));
+  const auto rays = static_cast<int>(
+      std::ceil(2.0 * pi * std::sqrt(dome.rim / dome.radius) / steps.angle));
+  const auto placeAt = [&](int ring, int ray) {
+    const double radius = steps.radius * std::sin(out * ring / rings);
+    const double angle = 2.0 * pi * (ray % rays) / rays;
+    return dome.at + radius * Vec2{std::cos(angle), std::sin(angle)};
+  };
+  const auto heightAt = [&](int ring) {
+    return dome.height + steps.radius * std::cos(out * ring / rings);
+  };
+  std::vector<SlabDetail> facets;
+  std::vector<Vec2> top;
+  for (int ray = 0; ray < rays; ++ray)
+    top.push_back(placeAt(1, ray));
+  facets.push_back(facetOver(top, {heightAt(1)}));
+  for (int ring = 1; ring < rings; ++ring)
+    for (int ray = 0; ray < rays; ++ray) {
+      const std::vector<Vec2> corners{placeAt(ring + 1, ray),
+                                      placeAt(ring + 1, ray + 1),
+                                      placeAt(ring, ray + 1), placeAt(ring, ray)};
+      // Its two level edges are parallel.
+      const Vec2 outer = 0.5 * (corners[0] + corners[1]);
+      const Vec2 inner = 0.5 * (corners[2] + corners[3]);
+      const Vec2 way = outer - inner;
+      const double rise = heightAt(ring + 1) - heightAt(ring);
+      facets.push_back(
+          facetOver(corners, {heightAt(ring), (rise / dot(way, way)) * way, inner}));
+    }
+  return facets;
+}
+
+} // namespace pcl::sedr::sim
