@@ -57,7 +57,9 @@ drawnDoorways(const Floorplan& plan)
       low = -high;
     }
     drawn.push_back({{doorway.start + low * left, doorway.end + low * left,
-                      doorway.end + high * left, doorway.start + high * left}});
+                      doorway.end + high * left, doorway.start + high * left},
+                     doorway.width(),
+                     doorway.top - doorway.bottom});
   }
   return drawn;
 }

@@ -15,6 +15,8 @@ namespace sedr {
 /** @brief A doorway as it is drawn: a gap through its wall, from face to face. */
 struct DrawnDoorway {
   std::array<Eigen::Vector2d, 4> corners; ///< around the gap; metres
+  double width = 0;                       ///< metres
+  double height = 0;                      ///< metres
 
   /** @brief The two sides of the gap, across the wall: from one face to the other. */
   std::array<std::pair<Eigen::Vector2d, Eigen::Vector2d>, 2> jambs() const

@@ -2,6 +2,8 @@
 #include "plan_drawing.h"
 
 #include "decimal_text.h"
+#include "drawing/plan_frame.h"
+#include "drawing/roof_lines.h"
 #include "height_lines.h"
 
 #include <pcl/sedr_surface/plan_facets.h>
@@ -15,9 +17,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief Where less is above a floor, half of it counts in most rules for areas under
- * roofs, metres. */
-constexpr double headroom = 1.5;
+/** @brief Below a roof rules for areas count half of what is lower than the first, as
+ * DIN 277 of old and most of its kind, and ask for the second over half of a room that
+ * people live in, as building codes do; metres. */
+constexpr double headrooms[] = {1.5, 2.3};
 
 bool
 liesOn(const PlanElement& element, const PlanRoom& room)
@@ -103,22 +106,36 @@ circleAbout(const Eigen::Vector2d& centre, double radius)
   return {{circle}};
 }
 
-Eigen::AlignedBox2d
-boundsOf(const PlanLoop& loop)
+/** @brief Whether a line has been drawn, there or back. */
+bool
+isDrawn(const PlanElement& line, const std::vector<DrawnElement>& drawn)
 {
-  Eigen::AlignedBox2d box;
-  for (const PlanElement& e : loop.elements) {
-    box.extend(e.start);
-    // An arc reaches farthest at quarters of its circle.
-    for (const Eigen::Vector2d& way :
-         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
-          Eigen::Vector2d(0, -1)}) {
-      const Eigen::Vector2d quarter = e.centre + e.radius * way;
-      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
-        box.extend(quarter);
-    }
+  constexpr double near = 0.01;
+  return std::any_of(drawn.begin(), drawn.end(), [&](const DrawnElement& other) {
+    return (other.layer == DrawnLayer::Detail || other.layer == DrawnLayer::Ridge) &&
+           other.element.distance(line.start) < near &&
+           other.element.distance(line.end) < near &&
+           other.element.distance(line.pointAt(line.length() / 2)) < near;
+  });
+}
+
+/** @brief The lines at some heights below a ceiling; the longest piece of each tells
+ * its height. */
+void
+addHeadroom(const PlanRoom& room, std::vector<DrawnElement>& drawn)
+{
+  for (const double height : headrooms) {
+    const std::vector<PlanElement> lines = heightLines(room, height);
+    if (lines.empty())
+      continue;
+    const auto longest = std::max_element(
+        lines.begin(), lines.end(), [](const PlanElement& a, const PlanElement& b) {
+          return a.length() < b.length();
+        });
+    for (const PlanElement& line : lines)
+      drawn.push_back({line, DrawnLayer::Headroom, room.id,
+                       &line == &*longest ? "h " + decimalText(height, 2) : ""});
   }
-  return box;
 }
 
 } // namespace
@@ -126,36 +143,47 @@ boundsOf(const PlanLoop& loop)
 std::vector<DrawnElement>
 drawnElements(const Floorplan& plan)
 {
-  std::vector<DrawnElement> drawn;
+  std::vector<DrawnElement> all;
   for (const PlanRoom& room : plan.rooms) {
+    std::vector<DrawnElement> drawn;
     const auto add = [&](const PlanLoop& loop, DrawnLayer layer, bool is_on_top) {
       for (const PlanElement& element : loop.elements)
         if (element.length() > 0 && !(is_on_top && liesOn(element, room)))
           drawn.push_back({element, layer, room.id});
     };
-    const auto addInside = [&](const PlanLoop& loop, DrawnLayer layer) {
+    const auto addDetail = [&](const PlanElement& piece, bool is_facet) {
+      const RoofLine roof = is_facet ? roofLineAt(room, piece) : RoofLine{};
+      if (!is_facet || !isDrawn(piece, drawn))
+        drawn.push_back({piece, roof.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail,
+                         room.id, roof.text()});
+    };
+    const auto addInside = [&](const PlanLoop& loop, const auto& addPiece) {
       for (const PlanElement& element : loop.elements)
         if (element.length() > 0 && !liesOn(element, room))
           for (const PlanElement& piece : piecesInside(element, room))
-            drawn.push_back({piece, layer, room.id});
+            addPiece(piece);
+    };
+    const auto addAll = [&](const PlanDetail& detail, const auto& addPiece) {
+      addInside(detail.boundary, addPiece);
+      for (const PlanLoop& hole : detail.holes)
+        addInside(hole, addPiece);
     };
     add(room.boundary, DrawnLayer::Wall, false);
     for (const PlanLoop& column : room.columns)
       add(column, DrawnLayer::Column, false);
-    for (const auto& [details, layer] :
-         {std::make_pair(&room.details, DrawnLayer::Detail),
-          std::make_pair(&room.floor_details, DrawnLayer::FloorDetail)})
-      for (const PlanDetail& detail : *details) {
-        addInside(detail.boundary, layer);
-        for (const PlanLoop& hole : detail.holes)
-          addInside(hole, layer);
-      }
+    for (const PlanDetail& detail : room.details)
+      addAll(detail,
+             [&](const PlanElement& piece) { addDetail(piece, detail.is_facet); });
+    for (const PlanDetail& detail : room.floor_details)
+      addAll(detail, [&](const PlanElement& piece) {
+        drawn.push_back({piece, DrawnLayer::FloorDetail, room.id});
+      });
     for (const PlanNiche& niche : room.niches)
       add(niche.boundary, DrawnLayer::Niche, true);
-    for (const PlanElement& line : heightLines(room, headroom))
-      drawn.push_back({line, DrawnLayer::Headroom, room.id});
+    addHeadroom(room, drawn);
+    all.insert(all.end(), drawn.begin(), drawn.end());
   }
-  return drawn;
+  return all;
 }
 
 TextSpot
@@ -186,25 +214,30 @@ textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
   return best;
 }
 
-Eigen::AlignedBox2d
-boundsOf(const Floorplan& plan)
-{
-  Eigen::AlignedBox2d box;
-  for (const PlanRoom& room : plan.rooms) {
-    box.extend(boundsOf(room.boundary));
-    for (const PlanNiche& niche : room.niches)
-      box.extend(boundsOf(niche.boundary));
-    for (const PlanLoop& column : room.columns)
-      box.extend(boundsOf(column));
-  }
-  return box;
-}
-
 std::string
 sizeText(const PlanElement& element)
 {
   return element.isArc() ? "R " + decimalText(element.radius, 2)
                          : decimalText(element.length(), 2);
+}
+
+std::string
+columnText(const PlanLoop& column)
+{
+  const std::vector<PlanElement>& e = column.elements;
+  constexpr double same = 0.02;
+  const bool is_round =
+      !e.empty() && std::all_of(e.begin(), e.end(), [&](const PlanElement& part) {
+        return part.isArc() && std::abs(part.radius - e.front().radius) < same;
+      });
+  if (is_round)
+    return "Ø " + decimalText(2 * e.front().radius, 2);
+  const bool is_quad =
+      e.size() == 4 && std::none_of(e.begin(), e.end(), [](const PlanElement& part) {
+        return part.isArc();
+      });
+  return is_quad ? decimalText(e[0].length(), 2) + " x " + decimalText(e[1].length(), 2)
+                 : "";
 }
 
 std::vector<LevelNote>

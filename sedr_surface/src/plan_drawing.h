@@ -16,21 +16,23 @@ namespace sedr {
 enum class DrawnLayer {
   Wall,
   Column,
-  Detail, ///< of a ceiling that is not level: ridges, valleys, springing lines, steps
+  Detail, ///< of a ceiling that is not level: springing lines, steps
+  Ridge,  ///< ridges, hips and valleys of a ceiling that is not level
   FloorDetail,
   Niche,
-  Headroom ///< where a ceiling that is not level is 1.5 m above the floor
+  Headroom ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
 };
 
 struct DrawnElement {
   PlanElement element;
   DrawnLayer layer = DrawnLayer::Wall;
   std::uint32_t room = 0;
+  std::string note{}; ///< to be written along it: "ridge 4.35", "h 1.50"; mostly none
 };
 
 /** @brief All lines and arcs of a plan; edges of details and niches that lie on a wall
  * or a column, as near as they are known, are drawn as such only, and of edges of
- * details what is within the room. */
+ * details what is within the room. A border that two facets share is drawn once. */
 std::vector<DrawnElement> drawnElements(const Floorplan& plan);
 
 /** @brief A place for text within a loop, and its distance from what is around it,
@@ -42,12 +44,12 @@ struct TextSpot {
 
 TextSpot textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles);
 
-/** @brief Box around all that is drawn; empty without rooms. */
-Eigen::AlignedBox2d boundsOf(const Floorplan& plan);
-
 /** @brief The size of an element as a drawing has it: its length, or "R" and its
  * radius; metres, two decimals. */
 std::string sizeText(const PlanElement& element);
+
+/** @brief The size of a column: "Ø 0.40", "0.30 x 0.50"; nothing of other shapes. */
+std::string columnText(const PlanLoop& column);
 
 /** @brief A level of the plan to be noted where it is: text such as "2.20", heights
  * above the room's floor, with a sign where it is a floor itself. */

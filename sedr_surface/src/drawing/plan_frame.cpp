@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_frame.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+/** @brief The angle of a straight wall within a quarter turn: above -45 degrees, up to
+ * 45. */
+double
+quarterAngle(const PlanElement& e)
+{
+  const Eigen::Vector2d way = e.end - e.start;
+  return std::remainder(std::atan2(way.y(), way.x()), M_PI / 2);
+}
+
+} // namespace
+
+double
+mainDirection(const Floorplan& plan)
+{
+  constexpr double along = 3 * M_PI / 180;
+  constexpr double least_turn = 0.5 * M_PI / 180;
+  std::vector<PlanElement> walls;
+  double whole = 0;
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& e : room.boundary.elements) {
+      whole += e.length();
+      if (!e.isArc())
+        walls.push_back(e);
+    }
+  double best = 0;
+  double best_length = 0;
+  for (const PlanElement& candidate : walls) {
+    const double angle = quarterAngle(candidate);
+    double length = 0;
+    double turn = 0;
+    for (const PlanElement& e : walls) {
+      const double off = std::remainder(quarterAngle(e) - angle, M_PI / 2);
+      if (std::abs(off) > along)
+        continue;
+      length += e.length();
+      turn += off * e.length();
+    }
+    if (length <= best_length * (1 + 1e-9))
+      continue;
+    best_length = length;
+    best = std::remainder(angle + turn / length, M_PI / 2);
+  }
+  const bool do_agree = best_length > 0.3 * whole;
+  return do_agree && std::abs(best) > least_turn ? best : 0;
+}
+
+PlanElement
+PlanFrame::operator()(PlanElement element) const
+{
+  for (Eigen::Vector2d* p : {&element.start, &element.end, &element.centre})
+    *p = (*this)(*p);
+  element.radius *= scale;
+  return element;
+}
+
+PlanLoop
+PlanFrame::operator()(PlanLoop loop) const
+{
+  for (PlanElement& e : loop.elements)
+    e = (*this)(e);
+  return loop;
+}
+
+Eigen::AlignedBox2d
+boundsOf(const PlanLoop& loop)
+{
+  Eigen::AlignedBox2d box;
+  for (const PlanElement& e : loop.elements) {
+    box.extend(e.start);
+    // An arc reaches farthest at quarters of its circle.
+    for (const Eigen::Vector2d& way :
+         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
+          Eigen::Vector2d(0, -1)}) {
+      const Eigen::Vector2d quarter = e.centre + e.radius * way;
+      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
+        box.extend(quarter);
+    }
+  }
+  return box;
+}
+
+Eigen::AlignedBox2d
+boundsOf(const Floorplan& plan, const PlanFrame& frame)
+{
+  Eigen::AlignedBox2d box;
+  for (const PlanRoom& room : plan.rooms) {
+    box.extend(boundsOf(frame(room.boundary)));
+    for (const PlanNiche& niche : room.niches)
+      box.extend(boundsOf(frame(niche.boundary)));
+    for (const PlanLoop& column : room.columns)
+      box.extend(boundsOf(frame(column)));
+  }
+  return box;
+}
+
+} // namespace sedr
+} // namespace pcl

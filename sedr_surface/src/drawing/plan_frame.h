@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Geometry>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The direction that most of a plan's walls run along, by length, within 45
+ * degrees of x; radians. 0 where it is within half a degree of x, or where walls agree
+ * on none, as those of a round room. */
+double mainDirection(const Floorplan& plan);
+
+/** @brief Where places of a plan are on a drawing: turned, to scale, shifted. */
+struct PlanFrame {
+  double turn = 0; ///< radians, against the clock
+  double scale = 1;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+
+  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const
+  {
+    return scale * (Eigen::Rotation2Dd(turn) * p) + shift;
+  }
+  PlanElement operator()(PlanElement element) const;
+  PlanLoop operator()(PlanLoop loop) const;
+
+  Eigen::Vector2d toPlan(const Eigen::Vector2d& p) const
+  {
+    return Eigen::Rotation2Dd(-turn) * Eigen::Vector2d((p - shift) / scale);
+  }
+};
+
+/** @brief Box around a loop. */
+Eigen::AlignedBox2d boundsOf(const PlanLoop& loop);
+
+/** @brief Box around all that is drawn of a plan, in a frame; empty without rooms. */
+Eigen::AlignedBox2d boundsOf(const Floorplan& plan, const PlanFrame& frame = {});
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sheet.h"
+
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A plan, or one of its storeys, on a sheet: what floorplanToSvg() and
+ * floorplanToPdf() write. */
+Sheet planSheet(const Floorplan& plan, const DrawingSettings& settings);
+
+} // namespace sedr
+} // namespace pcl

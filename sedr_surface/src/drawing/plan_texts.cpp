@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_texts.h"
+
+#include "../decimal_text.h"
+#include "../doorway_drawing.h"
+#include "roof_lines.h"
+#include "sheet_layout.h"
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+using namespace sheet_measures;
+
+constexpr double smallest_font = 1.8;
+constexpr double beside_line = 0.95; ///< of a text from its line, over the font
+
+} // namespace
+
+PlanTexts::PlanTexts(Sheet& sheet, TextPlaces& places, const PlanFrame& frame)
+    : sheet_(sheet)
+    , places_(places)
+    , frame_(frame)
+{}
+
+void
+PlanTexts::write(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
+{
+  std::vector<TextSpot> spots;
+  for (const PlanRoom& room : plan.rooms) {
+    spots.push_back(textSpotIn(room.boundary, room.columns));
+    writeRoom(room, spots.back());
+  }
+  for (const StairNote& note : stairNotes(plan))
+    writeAt("level", frame_(note.place), {note.text}, small_font);
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r]))
+      writeAt("level", frame_(note.spot.place), {note.text}, small_font);
+  for (const DrawnElement& line : drawn)
+    if (!line.note.empty())
+      writeAlong(line.element,
+                 line.layer == DrawnLayer::Headroom ? "headroom" : "level", line.note,
+                 beside_line);
+  for (const PlanRoom& room : plan.rooms) {
+    for (const PlanElement& wall : room.boundary.elements)
+      writeAlong(wall, "level", eavesText(room, wall), beside_line);
+    for (const PlanLoop& column : room.columns)
+      writeColumn(column);
+  }
+  writeWays(plan);
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& wall : room.boundary.elements)
+      writeAlong(wall, "size", sizeText(wall), beside_line);
+}
+
+void
+PlanTexts::writeRoom(const PlanRoom& room, const TextSpot& spot)
+{
+  const Eigen::Vector2d place = frame_(spot.place);
+  std::vector<std::string> lines = roomTexts(room, spot.place, "m²");
+  if (writeAt("name", place, lines, large_font))
+    return;
+  lines.pop_back();
+  if (writeAt("name", place, lines, large_font))
+    return;
+  writeAt("name", place, {std::to_string(room.id)}, large_font);
+}
+
+bool
+PlanTexts::writeAt(const std::string& look,
+                   const Eigen::Vector2d& place,
+                   const std::vector<std::string>& lines,
+                   double font)
+{
+  constexpr double step = 0.9;
+  for (; font >= smallest_font; font *= step) {
+    if (!places_.take({place, font * halfSizeOf(lines), 0}))
+      continue;
+    const double line_height = 1.3 * font;
+    Eigen::Vector2d at = place;
+    at.y() += line_height * static_cast<double>(lines.size() - 1) / 2;
+    for (const std::string& line : lines) {
+      add(look, {at, {}, 0}, font, line);
+      at.y() -= line_height;
+    }
+    return true;
+  }
+  return false;
+}
+
+void
+PlanTexts::writeAlong(const PlanElement& element,
+                      const std::string& look,
+                      const std::string& text,
+                      double off)
+{
+  constexpr double clear = 1; // of the text from the ends, millimetres
+  if (text.empty())
+    return;
+  const PlanElement drawn = frame_(element);
+  const Eigen::Vector2d half = small_font * halfSizeOf({text});
+  std::vector<TextBox> boxes;
+  for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
+    const double s = share * drawn.length();
+    const Eigen::Vector2d normal = drawn.normalAt(s);
+    if (std::min(s, drawn.length() - s) >= half.x() + clear)
+      boxes.push_back({drawn.pointAt(s) + off * small_font * normal, half,
+                       readableAngle({normal.y(), -normal.x()})});
+  }
+  if (const auto box = places_.takeFirst(boxes))
+    add(look, *box, small_font, text);
+}
+
+void
+PlanTexts::writeColumn(const PlanLoop& column)
+{
+  const std::string text = columnText(column);
+  if (text.empty())
+    return;
+  constexpr double gap = 0.6;
+  constexpr double font = 2.1;
+  const Eigen::Vector2d half = font * halfSizeOf({text});
+  Eigen::AlignedBox2d around;
+  for (const Eigen::Vector2d& corner : frame_(column).polygon(0.05))
+    around.extend(corner);
+  const Eigen::Vector2d reach =
+      around.sizes() / 2 + half + Eigen::Vector2d::Constant(gap);
+  std::vector<TextBox> boxes;
+  for (const Eigen::Vector2d& way :
+       {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(0, -1),
+        Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 1), Eigen::Vector2d(1, -1),
+        Eigen::Vector2d(-1, 1), Eigen::Vector2d(-1, -1)})
+    boxes.push_back({around.center() + reach.cwiseProduct(way), half, 0});
+  if (const auto box = places_.takeFirst(boxes))
+    add("size", *box, font, text);
+}
+
+void
+PlanTexts::writeWays(const Floorplan& plan)
+{
+  constexpr double font = 2.1;
+  for (const DrawnDoorway& doorway : drawnDoorways(plan)) {
+    const std::string text =
+        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2);
+    const Eigen::Vector2d half = font * halfSizeOf({text});
+    std::vector<TextBox> boxes;
+    for (const auto& [from, to] : {std::make_pair(doorway.corners[2], doorway.corners[3]),
+                                   std::make_pair(doorway.corners[0], doorway.corners[1])}) {
+      const Eigen::Vector2d a = frame_(from);
+      const Eigen::Vector2d b = frame_(to);
+      const Eigen::Vector2d way = (b - a).normalized();
+      const Eigen::Vector2d off(way.y(), -way.x());
+      for (const double rows : {1.2, 2.6})
+        boxes.push_back({(a + b) / 2 + rows * font * off, half, readableAngle(way)});
+    }
+    if (const auto box = places_.takeFirst(boxes))
+      add("size", *box, font, text);
+  }
+}
+
+void
+PlanTexts::add(const std::string& look,
+               const TextBox& box,
+               double font,
+               const std::string& text)
+{
+  sheet_.add(SheetText{look, box.middle, font, text, box.degrees, TextAnchor::Middle,
+                       true});
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roof_lines.h"
+
+#include "../decimal_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr double level = 0.05; ///< heights along a line that is level differ by less
+
+} // namespace
+
+std::string
+RoofLine::text() const
+{
+  if (!is_crease || !is_level)
+    return "";
+  return (is_ridge ? "ridge " : "valley ") + decimalText(height, 2);
+}
+
+RoofLine
+roofLineAt(const PlanRoom& room, const PlanElement& line)
+{
+  constexpr double beside = 0.05;
+  constexpr double step = 0.03;  // a higher one is no crease
+  constexpr double falls = 0.02; // of what is beside the line, a slope of 4 %
+  const double s = line.length() / 2;
+  const Eigen::Vector2d middle = line.pointAt(s);
+  const Eigen::Vector2d off = line.normalAt(s);
+  const auto slabAt = [&](double distance) -> const PlanSlab& {
+    return room.ceilingSlab(room.detailAt(middle + distance * off));
+  };
+  const PlanSlab& left = slabAt(beside);
+  const PlanSlab& right = slabAt(-beside);
+  const auto slope = [&](const PlanSlab& slab, double sign) {
+    return (slab.heightAt(middle + sign * beside * off) - slab.heightAt(middle)) /
+           beside;
+  };
+  RoofLine roof;
+  const double left_slope = slope(left, 1);
+  const double right_slope = slope(right, -1);
+  const bool do_meet = std::abs(left.heightAt(middle) - right.heightAt(middle)) < step;
+  const bool is_valley = left_slope > falls && right_slope > falls;
+  roof.is_ridge = do_meet && left_slope < -falls && right_slope < -falls;
+  roof.is_crease = roof.is_ridge || (do_meet && is_valley);
+  roof.height = left.heightAt(middle) - room.floorAt(middle);
+  roof.is_level = std::abs(left.heightAt(line.start) - left.heightAt(line.end)) < level;
+  return roof;
+}
+
+std::string
+eavesText(const PlanRoom& room, const PlanElement& wall)
+{
+  constexpr double beside = 0.03;
+  constexpr double inward = 0.4;
+  constexpr double rises = 0.03; // over that distance
+  if (!room.hasFacets() || wall.isArc() || wall.length() < 4 * beside)
+    return "";
+  const auto heightAt = [&](double share, double distance) {
+    const double s = share * wall.length();
+    return room.ceilingAt(wall.pointAt(s) + distance * wall.normalAt(s));
+  };
+  const double first = heightAt(0.05, beside);
+  const double middle = heightAt(0.5, beside);
+  const double last = heightAt(0.95, beside);
+  const auto [low, high] = std::minmax({first, middle, last});
+  if (high - low > level || heightAt(0.5, inward) < middle + rises)
+    return "";
+  const Eigen::Vector2d place =
+      wall.pointAt(wall.length() / 2) + beside * wall.normalAt(wall.length() / 2);
+  return "eaves " + decimalText(middle - room.floorAt(place), 2);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+using namespace sheet_measures;
+
+struct Paper {
+  const char* name;
+  double across; ///< longer side, millimetres
+  double up;
+};
+
+/** In the order of PaperSize. */
+constexpr std::array<Paper, 5> papers{{{"A4", 297, 210},
+                                       {"A3", 420, 297},
+                                       {"A2", 594, 420},
+                                       {"A1", 841, 594},
+                                       {"A0", 1189, 841}}};
+
+/** @brief What of a sheet is not for the plan. */
+const Eigen::Vector2d surround(margin_left + margin + chain_room + chain_room_far,
+                               2 * margin + title_height + chain_room + chain_room_far);
+
+Eigen::Vector2d
+sizeOf(const Paper& paper, bool is_upright)
+{
+  return is_upright ? Eigen::Vector2d(paper.up, paper.across)
+                    : Eigen::Vector2d(paper.across, paper.up);
+}
+
+bool
+fits(const Eigen::Vector2d& plan, double scale, const Eigen::Vector2d& paper)
+{
+  constexpr double hair = 1e-6;
+  const Eigen::Vector2d needed = plan * 1000 / scale + surround;
+  return needed.x() <= paper.x() + hair && needed.y() <= paper.y() + hair;
+}
+
+/** @brief 10, 20, 50, 100, ... */
+double
+usualScale(int k)
+{
+  constexpr std::array<double, 3> steps{10, 20, 50};
+  return steps[static_cast<std::size_t>(k % 3)] * std::pow(10.0, k / 3);
+}
+
+/** @brief Takes the first way of the paper that the plan fits on. */
+bool
+takePaper(SheetLayout& layout, const Eigen::Vector2d& plan, const Paper& paper)
+{
+  for (const bool is_upright : {false, true})
+    if (fits(plan, layout.scale, sizeOf(paper, is_upright))) {
+      layout.size = sizeOf(paper, is_upright);
+      layout.paper = paper.name;
+      return true;
+    }
+  return false;
+}
+
+} // namespace
+
+SheetLayout
+layoutOf(const Floorplan& plan, double scale, PaperSize paper)
+{
+  SheetLayout layout;
+  layout.frame.turn = -mainDirection(plan);
+  Eigen::AlignedBox2d bounds = boundsOf(plan, layout.frame);
+  if (bounds.isEmpty() || !bounds.sizes().allFinite())
+    bounds = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  const auto first = static_cast<std::size_t>(paper);
+  bool is_placed = false;
+  for (int k = 0; scale <= 0 && !is_placed && k < 40; ++k) {
+    layout.scale = usualScale(k);
+    is_placed = takePaper(layout, bounds.sizes(), papers[first]);
+  }
+  if (scale > 0)
+    layout.scale = scale;
+  for (std::size_t p = first; p < papers.size() && !is_placed; ++p)
+    is_placed = takePaper(layout, bounds.sizes(), papers[p]);
+  if (!is_placed)
+    layout.size = bounds.sizes() * 1000 / layout.scale + surround;
+  layout.field = Eigen::AlignedBox2d(
+      Eigen::Vector2d(margin_left, margin + title_height),
+      Eigen::Vector2d(layout.size.x() - margin, layout.size.y() - margin));
+  // The plan in the middle of what dimensions leave of the field.
+  const Eigen::Vector2d middle =
+      layout.field.center() +
+      Eigen::Vector2d::Constant((chain_room - chain_room_far) / 2);
+  layout.frame.scale = 1000 / layout.scale;
+  layout.frame.shift = middle - layout.frame.scale * bounds.center();
+  return layout;
+}
+
+} // namespace sedr
+} // namespace pcl
