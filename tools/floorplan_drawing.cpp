@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "sedr/solid_files.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/storeys.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::Floorplan;
@@ -29,6 +30,16 @@ sheetOf(const std::string& output, const Floorplan& plan, std::uint32_t number)
                   " in the plan; there are: " + known);
 }
 
+/** @brief In the order of PaperSize. */
+const std::vector<std::string> paper_names{"A4", "A3", "A2", "A1", "A0"};
+
+pcl::sedr::PaperSize
+paperNamed(const std::string& name)
+{
+  const auto at = std::find(paper_names.begin(), paper_names.end(), name);
+  return static_cast<pcl::sedr::PaperSize>(at - paper_names.begin());
+}
+
 } // namespace
 
 int
@@ -36,33 +47,37 @@ main(int argc, char** argv)
 {
   std::string plan;
   std::string output;
-  double scale = 0;
+  pcl::sedr::DrawingSettings settings;
+  std::string paper = "A3";
   std::size_t storey = 0;
   Options options("pcl_floorplan_drawing", "Draws a floor plan to scale.");
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting "
                "write it");
   options.file("OUTPUT", output,
-               "drawing to write: .svg, or .dxf (AutoCAD R12, one unit a metre); of "
-               "several storeys one each, with its number before the extension");
-  options.number("scale", scale, "", "50 for 1:50, of an SVG; 0: what fits an A4 page",
+               "drawing to write: .svg, .pdf, or .dxf (AutoCAD R12, one unit a metre); "
+               "of several storeys one each, with its number before the extension");
+  options.number("scale", settings.scale, "", "50 for 1:50; 0: what fits the paper",
                  Range::between(0, 1e6));
+  options.text("paper", paper, "smallest paper of the sheet", paper_names);
+  options.text("title", settings.title, "of the sheet; \"Floor plan\" if none is given");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
     const auto drawn = loadFloorplan(plan);
-    const auto origin = planOrigin(plan);
+    settings.origin = planOrigin(plan);
+    settings.paper = paperNamed(paper);
     if (storey > 0) {
       saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,
-                  scale, origin);
+                  settings);
       return Done;
     }
     const auto sheets = drawingSheets(output, *drawn);
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.path);
     for (const DrawingSheet& sheet : sheets)
-      saveDrawing(sheet, *drawn, scale, origin);
+      saveDrawing(sheet, *drawn, settings);
     return Done;
   });
 }

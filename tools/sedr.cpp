@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/model_run.h"
 #include "run_tool.h"
 #include "scan_file.h"
-#include "sedr/model_run.h"
 
 #include <memory>
 
@@ -16,7 +16,7 @@ main(int argc, char** argv)
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
-      "floorplan.svg, floorplan.dxf and report.json; of several storeys one drawing "
+      "floorplan.svg, .pdf, .dxf and report.json; of several storeys one drawing "
       "each, floorplan_1.svg, ...");
   options.file("INPUT", settings.input,
                "PCD, PLY, E57, LAS or text, z up; - is the standard input");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_surface/src/ifc/plan_walls.h"
 #include "plan_loops.h"
+#include "sedr_surface/src/walls/plan_walls.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-using ifc::findWalls;
-using ifc::PlanWall;
+
+
 
 /** The area of a straight wall's plan. */
 double
@@ -116,7 +116,7 @@ TEST(PlanWalls, AnAssumedThicknessKeepsOutOfTheRoomBehind)
       {roomOf(rectangle(0, 0, 4, 3), 2.5),
        roomOf(polygon({{4.08, 0}, {8, 0}, {8, 3}, {4.5, 3}}), 2.5, 2)}};
   for (const PlanWall& wall : findWalls(plan))
-    if (wall.face == ifc::WallFace{0, 1}) {
+    if (wall.face == WallFace{0, 1}) {
       EXPECT_LT(wall.thickness, 0.15);
     }
 }

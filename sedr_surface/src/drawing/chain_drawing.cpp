@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_drawing.h"
 
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 #include "sheet_layout.h"
 
 #include <algorithm>

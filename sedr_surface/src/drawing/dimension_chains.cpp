@@ -237,5 +237,12 @@ wallChains(const std::vector<PlanElement>& walls, double least)
   return chains;
 }
 
+std::vector<DimensionChain>
+overallChains(const Eigen::AlignedBox2d& box)
+{
+  return {{DrawingSide::Bottom, {box.min(), {box.max().x(), box.min().y()}}},
+          {DrawingSide::Left, {box.min(), {box.min().x(), box.max().y()}}}};
+}
+
 } // namespace sedr
 } // namespace pcl

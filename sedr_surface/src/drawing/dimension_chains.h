@@ -42,5 +42,8 @@ chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least
 std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
                                        double least);
 
+/** @brief The overall dimensions of a box, at its bottom and on its left. */
+std::vector<DimensionChain> overallChains(const Eigen::AlignedBox2d& box);
+
 } // namespace sedr
 } // namespace pcl

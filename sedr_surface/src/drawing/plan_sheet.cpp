@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_sheet.h"
 
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 #include "chain_drawing.h"
-#include "../doorway_drawing.h"
-#include "../plan_drawing.h"
+#include "doorway_drawing.h"
+#include "plan_drawing.h"
 #include "plan_texts.h"
 #include "sheet_layout.h"
 #include "title_block.h"
@@ -105,7 +105,6 @@ public:
   /** @brief Dimensions about the plan: by wall, and farther out overall. */
   void addChains(TextPlaces& texts)
   {
-    const double least = 0.7 / frame_.scale; // 0.7 mm of paper: strokes meet
     std::vector<PlanElement> walls;
     const PlanFrame turned{frame_.turn};
     for (const PlanRoom& room : plan_.rooms)
@@ -117,19 +116,17 @@ public:
       const Eigen::Vector2d off = wayOff(side);
       return std::max(bounds.min().dot(off), bounds.max().dot(off));
     };
-    std::vector<DimensionChain> chains = wallChains(walls, least);
+    const std::vector<DimensionChain> chains =
+        wallChains(walls, least_dimension / frame_.scale);
     for (const DimensionChain& chain : chains)
       addChain(sheet_, texts, chain, to_sheet, edgeOf(chain.side) + chain_off);
-    const Eigen::AlignedBox2d box = boundsOf(plan_, turned);
-    for (const DrawingSide side : {DrawingSide::Bottom, DrawingSide::Left}) {
+    for (const DimensionChain& chain : overallChains(boundsOf(plan_, turned))) {
       const bool has_row =
-          std::any_of(chains.begin(), chains.end(),
-                      [&](const DimensionChain& chain) { return chain.side == side; });
-      const Eigen::Vector2d corner = side == DrawingSide::Bottom
-                                         ? Eigen::Vector2d(box.max().x(), box.min().y())
-                                         : Eigen::Vector2d(box.min().x(), box.max().y());
-      addChain(sheet_, texts, {side, {box.min(), corner}}, to_sheet,
-               edgeOf(side) + chain_off + (has_row ? chain_step : 0));
+          std::any_of(chains.begin(), chains.end(), [&](const DimensionChain& other) {
+            return other.side == chain.side;
+          });
+      addChain(sheet_, texts, chain, to_sheet,
+               edgeOf(chain.side) + chain_off + (has_row ? chain_step : 0));
     }
   }
 

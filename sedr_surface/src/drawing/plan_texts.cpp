@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_texts.h"
 
-#include "../decimal_text.h"
-#include "../doorway_drawing.h"
+#include "../formats/decimal_text.h"
+#include "doorway_drawing.h"
 #include "roof_lines.h"
 #include "sheet_layout.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../plan_drawing.h"
+#include "plan_drawing.h"
 #include "plan_frame.h"
 #include "sheet.h"
 #include "text_places.h"

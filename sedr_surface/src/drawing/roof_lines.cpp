@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roof_lines.h"
 
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 #include "letter_widths.h"
 #include "sheet.h"
 #include "sheet_looks.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "title_block.h"
 
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 #include "text_places.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_bodies.h"
 
-#include "../ifc/plan_walls.h"
+#include "../walls/plan_walls.h"
 
 #include <algorithm>
 
@@ -33,24 +33,29 @@ wallBodies(const Floorplan& plan)
 {
   constexpr double least_length = 0.01;
   std::vector<std::vector<PlanLoop>> bodies;
-  for (const ifc::PlanWall& wall : ifc::findWalls(plan)) {
+  for (const PlanWall& wall : findWalls(plan)) {
     if (wall.isAssumed())
       continue;
-    const PlanElement& element = ifc::elementOf(plan, wall.face);
-    const PlanElement& other = ifc::elementOf(plan, *wall.other);
-    const double from = std::max(wall.stretch.from, 0.0);
-    const double to = std::min(wall.stretch.to, element.length());
-    if (to - from < least_length)
-      continue;
+    const PlanElement& element = elementOf(plan, wall.face);
+    const PlanElement& other = elementOf(plan, *wall.other);
     const bool is_around = element.isArc() && other.isArc() &&
                            element.start == element.end && other.start == other.end;
     if (is_around) {
       bodies.push_back({{{element}}, {{other}}});
       continue;
     }
-    // Faces of a wall run opposite ways, so that both parts make a loop.
+    // Faces of a wall run opposite ways, so that both parts make a loop; at a corner one
+    // reaches beyond the other by the thickness of the next wall.
+    const PlanElement far =
+        partBetween(other, element.pointAt(std::max(wall.stretch.from, 0.0)),
+                    element.pointAt(std::min(wall.stretch.to, element.length())));
+    const double from = std::max({element.project(far.end) - wall.thickness, 0.0,
+                                  wall.stretch.from});
+    const double to = std::min({element.project(far.start) + wall.thickness,
+                                element.length(), wall.stretch.to});
+    if (to - from < least_length || far.length() < least_length)
+      continue;
     const PlanElement near = element.part(from, to);
-    const PlanElement far = partBetween(other, near.start, near.end);
     bodies.push_back({{{near, segmentBetween(near.end, far.start), far,
                         segmentBetween(far.end, near.start)}}});
   }

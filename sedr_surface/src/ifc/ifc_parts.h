@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ifc_document.h"
-#include "plan_walls.h"
+#include "../walls/plan_walls.h"
 
 #include <vector>
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "face_pairs.h"
+
+#include <pcl/sedr_filters/storeys.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr double shortest = 0.05;         ///< of a wall, metres
+constexpr double cosine_parallel = 0.996; ///< 5 degrees
+constexpr double one_centre = 0.1;        ///< of arcs about one centre, metres
+
+/** @brief The distance of a parallel face behind a straight one and the stretch of the
+ * latter that it is behind. */
+bool
+straightBehind(const PlanElement& face,
+               const PlanElement& other,
+               Stretch& stretch,
+               double& distance)
+{
+  const double length = face.length();
+  const Eigen::Vector2d way = (face.end - face.start) / length;
+  const Eigen::Vector2d other_way = (other.end - other.start) / other.length();
+  if (way.dot(other_way) > -cosine_parallel)
+    return false;
+  const WallFrame frame{face.start, way};
+  const Eigen::Vector2d a = frame.toLocal(other.end); // the other way round
+  const Eigen::Vector2d b = frame.toLocal(other.start);
+  stretch = {std::max(0.0, a.x()), std::min(length, b.x())};
+  if (stretch.length() < shortest)
+    return false;
+  distance = -(a.y() + (stretch.middle() - a.x()) * (b.y() - a.y()) / (b.x() - a.x()));
+  return true;
+}
+
+/** @brief The same of arcs about one centre. */
+bool
+arcBehind(const PlanElement& face,
+          const PlanElement& other,
+          Stretch& stretch,
+          double& distance)
+{
+  if ((face.centre - other.centre).norm() > one_centre ||
+      face.counter_clockwise == other.counter_clockwise)
+    return false;
+  distance =
+      face.counter_clockwise ? other.radius - face.radius : face.radius - other.radius;
+  // The longest run of samples that see the other arc.
+  constexpr double step = 0.01;
+  constexpr std::size_t most = 5000;
+  const double length = face.length();
+  const auto n =
+      std::clamp<std::size_t>(static_cast<std::size_t>(length / step), 8, most);
+  const double each = length / static_cast<double>(n);
+  Stretch run;
+  stretch = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double from = each * static_cast<double>(i);
+    if (!other.isBeside(face.pointAt(from + each / 2)))
+      continue;
+    if (run.length() > 0 && std::abs(run.to - from) < each / 2)
+      run.to = from + each;
+    else
+      run = {from, from + each};
+    if (run.length() > stretch.length())
+      stretch = run;
+  }
+  return stretch.length() >= shortest;
+}
+
+/** @brief Takes a stretch out of stretches; what is left shorter than a millimetre is
+ * nothing. */
+void
+cutOut(std::vector<Stretch>& free, const Stretch& taken)
+{
+  constexpr double nothing = 0.001;
+  std::vector<Stretch> rest;
+  for (const Stretch& s : free) {
+    const Stretch before{s.from, std::min(s.to, taken.from)};
+    const Stretch after{std::max(s.from, taken.to), s.to};
+    for (const Stretch& part : {before, after})
+      if (part.length() > nothing)
+        rest.push_back(part);
+  }
+  free = std::move(rest);
+}
+
+} // namespace
+
+FacePairs::FacePairs(const Floorplan& plan, const WallParameters& parameters)
+    : plan_(plan)
+    , parameters_(parameters)
+{
+  for (const PlanRoom& room : plan.rooms) {
+    free_.emplace_back();
+    for (const PlanElement& element : room.boundary.elements)
+      free_.back().push_back({{0, element.length()}});
+  }
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    for (std::size_t o = r; o < plan.rooms.size(); ++o)
+      if (o == r || shareHeights(plan.rooms[r], plan.rooms[o]))
+        for (std::size_t e = 0; e < plan.rooms[r].boundary.elements.size(); ++e)
+          for (std::size_t f = o == r ? e + 1 : 0;
+               f < plan.rooms[o].boundary.elements.size(); ++f)
+            consider({r, e}, {o, f});
+  pairNearestFirst();
+}
+
+void
+FacePairs::consider(const WallFace& face, const WallFace& other)
+{
+  const PlanElement& a = elementOf(plan_, face);
+  const PlanElement& b = elementOf(plan_, other);
+  if (a.isArc() != b.isArc() || a.length() < shortest || b.length() < shortest)
+    return;
+  FacePair pair{face, other, {}, 0};
+  const bool is_behind = a.isArc() ? arcBehind(a, b, pair.stretch, pair.thickness)
+                                   : straightBehind(a, b, pair.stretch, pair.thickness);
+  // Faces that were fitted apart may overlap by as much as faces of no wall.
+  if (is_behind && pair.thickness > -parameters_.least_thickness &&
+      pair.thickness <= parameters_.greatest_thickness)
+    candidates_.push_back(pair);
+}
+
+void
+FacePairs::pairNearestFirst()
+{
+  std::stable_sort(
+      candidates_.begin(), candidates_.end(),
+      [](const FacePair& a, const FacePair& b) { return a.thickness < b.thickness; });
+  for (const FacePair& candidate : candidates_)
+    take(candidate);
+  std::stable_sort(walls_.begin(), walls_.end(),
+                   [](const FacePair& a, const FacePair& b) {
+                     return std::make_pair(a.face.room, a.face.element) <
+                            std::make_pair(b.face.room, b.face.element);
+                   });
+}
+
+Stretch
+FacePairs::mapped(const WallFace& from,
+                  const Stretch& stretch,
+                  const WallFace& to) const
+{
+  const PlanElement& a = elementOf(plan_, from);
+  const PlanElement& b = elementOf(plan_, to);
+  const double p = b.project(faceAt(a, stretch.from).first);
+  const double q = b.project(faceAt(a, stretch.to).first);
+  return {std::min(p, q), std::max(p, q)};
+}
+
+void
+FacePairs::take(const FacePair& candidate)
+{
+  const std::vector<Stretch> free = freeOf(candidate.face);
+  const std::vector<Stretch> free_behind = freeOf(candidate.other);
+  for (const Stretch& here : free)
+    for (const Stretch& there : free_behind) {
+      const Stretch behind = mapped(candidate.other, there, candidate.face);
+      Stretch common{std::max({here.from, behind.from, candidate.stretch.from}),
+                     std::min({here.to, behind.to, candidate.stretch.to})};
+      if (common.length() < shortest)
+        continue;
+      // Faces that were fitted apart do not quite end at one place.
+      if (common.from - here.from < shortest)
+        common.from = here.from;
+      if (here.to - common.to < shortest)
+        common.to = here.to;
+      if (candidate.thickness >= parameters_.least_thickness) {
+        walls_.push_back(candidate);
+        walls_.back().stretch = common;
+      }
+      cutOut(freeOf(candidate.face), common);
+      cutOut(freeOf(candidate.other), mapped(candidate.face, common, candidate.other));
+    }
+}
+
+std::vector<FreeFace>
+FacePairs::freeFaces() const
+{
+  std::vector<FreeFace> faces;
+  for (std::size_t r = 0; r < free_.size(); ++r)
+    for (std::size_t e = 0; e < free_[r].size(); ++e)
+      for (const Stretch& stretch : free_[r][e])
+        if (stretch.length() >= shortest / 2)
+          faces.push_back({{r, e}, stretch});
+  return faces;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_walls.h"
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A stretch of a face with a face of another room, or of the same one, behind
+ * it. */
+struct FacePair {
+  WallFace face;
+  WallFace other;
+  Stretch stretch; ///< of the first face
+  double thickness = 0;
+};
+
+/** @brief A stretch of a face with nothing seen behind it. */
+struct FreeFace {
+  WallFace face;
+  Stretch stretch;
+};
+
+/** @brief Which faces of a plan are the two sides of one wall. */
+class FacePairs {
+public:
+  FacePairs(const Floorplan& plan, const WallParameters& parameters);
+
+  /** @brief The pairs with a wall between them. */
+  const std::vector<FacePair>& walls() const { return walls_; }
+
+  /** @brief What no face is behind, in the order of the faces. */
+  std::vector<FreeFace> freeFaces() const;
+
+private:
+  std::vector<Stretch>& freeOf(const WallFace& face)
+  {
+    return free_[face.room][face.element];
+  }
+
+  void consider(const WallFace& face, const WallFace& other);
+  void pairNearestFirst();
+
+  /** @brief Takes what is free of a stretch of both faces. */
+  void take(const FacePair& candidate);
+
+  /** @brief What a stretch of a face is on the other one. */
+  Stretch
+  mapped(const WallFace& from, const Stretch& stretch, const WallFace& to) const;
+
+  const Floorplan& plan_;
+  WallParameters parameters_;
+  std::vector<std::vector<std::vector<Stretch>>> free_; ///< by room and element
+  std::vector<FacePair> candidates_;
+  std::vector<FacePair> walls_;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_walls.h"
+
+#include "face_pairs.h"
+
+#include <pcl/sedr_filters/storeys.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr double touching = 1e-6; ///< ends this near to each other are one, metres
+
+/** @brief Makes the walls of a plan. */
+class WallFinder {
+public:
+  WallFinder(const Floorplan& plan, const WallParameters& parameters)
+      : plan_(plan)
+      , parameters_(parameters)
+  {}
+
+  std::vector<PlanWall> find()
+  {
+    FacePairs pairs(plan_, parameters_);
+    for (const FacePair& pair : pairs.walls())
+      walls_.push_back({pair.face, pair.other, pair.stretch, pair.thickness});
+    for (const FreeFace& free : pairs.freeFaces())
+      if (!continueWall(free))
+        walls_.push_back({free.face, std::nullopt, free.stretch, assumedFor(free)});
+    for (PlanWall& wall : walls_)
+      if (!elementOf(plan_, wall.face).isArc())
+        wall.outline = squareOutline(wall);
+    cutMitres();
+    return std::move(walls_);
+  }
+
+private:
+  /** @brief Lets a wall of two faces go on over a short rest of one of them. */
+  bool continueWall(const FreeFace& free)
+  {
+    constexpr double longest = 0.7;
+    const PlanElement& element = elementOf(plan_, free.face);
+    if (free.stretch.length() > longest || element.isArc())
+      return false;
+    for (PlanWall& wall : walls_) {
+      if (!wall.other || (!(wall.face == free.face) && !(*wall.other == free.face)))
+        continue;
+      const WallFrame frame{elementOf(plan_, wall.face).start,
+                            frameOf(plan_, wall).way};
+      double from = frame.toLocal(faceAt(element, free.stretch.from).first).x();
+      double to = frame.toLocal(faceAt(element, free.stretch.to).first).x();
+      if (from > to)
+        std::swap(from, to);
+      constexpr double beside = 0.02; // faces of a pair need not be quite parallel
+      if (std::abs(from - wall.stretch.to) < beside)
+        wall.stretch.to = to;
+      else if (std::abs(to - wall.stretch.from) < beside)
+        wall.stretch.from = from;
+      else
+        continue;
+      return true;
+    }
+    return false;
+  }
+
+  /** @brief The assumed thickness, or less where another room is nearer. */
+  double assumedFor(const FreeFace& free) const
+  {
+    double thickness = parameters_.assumed_thickness;
+    while (thickness > parameters_.least_thickness && reachesRoom(free, thickness))
+      thickness /= 2;
+    return thickness;
+  }
+
+  bool reachesRoom(const FreeFace& free, double thickness) const
+  {
+    constexpr int samples = 9;
+    const PlanRoom& own = plan_.rooms[free.face.room];
+    for (int i = 0; i < samples; ++i) {
+      const auto [place, inward] =
+          faceAt(elementOf(plan_, free.face),
+                 free.stretch.from + free.stretch.length() * (i + 0.5) / samples);
+      const Eigen::Vector2d behind = place - thickness * inward;
+      for (const PlanRoom& room : plan_.rooms)
+        if (shareHeights(room, own) && room.boundary.contains(behind))
+          return true;
+    }
+    return false;
+  }
+
+  std::array<Eigen::Vector2d, 4> squareOutline(const PlanWall& wall) const
+  {
+    const double length = wall.stretch.length();
+    double at_start = -wall.thickness;
+    double at_end = -wall.thickness;
+    if (wall.other) { // as the other face runs
+      const PlanElement& other = elementOf(plan_, *wall.other);
+      const WallFrame frame = frameOf(plan_, wall);
+      const Eigen::Vector2d a = frame.toLocal(other.start);
+      const Eigen::Vector2d b = frame.toLocal(other.end);
+      const double slope = (b.y() - a.y()) / (b.x() - a.x());
+      at_start = std::min(a.y() - slope * a.x(), -parameters_.least_thickness / 2);
+      at_end = std::min(at_start + slope * length, -parameters_.least_thickness / 2);
+    }
+    return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
+  }
+
+  /** @brief The straight wall of a face that goes to the end (start) of the face's
+   * element, or beyond; null where it is another room's or does not reach it. */
+  PlanWall* wallAtCorner(const WallFace& face, bool is_end)
+  {
+    const PlanElement& element = elementOf(plan_, face);
+    if (element.isArc())
+      return nullptr;
+    for (PlanWall& wall : walls_)
+      if (wall.face == face &&
+          (is_end ? element.length() - wall.stretch.to : wall.stretch.from) < touching)
+        return &wall;
+    return nullptr;
+  }
+
+  void cutMitres()
+  {
+    for (std::size_t r = 0; r < plan_.rooms.size(); ++r) {
+      const std::size_t n = plan_.rooms[r].boundary.elements.size();
+      for (std::size_t e = 0; e < n; ++e) {
+        PlanWall* before = wallAtCorner({r, e}, true);
+        PlanWall* after = wallAtCorner({r, (e + 1) % n}, false);
+        if (before && after && before != after)
+          cutMitre(*before, *after);
+      }
+    }
+  }
+
+  /** @brief Lets the far sides of two walls meet, unless they are nearly parallel or
+   * one of them is too short. */
+  void cutMitre(PlanWall& before, PlanWall& after)
+  {
+    const WallFrame f = frameOf(plan_, before);
+    const WallFrame g = frameOf(plan_, after);
+    const Eigen::Vector2d p = f.toPlan(before.outline[2]);
+    const Eigen::Vector2d u = p - f.toPlan(before.outline[3]);
+    const Eigen::Vector2d q = g.toPlan(after.outline[3]);
+    const Eigen::Vector2d v = g.toPlan(after.outline[2]) - q;
+    const double across = u.x() * v.y() - u.y() * v.x();
+    constexpr double least_sine = 0.17; // of 10 degrees
+    if (std::abs(across) < least_sine * u.norm() * v.norm())
+      return;
+    const Eigen::Vector2d w = q - p;
+    const Eigen::Vector2d corner = p + u * ((w.x() * v.y() - w.y() * v.x()) / across);
+    const Eigen::Vector2d at_end = f.toLocal(corner);
+    const Eigen::Vector2d at_start = g.toLocal(corner);
+    const double most = 2 * std::max(before.thickness, after.thickness);
+    if (std::abs(at_end.x() - before.outline[1].x()) > most ||
+        std::abs(at_start.x()) > most ||
+        at_end.x() < before.outline[3].x() + touching ||
+        at_start.x() > after.outline[2].x() - touching)
+      return;
+    before.outline[2] = at_end;
+    after.outline[3] = at_start;
+  }
+
+  const Floorplan& plan_;
+  WallParameters parameters_;
+  std::vector<PlanWall> walls_;
+};
+
+} // namespace
+
+const PlanElement&
+elementOf(const Floorplan& plan, const WallFace& face)
+{
+  return plan.rooms[face.room].boundary.elements[face.element];
+}
+
+std::pair<Eigen::Vector2d, Eigen::Vector2d>
+faceAt(const PlanElement& element, double s)
+{
+  if (element.isArc())
+    return {element.pointAt(s), element.normalAt(s)};
+  const Eigen::Vector2d way = (element.end - element.start).normalized();
+  return {element.start + s * way, {-way.y(), way.x()}};
+}
+
+WallFrame
+frameOf(const Floorplan& plan, const PlanWall& wall)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  const Eigen::Vector2d origin = faceAt(element, wall.stretch.from).first;
+  const Eigen::Vector2d chord = faceAt(element, wall.stretch.to).first - origin;
+  return {origin, chord.norm() > touching ? Eigen::Vector2d(chord.normalized())
+                                          : Eigen::Vector2d(1, 0)};
+}
+
+std::vector<PlanWall>
+findWalls(const Floorplan& plan, const WallParameters& parameters)
+{
+  return WallFinder(plan, parameters).find();
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_run.h"
+
+#include "chain_pictures.h"
+#include "drawing_files.h"
+#include "ifc_file.h"
+#include "output_folder.h"
+#include "progress.h"
+#include "report.h"
+#include "report/report_page.h"
+#include "run_tool.h"
+#include "solid_files.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+const std::vector<std::string> output_names{
+    "structure.pcd",  "mesh.ply",  "solid.ply", "solid.obj",  "solid.mtl",
+    "floorplan.json", "model.ifc", "model.glb", "report.json"};
+
+/** @brief Runs a step that is no stage of the chain, with progress; it is handed its
+ * report, to fill in the points. */
+StageReport
+timed(const std::string& name, const std::function<void(StageReport&)>& step)
+{
+  const Progress progress(name);
+  StageReport report{name};
+  const auto start = std::chrono::steady_clock::now();
+  step(report);
+  report.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+/** @brief How much of the floor that was seen is in the plan. Less than half is no
+ * model of the scan, a ToolError, unless that is what is asked for. */
+Coverage
+checkedCoverage(const Reconstruction& chain, bool takes_partial)
+{
+  constexpr double least = 0.5;
+  const Coverage coverage =
+      coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
+  if (coverage.share() < least && !takes_partial)
+    throw ToolError("less than half of the floor that was seen could be modelled: " +
+                        coverageWarning(coverage) +
+                        "; say --partial for a model of what there is",
+                    NothingFound);
+  return coverage;
+}
+
+/** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
+ */
+void
+reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& record)
+{
+  std::unique_ptr<Progress> progress;
+  chain.getChain().on_stage = [&](const std::string& stage) {
+    progress.reset(); // one line ends before the next begins
+    progress = std::make_unique<Progress>(stage);
+  };
+  bool is_done = chain.findStructure();
+  if (is_done) {
+    progress.reset();
+    record.coverage = checkedCoverage(chain, settings.partial);
+    is_done = settings.no_mesh || chain.makeMesh();
+  }
+  chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
+  progress.reset();
+  if (!is_done)
+    throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
+}
+
+/** @brief Distances of the labelled scan points, before refinement, from the mesh. */
+MeshEvaluationResult
+evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
+{
+  const auto& result = chain.getChain();
+  const std::size_t scanned = result.scannedPoints();
+  pcl::IndicesPtr structure(new pcl::Indices);
+  for (std::size_t i = 0; i < scanned; ++i)
+    if (result.labels[i] != 0)
+      structure->push_back(static_cast<int>(i));
+  pcl::MeshEvaluation evaluation;
+  const std::shared_ptr<const TriangleMesh> mesh(
+      std::shared_ptr<void>(), &result.poisson.getMesh()); // the chain's own, no copy
+  evaluation.setInputMesh(mesh);
+  evaluation.setInputCloud(result.cloud);
+  evaluation.setIndices(structure);
+  evaluation.setNumberOfThreads(threads);
+  MeshEvaluationResult figures;
+  if (!evaluation.compute(figures))
+    throw ToolError(evaluation.getErrorMessage(), NothingFound);
+  report.points_in = structure->size();
+  report.points_out = structure->size() - figures.skipped_points;
+  return figures;
+}
+
+/** @brief Writes the model: all but drawings and report. */
+void
+writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
+{
+  const StructureChain& c = chain.getChain();
+  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
+  const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
+  const std::string problem =
+      !with_mesh  ? std::string()
+      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
+                            originComments(c.origin))
+                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
+                            originComments(c.origin));
+  if (!problem.empty())
+    throw ToolError(problem);
+  writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
+    stream << floorplanToJson(*chain.getFloorplan(),
+                              c.levelling ? &*c.levelling : nullptr, c.origin);
+  });
+  const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
+  for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
+    saveSolid(folder.file(name), solid, c.extrusion.getElements(),
+              *chain.getFloorplan(), c.origin);
+}
+
+/** @brief The sheets have the building's name for a title, if it has one. */
+DrawingSettings
+drawingSettings(const Reconstruction& chain, const ModelSettings& settings)
+{
+  DrawingSettings drawing;
+  drawing.origin = chain.getOrigin();
+  if (settings.ifc.settings.name != IfcSettings{}.name)
+    drawing.title = settings.ifc.settings.name;
+  return drawing;
+}
+
+/** @brief Writes model.ifc; what is not in it is among the chain's warnings. */
+void
+writeBuildingModel(const OutputFolder& folder,
+                   Reconstruction& chain,
+                   const ModelSettings& settings)
+{
+  const IfcModel model = saveIfc(folder.file("model.ifc"), *chain.getFloorplan(),
+                                 settingsOf(settings.ifc), chain.getOrigin());
+  auto& warnings = chain.getChain().warnings;
+  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
+}
+
+void
+writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictures)
+{
+  folder.fill([&] {
+    for (const auto& picture : pictures)
+      writeWhole(folder.file(picture.name),
+                 [&](std::ostream& stream) { stream << picture.bytes; });
+  });
+}
+
+/** @brief What an earlier run may have left and this one does not write: beside the
+ * new files it would be taken for theirs. */
+std::vector<std::string>
+leftOver(const ModelSettings& settings)
+{
+  std::vector<std::string> names;
+  if (settings.no_mesh)
+    names.emplace_back("mesh.ply");
+  if (!settings.report)
+    names.emplace_back("report.html");
+  if (settings.pictures)
+    return names;
+  for (const auto& name : ChainPictures::names())
+    names.push_back("pictures/" + name);
+  names.emplace_back("pictures");
+  return names;
+}
+
+/** @brief Writes report.html from the files of the model, which are there by now. */
+void
+writeReportPage(const ModelSettings& settings)
+{
+  const Progress progress("writing the page");
+  PageSettings page;
+  std::error_code error; // several files are no scan that the page could show
+  if (std::filesystem::is_regular_file(settings.input, error))
+    page.scan = settings.input;
+  writePage(settings.folder, page);
+}
+
+} // namespace
+
+int
+makeModel(const ModelSettings& settings,
+          Reconstruction& chain,
+          const std::function<std::size_t()>& open)
+{
+  if (settings.no_mesh && (settings.pictures || settings.report))
+    throw ToolError(
+        "--pictures and --report show the mesh, which --no-mesh leaves out");
+  std::vector<std::string> names = output_names;
+  if (settings.no_mesh)
+    names.erase(std::find(names.begin(), names.end(), "mesh.ply"));
+  if (settings.report)
+    names.emplace_back("report.html");
+  names.insert(names.end(), drawing_names.begin(), drawing_names.end());
+  OutputFolder folder(settings.folder, names);
+  for (const auto& input : settings.inputs)
+    folder.spare(input);
+  std::optional<OutputFolder> picture_folder;
+  std::optional<ChainPictures> pictures;
+  if (settings.pictures) {
+    picture_folder.emplace(folder.file("pictures"), ChainPictures::names());
+    pictures.emplace(chain);
+  }
+  RunRecord record;
+  record.path = settings.input;
+  record.reading = settings.scan.settings;
+  const StageReport reading = timed("reading", [&](StageReport& report) {
+    record.points = report.points_in = report.points_out = open();
+  });
+  reconstruct(settings, chain, record);
+  const std::string gap = coverageWarning(record.coverage);
+  if (!gap.empty())
+    chain.getChain().warnings.push_back(gap);
+  record.stages = chain.getStageReports();
+  record.stages.insert(record.stages.begin(), reading);
+  if (!settings.no_mesh)
+    record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
+      record.figures = evaluate(chain, settings.threads, report);
+    }));
+  std::vector<PictureFile> drawn;
+  if (pictures)
+    record.stages.push_back(
+        timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
+  folder.fill([&] {
+    record.stages.push_back(timed("writing", [&](StageReport& report) {
+      writeModel(folder, chain, !settings.no_mesh);
+      writeBuildingModel(folder, chain, settings);
+      writeDrawings(folder, *chain.getFloorplan(), settings.input,
+                    drawingSettings(chain, settings));
+      report.points_in = report.points_out = chain.getStructure()->size();
+    }));
+    writeWhole(folder.file("report.json"),
+               [&](std::ostream& stream) { stream << makeReport(record, chain); });
+    folder.remove(leftOver(settings), settings.input);
+    if (picture_folder)
+      writePictures(*picture_folder, drawn);
+    if (settings.report)
+      writeReportPage(settings);
+  });
+  for (const auto& warning : chain.getChain().warnings)
+    warn(warning);
+  say(summaryOf(record, chain));
+  return Done;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid_files.h"
+
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/solid_glb.h>
+#include <pcl/sedr_surface/solid_obj.h>
+
+#include <filesystem>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+std::filesystem::path
+materialsOf(const std::string& path)
+{
+  return std::filesystem::path(path).replace_extension(".mtl");
+}
+
+} // namespace
+
+bool
+hasExtension(const std::string& path, const std::string& extension)
+{
+  return path.size() > extension.size() &&
+         path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
+}
+
+void
+checkSolidOutput(const std::string& path)
+{
+  if (!hasExtension(path, ".ply") && !hasExtension(path, ".obj") &&
+      !hasExtension(path, ".glb"))
+    throw ToolError("a solid is written as PLY, OBJ or GLB, '" + path +
+                    "' ends neither in .ply nor in .obj or .glb");
+  checkWritable(path);
+  if (hasExtension(path, ".obj"))
+    checkWritable(materialsOf(path).string());
+}
+
+void
+saveSolid(const std::string& path,
+          const TriangleMesh& mesh,
+          const std::vector<SolidElement>& elements,
+          const Floorplan& plan,
+          const Origin& origin)
+{
+  const std::vector<std::string> of_origin = originComments(origin);
+  if (hasExtension(path, ".ply")) {
+    std::vector<std::string> comments = elementComments(mesh, elements);
+    comments.insert(comments.begin(), of_origin.begin(), of_origin.end());
+    const std::string problem = savePly(path, mesh, comments);
+    if (!problem.empty())
+      throw ToolError(problem);
+    return;
+  }
+  if (hasExtension(path, ".glb")) {
+    writeWhole(path, [&](std::ostream& stream) {
+      stream << solidToGlb(mesh, elements, storeysOf(plan), origin);
+    });
+    return;
+  }
+  const auto materials = materialsOf(path);
+  writeWhole(materials.string(),
+             [](std::ostream& stream) { stream << solidMaterials(); });
+  writeWhole(path, [&](std::ostream& stream) {
+    for (const std::string& comment : of_origin)
+      stream << "# " << comment << '\n';
+    stream << solidToObj(mesh, elements, materials.filename().string(),
+                         storeyOfRooms(plan));
+  });
+}
+
+std::vector<std::string>
+originComments(const Origin& origin)
+{
+  if (origin.isZero())
+    return {};
+  return {origin.comment()};
+}
+
+void
+checkDrawingOutput(const std::string& path)
+{
+  if (!hasExtension(path, ".svg") && !hasExtension(path, ".pdf") &&
+      !hasExtension(path, ".dxf"))
+    throw ToolError("a drawing is written as SVG, PDF or DXF, '" + path +
+                    "' ends in none of .svg, .pdf and .dxf");
+  checkWritable(path);
+}
+
+std::vector<DrawingSheet>
+drawingSheets(const std::string& path, const Floorplan& plan)
+{
+  const std::vector<PlanStorey> storeys = storeysOf(plan);
+  if (storeys.size() <= 1)
+    return {{path, std::nullopt}};
+  const std::filesystem::path whole(path);
+  std::vector<DrawingSheet> sheets;
+  for (const PlanStorey& storey : storeys) {
+    std::filesystem::path name = whole.stem();
+    name += "_" + std::to_string(storey.number);
+    name += whole.extension();
+    sheets.push_back({(whole.parent_path() / name).string(), storey});
+  }
+  return sheets;
+}
+
+void
+saveDrawing(const DrawingSheet& sheet,
+            const Floorplan& plan,
+            DrawingSettings settings)
+{
+  settings.storey = sheet.storey ? &*sheet.storey : nullptr;
+  const auto* write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg
+                      : hasExtension(sheet.path, ".pdf") ? &floorplanToPdf
+                                                         : &floorplanToDxf;
+  writeWhole(sheet.path,
+             [&](std::ostream& stream) { stream << write(plan, settings); });
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
