@@ -218,8 +218,9 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
 {
   using pcl::sedr::tools::drawing_names;
   using pcl::sedr::tools::OutputFolder;
-  const Strings of_two{"floorplan_1.dxf", "floorplan_1.svg", "floorplan_2.dxf",
-                       "floorplan_2.svg"};
+  const Strings of_two{"floorplan_1.dxf", "floorplan_1.pdf", "floorplan_1.svg",
+                       "floorplan_2.dxf", "floorplan_2.pdf", "floorplan_2.svg"};
+  const Strings of_one{"floorplan.dxf", "floorplan.pdf", "floorplan.svg"};
   pcl::sedr::Floorplan three = twoStoreys();
   three.rooms.push_back(roomBetween(rectangle(0, 0, 4, 3), 6, 8.5, 5));
   const pcl::sedr::Floorplan one{storeyBetween(0, 2.5, 1)};
@@ -229,13 +230,13 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
         [&] { pcl::sedr::tools::writeDrawings(folder, plan, in("plan.json")); });
     return filesOf(in("model"));
   };
-  EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
-  EXPECT_EQ(write(three).size(), 6u);
+  EXPECT_EQ(write(one), of_one);
+  EXPECT_EQ(write(three).size(), 9u);
   EXPECT_EQ(write(twoStoreys()), of_two);
-  EXPECT_EQ(write(one), (Strings{"floorplan.dxf", "floorplan.svg"}));
+  EXPECT_EQ(write(one), of_one);
   writeFile(in("model/floorplan_7.svg"), "a scan"); // whatever its name is
   pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
-  EXPECT_EQ(filesOf(in("model")).size(), 3u) << "what was read stays";
+  EXPECT_EQ(filesOf(in("model")).size(), 4u) << "what was read stays";
 }
 
 TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)

@@ -21,6 +21,7 @@ import zlib
 from collections import Counter, defaultdict
 
 EXTRUSION, DRAWING = sys.argv[1:3]
+SVG = "{http://www.w3.org/2000/svg}"
 CHORD = 0.0005
 HALL_HEIGHT = 3.0
 CELL_HEIGHT = 2.5
@@ -230,27 +231,6 @@ def read_png(path):
     return rows
 
 
-def text_boxes(path):
-    """Box and words of each text of an SVG, letters as wide as those of sans-serif fonts on average."""
-    boxes = []
-    for text in xml.etree.ElementTree.parse(path).getroot().iter("{http://www.w3.org/2000/svg}text"):
-        x, y, font = (float(text.get(k)) for k in ("x", "y", "font-size"))
-        turn = re.match(r"rotate\((\S+)", text.get("transform", "rotate(0"))
-        angle = math.radians(float(turn.group(1)))
-        width, height = 0.56 * font * len(text.text), font
-        if "start" in text.get("class").split():
-            x += width / 2
-        half = (abs(math.cos(angle)) * width / 2 + abs(math.sin(angle)) * height / 2,
-                abs(math.sin(angle)) * width / 2 + abs(math.cos(angle)) * height / 2)
-        boxes.append((x - half[0], y - half[1], x + half[0], y + half[1], text.text))
-    return boxes
-
-
-def collisions(boxes):
-    return [(a[4], b[4]) for i, a in enumerate(boxes) for b in boxes[:i]
-            if min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])]
-
-
 class Outputs(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
@@ -361,12 +341,15 @@ class Outputs(unittest.TestCase):
         self.assertEqual(drawing.audit().errors, [])
         kinds = Counter((e.dxftype(), e.dxf.layer) for e in drawing.modelspace()
                         if e.dxftype() != "TEXT")
+        dimensions = kinds.pop(("DIMENSION", "A-ANNO-DIMS"))
         # Edges of soffit, platform and niche that lie on walls are not drawn twice.
-        self.assertEqual(kinds, {("POLYLINE", "ROOM"): 2, ("DIMENSION", "DIMENSION"): 7, ("LINE", "WALL"): 7, ("ARC", "WALL"): 1, ("CIRCLE", "COLUMN"): 1,
-                                 ("LINE", "COLUMN"): 4, ("LINE", "DETAIL"): 1,
-                                 ("LINE", "FLOOR_DETAIL"): 1, ("LINE", "NICHE"): 3})
-        for layer in ("WALL", "COLUMN", "DETAIL", "FLOOR_DETAIL", "NICHE", "TEXT", "DIMENSION"):
+        self.assertEqual(kinds, {("POLYLINE", "A-AREA"): 2, ("LINE", "A-WALL"): 7, ("ARC", "A-WALL"): 1,
+                                 ("CIRCLE", "A-COLS"): 1, ("LINE", "A-COLS"): 4, ("LINE", "A-CLNG"): 1,
+                                 ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3})
+        for layer in ("A-WALL", "A-WALL-NICH", "A-COLS", "A-DOOR", "A-CLNG", "A-CLNG-RIDG", "A-CLNG-HEAD",
+                      "A-CLNG-IDEN", "A-FLOR-LEVL", "A-AREA", "A-AREA-IDEN", "A-ANNO-DIMS", "A-ANNO-TEXT"):
             self.assertIn(layer, drawing.layers)
+        self.assertLessEqual({e.dxf.layer for e in drawing.modelspace()}, {x.dxf.name for x in drawing.layers})
         (apse,) = drawing.modelspace().query("ARC")
         self.assertEqual((apse.dxf.center.x, apse.dxf.center.y, apse.dxf.radius), (6, 2, 2))
         self.assertEqual((apse.dxf.start_angle, apse.dxf.end_angle), (270, 90))
@@ -377,14 +360,21 @@ class Outputs(unittest.TestCase):
         self.assertAlmostEqual(outlines[0], 15, 6)
         self.assertAlmostEqual(outlines[1], 24 + 2 * math.pi, 6)
         self.assertTrue(all(line.is_closed for line in drawing.modelspace().query("POLYLINE")))
-        lengths = sorted(round(d.get_measurement(), 6) for d in drawing.modelspace().query("DIMENSION"))
-        self.assertEqual(lengths, [3, 3, 4, 5, 5, 6, 6])
-        shown = {t.dxf.text for d in drawing.modelspace().query("DIMENSION")
-                 for t in drawing.blocks.get(d.dxf.geometry).query("TEXT")}
-        self.assertEqual(shown, {"3.00", "4.00", "5.00", "6.00"})
+        found = list(drawing.modelspace().query("DIMENSION"))
+        self.assertEqual(len(found), dimensions)
+        lengths = Counter(round(d.get_measurement(), 6) for d in found)
+        walls, overall = Counter([3, 3, 4, 5, 5, 6, 6]), Counter([8, 7.4])
+        self.assertEqual((walls + overall) - lengths, Counter())
+        self.assertIn(0.1, lengths, "the wall between the rooms")
+        for d in found:  # what is shown is what is measured
+            (shown,) = drawing.blocks.get(d.dxf.geometry).query("TEXT")
+            self.assertEqual(shown.dxf.text, "%.2f" % d.get_measurement())
+        # At 1:50 letters of 2.5 mm.
+        self.assertEqual({round(t.dxf.height, 4) for t in drawing.modelspace().query("TEXT[layer=='A-AREA-IDEN']")},
+                         {0.125})
         ends = Counter()
-        for e in drawing.modelspace().query("LINE ARC[layer=='WALL']"):
-            if e.dxf.layer != "WALL":
+        for e in drawing.modelspace().query("LINE ARC"):
+            if e.dxf.layer != "A-WALL":
                 continue
             two = (e.start_point, e.end_point) if e.dxftype() == "ARC" else (e.dxf.start, e.dxf.end)
             ends.update((round(p.x, 5), round(p.y, 5)) for p in two)
@@ -392,21 +382,35 @@ class Outputs(unittest.TestCase):
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
         for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "R 2.00",
-                     "2.60", "+0.30"):
+                     "2.60", "+0.30", "%%c0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
 
-    def test_texts_of_the_svg_do_not_collide(self):
-        """Also in the plans that SEDR_PLANS names, parted by colons."""
-        plans = [self.plan] + [p for p in os.environ.get("SEDR_PLANS", "").split(":") if p]
-        for plan in plans:
-            for scale in ("0", "50", "100", "200"):
-                self.run_tool(DRAWING, plan, self.path("sheet.svg"), "--scale", scale)
-                for name in filter(re.compile(r"sheet(_\d+)?\.svg$").match, os.listdir(self.folder)):
-                    boxes = text_boxes(self.path(name))
-                    self.assertGreater(len(boxes), 4)
-                    self.assertEqual(collisions(boxes), [], "%s 1:%s" % (plan, scale))
-                    os.remove(self.path(name))
-        self.assertEqual(collisions([(0, 0, 2, 1, "a"), (1, 0.5, 3, 2, "b")]), [("b", "a")])
+    def test_pdf(self):
+        """The page is that of the SVG; offsets and lengths are right."""
+        self.run_tool(DRAWING, self.plan, self.path("plan.svg"))
+        self.run_tool(DRAWING, self.plan, self.path("plan.pdf"))
+        with open(self.path("plan.pdf"), "rb") as file:
+            pdf = file.read()
+        at = int(re.search(rb"startxref\n(\d+)\n%%EOF\n$", pdf).group(1))
+        self.assertTrue(pdf[at:].startswith(b"xref\n0 7\n"))
+        for k, offset in enumerate(re.findall(rb"(\d{10}) 00000 n ", pdf[at:])):
+            self.assertTrue(pdf[int(offset):].startswith(b"%d 0 obj\n" % (k + 1)))
+        size = int(re.search(rb"/Length (\d+)", pdf).group(1))
+        start = pdf.index(b"stream\n") + 7
+        content = pdf[start:start + size]
+        self.assertTrue(pdf[start + size:].startswith(b"\nendstream"))
+        box = [float(x) / 72 * 25.4 for x in re.search(rb"/MediaBox \[0 0 (\S+) (\S+)\]", pdf).groups()]
+        root = xml.etree.ElementTree.parse(self.path("plan.svg")).getroot()
+        for found, side in zip(box, ("width", "height")):
+            self.assertAlmostEqual(found, float(root.get(side)[:-2]), 3)
+        shown = Counter(t.replace(b"\\", b"").decode("cp1252") for t in
+                        re.findall(rb"0 Tr [^\n]* Tm \((.*)\) Tj", content))
+        self.assertEqual(shown, Counter(t.text for t in root.iter(SVG + "text")))
+        if shutil.which("pdftotext"):
+            result = subprocess.run(["pdftotext", self.path("plan.pdf"), "-"], capture_output=True, text=True)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            for text in ("Room 1", "15.00 m\u00b2", "R 2.00", "1:50"):
+                self.assertIn(text, result.stdout)
 
     def test_svg(self):
         self.run_tool(DRAWING, self.plan, self.path("plan.svg"), "--scale", "50")
@@ -414,24 +418,24 @@ class Outputs(unittest.TestCase):
         width = float(root.get("width")[:-2])
         self.assertTrue(root.get("width").endswith("mm"))
         self.assertEqual(root.get("viewBox").split()[2:], [root.get("width")[:-2], root.get("height")[:-2]])
-        space = "{http://www.w3.org/2000/svg}"
-        groups = {g.get("id"): g for g in root.iter(space + "g")}
+        groups = {g.get("id"): g for g in root.iter(SVG + "g")}
         self.assertEqual(set(groups), {"room_1", "room_2"})
-        (wall,) = [p for p in groups["room_1"].iter(space + "path") if p.get("class") == "wall"]
+        (wall,) = [p for p in groups["room_1"].iter(SVG + "path") if p.get("class") == "wall"]
         path = wall.get("d")
         # A radius of 2 m is 40 mm at 1:50; against the clock is with it where y runs down.
         self.assertRegex(path, r"A 40 40 0 [01] 0 ")
         places = [tuple(map(float, p)) for p in re.findall(r"[ML] (\S+) (\S+)", path)]
         self.assertAlmostEqual(math.dist(places[0], places[1]), 6000 / 50, 3)
-        texts = {t.text for t in root.iter(space + "text")}
-        for text in ("Room 1", "Room 2", "15.00 m²", "h 3.00 m", "6.00", "R 2.00", "8.00", "1:50", "2.60"):
+        texts = {t.text for t in root.iter(SVG + "text")}
+        for text in ("Room 1", "Room 2", "15.00 m²", "h 3.00 m", "6.00", "R 2.00", "8.00", "7.40", "1:50  A3",
+                     "2.60", "0.50 x 0.50", "\u00d8 0.80", "Floor plan"):
             self.assertIn(text, texts)
         if shutil.which("rsvg-convert") is None:
             self.skipTest("librsvg2-bin is not installed")
-        self.run_tool("rsvg-convert", "-w", "900", self.path("plan.svg"), "-o", self.path("plan.png"))
+        self.run_tool("rsvg-convert", "-w", "1800", self.path("plan.svg"), "-o", self.path("plan.png"))
         rows = read_png(self.path("plan.png"))
-        self.assertEqual(len(rows[0]), 900)
-        square = (width / 900 * 0.05) ** 2  # of a pixel, in square metres of the world
+        self.assertEqual(len(rows[0]), 1800)
+        square = (width / 1800 * 0.05) ** 2  # of a pixel, in square metres of the world
 
         def area(colour):
             return square * sum(max(abs(p - q) for p, q in zip(pixel, colour)) < 3
