@@ -39,7 +39,7 @@ class IfcSchema(unittest.TestCase):
             self.assertEqual(self.problems(instances), [])
             kinds = {name for name, _ in instances.values()}
             for kind in ("SPACE", "WALL", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
-                         "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID"):
+                         "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID", "BOOLEANCLIPPINGRESULT"):
                 self.assertIn("IFC" + kind, kinds)
             self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "facets" not in options)
 
@@ -67,7 +67,8 @@ class IfcSchema(unittest.TestCase):
                   ("IFCSIUNIT(*,", "IFCSIUNIT($,"), ("IFCPOLYLINE((", "IFCPOLYLINE(#1,("), ("IFCPLANE(", "IFCPLANE(-"),
                   ("IFCQUANTITYLENGTH('Width',$,$,", "IFCQUANTITYLENGTH('Width',$,$,-"),
                   ("IFCRELVOIDSELEMENT(", "IFCRELFILLSELEMENT("), ("IFCRELAGGREGATES(", "IFCRELNESTS("),
-                  ("IFCDIRECTION((0.,0.,1.))", "IFCDIRECTION((0.,0.,0.))"), ("IFCLINEINDEX((1,2))", "IFCLINEINDEX((1,3))"))
+                  ("IFCDIRECTION((0.,0.,1.))", "IFCDIRECTION((0.,0.,0.))"), ("IFCLINEINDEX((1,2))", "IFCLINEINDEX((1,3))"),
+                  ("(.DIFFERENCE.,", "(.UNION.,"), ("'Body','Clipping'", "'Body','SweptSolid'"))
         for right, wrong in faults:
             self.assertIn(right, text)
             broken = os.path.join(self.folder, "broken.ifc")

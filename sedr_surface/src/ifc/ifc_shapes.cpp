@@ -165,6 +165,19 @@ IfcShapes::extrusion(const PlanLoop& boundary,
 }
 
 StepRef
+IfcShapes::clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up)
+{
+  // Any direction along the plane will do for its x.
+  const Eigen::Vector3d along = up.cross(Eigen::Vector3d::UnitY()).normalized();
+  const StepRef frame = axes(on, up, along);
+  const StepRef plane = step_.add("IFCPLANE", {frame});
+  const StepRef above =
+      step_.add("IFCHALFSPACESOLID", {plane, StepValue::logical(false)});
+  return step_.add("IFCBOOLEANCLIPPINGRESULT",
+                   {StepValue::enumerated("DIFFERENCE"), body, above});
+}
+
+StepRef
 IfcShapes::faceSet(const TriangleMesh& mesh)
 {
   std::vector<StepValue> points;

@@ -46,6 +46,12 @@ public:
                     double bottom,
                     double height);
 
+  /** @brief A swept body without what of it is above a plane.
+   * @param on a place of the plane
+   * @param up its unit normal, upwards */
+  StepRef
+  clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up);
+
   /** @brief A closed mesh as IfcTriangulatedFaceSet. */
   StepRef faceSet(const TriangleMesh& mesh);
 
@@ -55,7 +61,7 @@ public:
   /** @brief IfcProductDefinitionShape of shapes such as body() and line(). */
   StepRef product(const std::vector<StepRef>& shapes);
 
-  /** @param type "SweptSolid" or "Tessellation" */
+  /** @param type "SweptSolid", "Clipping" or "Tessellation" */
   StepRef
   body(StepRef context, const std::string& type, const std::vector<StepRef>& items);
 

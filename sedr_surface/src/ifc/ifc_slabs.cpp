@@ -71,7 +71,8 @@ private:
     return document_.storeys[document_.rooms[r].storey].storey.floor;
   }
 
-  /** @brief Adds a slab with a body, from z of the storey on. */
+  /** @brief Adds a slab with a body, from z of the storey on.
+   * @param face what was seen of it */
   StepRef add(std::size_t r,
               const std::string& name,
               StepRef item,
@@ -79,7 +80,8 @@ private:
               const std::string& colour,
               const char* kind,
               double thickness,
-              bool is_assumed)
+              bool is_assumed,
+              const PlanSlab& face)
   {
     const IfcRoom& room = document_.rooms[r];
     const StepRef place = document_.shapes.placement(
@@ -92,7 +94,9 @@ private:
         {{"LENGTH", "Width", thickness},
          {"AREA", "GrossArea", std::abs(room.room->boundary.area())}});
     document_.addProperties(slab, name, "Pset_SEDR",
-                            {{"ThicknessAssumed", booleanProperty(is_assumed)}});
+                            {{"ThicknessAssumed", booleanProperty(is_assumed)},
+                             {"Residual", lengthProperty(face.residual)},
+                             {"Points", countProperty(face.inliers)}});
     ++document_.model.slabs;
     return slab;
   }
@@ -125,7 +129,8 @@ private:
     const bool is_lowest = written.storey == 0 && !below;
     const StepRef slab =
         add(r, name, item, is_swept ? "SweptSolid" : "Tessellation", "slab",
-            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below);
+            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below,
+            room.floor);
     writeBoundary(document_, r, name, slab, {}, below ? "INTERNAL" : "NOTDEFINED");
     if (below)
       slab_above_[below->room].push_back({name, slab});
@@ -149,7 +154,7 @@ private:
       item = document_.shapes.faceSet(body);
     }
     const StepRef slab = add(r, name, item, is_swept ? "SweptSolid" : "Tessellation",
-                             "ceiling", "ROOF", thickness, true);
+                             "ceiling", "ROOF", thickness, true, room.ceiling);
     writeBoundary(document_, r, name, slab, {}, "NOTDEFINED");
   }
 

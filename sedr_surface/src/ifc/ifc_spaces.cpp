@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "confidence.h"
 #include "ifc_parts.h"
 #include "level_slab.h"
 #include "mesh_prism.h"
@@ -73,6 +74,16 @@ seenShare(const PlanRoom& room)
   return length > 0 ? seen / length : -1;
 }
 
+/** @brief That of floor, ceiling and walls, metres. */
+double
+largestResidual(const PlanRoom& room)
+{
+  double residual = std::max(room.floor.residual, room.ceiling.residual);
+  for (const PlanElement& e : room.boundary.elements)
+    residual = std::max(residual, e.residual);
+  return residual;
+}
+
 void
 describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 {
@@ -96,8 +107,11 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
       {"CeilingPoints", countProperty(room.ceiling.inliers)},
       {"BodyClosed", booleanProperty(written.report.closed)}};
   const double seen = seenShare(room);
-  if (seen >= 0)
+  if (seen >= 0) {
     properties.emplace_back("WallsSeenShare", shareProperty(seen));
+    properties.emplace_back("Confidence",
+                            shareProperty(confidence(seen, largestResidual(room))));
+  }
   document.addProperties(written.space, name, "Pset_SEDR", properties);
 }
 

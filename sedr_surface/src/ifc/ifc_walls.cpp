@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "confidence.h"
 #include "ifc_parts.h"
 #include "wall_body.h"
 
@@ -85,15 +86,50 @@ describe(IfcDocument& document, const WrittenWall& written)
       {"Face", textProperty(faceName(document.plan, wall.face))},
       {"Residual", lengthProperty(face.residual)},
       {"Points", countProperty(face.inliers)}};
-  if (wall.other)
+  double confidence = confidenceOf(face);
+  if (wall.other) {
     properties.emplace_back("OtherFace",
                             textProperty(faceName(document.plan, *wall.other)));
+    confidence =
+        std::min(confidence, confidenceOf(elementOf(document.plan, *wall.other)));
+  }
+  if (confidence >= 0)
+    properties.emplace_back("Confidence", shareProperty(confidence));
   if (face.evidence.isKnown()) {
     properties.emplace_back("SeenShare", shareProperty(face.evidence.seen));
     properties.emplace_back("HiddenShare", shareProperty(face.evidence.hidden));
     properties.emplace_back("OpeningShare", shareProperty(face.evidence.opening));
   }
   document.addProperties(written.ref, written.name, "Pset_SEDR", properties);
+}
+
+/** @brief The body of a wall, in its placement: swept, cut by the planes of a roof, or
+ * triangles below ceilings that are neither. */
+StepRef
+bodyOf(IfcDocument& document, const PlanWall& wall, const WallHeights& heights)
+{
+  IfcShapes& shapes = document.shapes;
+  const char* type = "Tessellation";
+  StepRef item;
+  if (heights.isSwept()) {
+    const WallProfile profile = profileOf(document.plan, wall);
+    const double top = heights.roof.empty()
+                           ? heights.highest()
+                           : heightAbove(document.plan, wall, heights);
+    item = shapes.extrusion(profile.boundary, profile.holes, 0, top - heights.bottom);
+    type = heights.roof.empty() ? "SweptSolid" : "Clipping";
+    const WallFrame frame = frameOf(document.plan, wall);
+    for (const Eigen::Vector4d& plane : heights.roof) {
+      const double z = -(plane.head<2>().dot(frame.origin) + plane[3]) / plane[2];
+      item = shapes.clipped(item, {0, 0, z - heights.bottom},
+                            {plane.head<2>().dot(frame.way),
+                             plane.head<2>().dot(frame.left()), plane[2]});
+    }
+  }
+  else
+    item = shapes.faceSet(meshOf(document.plan, wall, heights));
+  shapes.colour(item, "wall");
+  return shapes.body(document.body_context, type, {item});
 }
 
 } // namespace
@@ -124,18 +160,7 @@ writeWalls(IfcDocument& document)
         storey.placement,
         {frame.origin.x(), frame.origin.y(), heights.bottom - storey.storey.floor},
         frame.way);
-    StepRef item;
-    if (heights.isLevel()) {
-      const WallProfile profile = profileOf(plan, wall);
-      item = document.shapes.extrusion(profile.boundary, profile.holes, 0,
-                                       added.top - added.bottom);
-    }
-    else
-      item = document.shapes.faceSet(meshOf(plan, wall, heights));
-    document.shapes.colour(item, "wall");
-    std::vector<StepRef> shapes{document.shapes.body(
-        document.body_context, heights.isLevel() ? "SweptSolid" : "Tessellation",
-        {item})};
+    std::vector<StepRef> shapes{bodyOf(document, wall, heights)};
     if (!elementOf(plan, wall.face).isArc())
       shapes.push_back(
           document.shapes.line(document.axis_context, {0, -wall.thickness / 2},
@@ -143,7 +168,7 @@ writeWalls(IfcDocument& document)
     added.ref = document.addElement(
         "IFCWALL", added.name, added.storey, added.placement,
         document.shapes.product(shapes),
-        {StepValue::enumerated(heights.isLevel() ? "STANDARD" : "NOTDEFINED")});
+        {StepValue::enumerated(heights.isSwept() ? "STANDARD" : "NOTDEFINED")});
     describe(document, added);
     writeBoundaries(document, added, heights.isLevel());
     ++document.model.walls;

@@ -42,11 +42,61 @@ sidesOf(const Floorplan& plan, const PlanWall& wall)
   return sides;
 }
 
-double
-topAt(const Side& side, const Eigen::Vector2d& p)
+/** @brief The slab that a wall ends below at a place: soffits are left out. */
+const PlanSlab&
+slabAbove(const Side& side, const Eigen::Vector2d& p)
 {
-  const double ceiling = side.room->ceilingAt(p);
-  return side.slopes ? ceiling : std::max(ceiling, side.room->ceiling.heightAt(p));
+  const PlanSlab& ceiling = side.room->ceilingSlab(side.room->detailAt(p));
+  const PlanSlab& main = side.room->ceiling;
+  return side.slopes || ceiling.heightAt(p) > main.heightAt(p) ? ceiling : main;
+}
+
+/** @brief The ceiling above a wall: places along it, and the slabs that it ends below. */
+struct SlabsAbove {
+  struct Place {
+    Eigen::Vector2d at;
+    double height = 0;
+  };
+
+  std::vector<Place> places;
+  std::vector<const PlanSlab*> slabs;
+};
+
+double
+planeHeight(const Eigen::Vector4d& plane, const Eigen::Vector2d& p)
+{
+  return -(plane.head<2>().dot(p) + plane[3]) / plane[2];
+}
+
+/** @brief The planes above a wall where the lowest of them is its top everywhere. */
+std::vector<Eigen::Vector4d>
+roofOf(const SlabsAbove& above)
+{
+  constexpr double tolerance = 0.005;
+  std::vector<Eigen::Vector4d> planes;
+  for (const PlanSlab* slab : above.slabs) {
+    if (slab->curve)
+      return {};
+    const bool is_known =
+        std::any_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& plane) {
+          return plane.head<3>().dot(slab->plane.head<3>()) > 0.99999 &&
+                 std::abs(planeHeight(plane, above.places.front().at) -
+                          slab->heightAt(above.places.front().at)) < tolerance;
+        });
+    if (!is_known)
+      planes.push_back(slab->plane);
+  }
+  constexpr double level = 1 - 1e-6; // cosine of 0.1 degrees
+  if (planes.size() == 1 && planes[0][2] > level)
+    return {};
+  for (const SlabsAbove::Place& place : above.places) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector4d& plane : planes)
+      lowest = std::min(lowest, planeHeight(plane, place.at));
+    if (std::abs(lowest - place.height) > tolerance)
+      return {};
+  }
+  return planes;
 }
 
 /** @brief Leaves out tops on the line between those before and after them. */
@@ -126,27 +176,55 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
   heights.bottom = std::numeric_limits<double>::infinity();
   double low = heights.bottom;
   bool slopes = false;
+  SlabsAbove above;
   for (std::size_t i = 0; i <= n; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(n);
     const double s = wall.stretch.from + share * wall.stretch.length();
     const Eigen::Vector2d on_face = faceAt(*sides[0].element, s).first;
     double top = -std::numeric_limits<double>::infinity();
+    SlabsAbove::Place place;
+    const PlanSlab* highest = nullptr;
     for (const Side& side : sides) {
       const Eigen::Vector2d p = insideAt(
           *side.element, &side == &sides[0] ? s : side.element->project(on_face));
       heights.bottom = std::min(heights.bottom, side.room->floorAt(p));
-      top = std::max(top, topAt(side, p));
+      const PlanSlab& slab = slabAbove(side, p);
       slopes = slopes || side.slopes;
+      if (slab.heightAt(p) <= top)
+        continue;
+      top = slab.heightAt(p);
+      place = {p, top};
+      highest = &slab;
     }
     low = std::min(low, top);
     heights.tops.push_back({share, top});
+    above.places.push_back(place);
+    if (above.slabs.empty() || above.slabs.back() != highest)
+      above.slabs.push_back(highest);
   }
   const double high = heights.highest();
+  if (slopes)
+    heights.roof = roofOf(above);
   if (!slopes || high - low < level)
     heights.tops = {{0, high}, {1, high}};
   else if (!sides[0].element->isArc()) // whose sections follow the arc
     heights.tops = simplified(heights.tops);
   return heights;
+}
+
+double
+heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
+{
+  constexpr double above = 0.1;
+  const WallFrame frame = frameOf(plan, wall);
+  double highest = heights.highest();
+  for (const Eigen::Vector2d& corner : profileOf(plan, wall).boundary.polygon(0.01)) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector4d& plane : heights.roof)
+      lowest = std::min(lowest, planeHeight(plane, frame.toPlan(corner)));
+    highest = std::max(highest, lowest);
+  }
+  return highest + above;
 }
 
 WallProfile

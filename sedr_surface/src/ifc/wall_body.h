@@ -19,8 +19,16 @@ struct WallHeights {
 
   double bottom = 0;     ///< the lowest floor beside it, metres
   std::vector<Top> tops; ///< two of one height where it is level
+  /** The planes of a roof that the wall ends below, a x + b y + c z + d = 0, c > 0: the
+   * lowest of them is its top. None where the ceiling is level or curved, or where two
+   * parts of it do not meet in a ridge. */
+  std::vector<Eigen::Vector4d> roof{};
 
+  /** @brief Whether it is as high all along its face. */
   bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
+  /** @brief Whether its body is swept, and cut by a roof. */
+  bool isSwept() const { return isLevel() || !roof.empty(); }
+
   double highest() const;
 };
 
@@ -36,6 +44,9 @@ struct WallProfile {
 };
 
 WallProfile profileOf(const Floorplan& plan, const PlanWall& wall);
+
+/** @brief Above all of a wall's top, before its roof's planes cut it; metres. */
+double heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
 
 /** @brief A wall whose top is not level, in its frame, z from its bottom. */
 TriangleMesh

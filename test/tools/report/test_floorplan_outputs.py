@@ -382,7 +382,7 @@ class Outputs(unittest.TestCase):
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
         for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "R 2.00",
-                     "2.60", "+0.30", "%%c0.80", "0.50 x 0.50"):
+                     "2.60", "+0.30", "%%c 0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
 
     def test_pdf(self):

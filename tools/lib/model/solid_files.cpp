@@ -118,7 +118,7 @@ saveDrawing(const DrawingSheet& sheet,
             DrawingSettings settings)
 {
   settings.storey = sheet.storey ? &*sheet.storey : nullptr;
-  const auto* write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg
+  auto* const write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg
                       : hasExtension(sheet.path, ".pdf") ? &floorplanToPdf
                                                          : &floorplanToDxf;
   writeWhole(sheet.path,
