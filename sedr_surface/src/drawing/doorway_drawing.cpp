@@ -2,6 +2,7 @@
 #include "doorway_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace sedr {
@@ -17,16 +18,32 @@ roomOf(const Floorplan& plan, std::uint32_t id)
   return found == plan.rooms.end() ? nullptr : &*found;
 }
 
-/** @brief How far a room's nearest wall is from a place in the middle of a wall, to the
- * left of a way (negative: to its right); 0 where it is too far to be of that wall. */
-double
-offsetOf(const PlanRoom& room,
-         const Eigen::Vector2d& place,
-         const Eigen::Vector2d& left)
+/** @brief How far a face is from the two ends of a doorway, to the left of its way;
+ * negative: to the right. */
+using FaceOffsets = Eigen::Vector2d;
+
+/** @brief Those of a room's wall that is nearest to the middle of a doorway; 0 where it
+ * is too far to be of that wall. A straight wall may run a little aslant of it. */
+FaceOffsets
+offsetsOf(const PlanRoom& room,
+          const PlanDoorway& doorway,
+          const Eigen::Vector2d& way,
+          const Eigen::Vector2d& left)
 {
-  const PlanElement& wall = room.boundary.elements[room.boundary.nearest(place)];
-  const Eigen::Vector2d to = wall.pointAt(wall.project(place)) - place;
-  return to.norm() <= farthest_face ? to.dot(left) : 0;
+  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  const PlanElement& wall = room.boundary.elements[room.boundary.nearest(middle)];
+  const Eigen::Vector2d to = wall.pointAt(wall.project(middle)) - middle;
+  if (to.norm() > farthest_face)
+    return FaceOffsets::Zero();
+  const Eigen::Vector2d along = wall.end - wall.start;
+  constexpr double steepest = 0.2;
+  if (wall.isArc() || std::abs(along.dot(left)) > steepest * std::abs(along.dot(way)))
+    return FaceOffsets::Constant(to.dot(left));
+  const double slope = along.dot(left) / along.dot(way);
+  const double at_start =
+      (wall.start - doorway.start).dot(left) -
+      slope * (wall.start - doorway.start).dot(way);
+  return {at_start, at_start + slope * doorway.width()};
 }
 
 } // namespace
@@ -40,24 +57,24 @@ drawnDoorways(const Floorplan& plan)
       continue;
     const Eigen::Vector2d way = (doorway.end - doorway.start) / doorway.width();
     const Eigen::Vector2d left(-way.y(), way.x());
-    double low = 0;
-    double high = 0;
+    FaceOffsets low = FaceOffsets::Zero();
+    FaceOffsets high = FaceOffsets::Zero();
     for (const std::uint32_t id : doorway.rooms) {
       const PlanRoom* room = roomOf(plan, id);
       if (!room || room->boundary.elements.empty())
         continue;
-      const double offset = offsetOf(*room, (doorway.start + doorway.end) / 2, left);
-      low = std::min(low, offset);
-      high = std::max(high, offset);
+      const FaceOffsets offsets = offsetsOf(*room, doorway, way, left);
+      low = low.cwiseMin(offsets);
+      high = high.cwiseMax(offsets);
     }
     const bool leads_outside =
         !roomOf(plan, doorway.rooms[0]) || !roomOf(plan, doorway.rooms[1]);
     if (leads_outside) {
-      high = std::max(high, -low);
+      high = high.cwiseMax(-low);
       low = -high;
     }
-    drawn.push_back({{doorway.start + low * left, doorway.end + low * left,
-                      doorway.end + high * left, doorway.start + high * left},
+    drawn.push_back({{doorway.start + low[0] * left, doorway.end + low[1] * left,
+                      doorway.end + high[1] * left, doorway.start + high[0] * left},
                      doorway.width(),
                      doorway.top - doorway.bottom});
   }

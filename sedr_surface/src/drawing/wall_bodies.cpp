@@ -26,6 +26,45 @@ partBetween(const PlanElement& element, const Eigen::Vector2d& a, const Eigen::V
   return element.part(from, to);
 }
 
+/** @brief Whether walls meet at a place: rooms lie in three of four directions aslant of
+ * a wall. Outside of the building there are two at most. */
+bool
+isJunction(const Floorplan& plan, const Eigen::Vector2d& place, const Eigen::Vector2d& way)
+{
+  constexpr double reach = 0.5; // metres
+  const Eigen::Vector2d left(-way.y(), way.x());
+  int rooms = 0;
+  for (const Eigen::Vector2d& aslant : {Eigen::Vector2d(way + left),
+                                        Eigen::Vector2d(way - left),
+                                        Eigen::Vector2d(left - way),
+                                        Eigen::Vector2d(-way - left)})
+    if (std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+          return room.boundary.contains(place + reach * aslant.normalized());
+        }))
+      ++rooms;
+  return rooms >= 3;
+}
+
+/** @brief A wall goes on into a junction, to fill it.
+ * @param near,far its faces, which run opposite ways */
+void
+addEnd(const Floorplan& plan,
+       const Eigen::Vector2d& near,
+       const Eigen::Vector2d& far,
+       const Eigen::Vector2d& way,
+       PlanLoop& loop)
+{
+  const double thickness = (far - near).norm();
+  if (!isJunction(plan, (near + far) / 2 + thickness / 2 * way, way)) {
+    loop.elements.push_back(segmentBetween(near, far));
+    return;
+  }
+  const Eigen::Vector2d on = thickness * way;
+  loop.elements.push_back(segmentBetween(near, near + on));
+  loop.elements.push_back(segmentBetween(near + on, far + on));
+  loop.elements.push_back(segmentBetween(far + on, far));
+}
+
 } // namespace
 
 std::vector<std::vector<PlanLoop>>
@@ -56,8 +95,12 @@ wallBodies(const Floorplan& plan)
     if (to - from < least_length || far.length() < least_length)
       continue;
     const PlanElement near = element.part(from, to);
-    bodies.push_back({{{near, segmentBetween(near.end, far.start), far,
-                        segmentBetween(far.end, near.start)}}});
+    const Eigen::Vector2d way = (near.end - near.start).normalized();
+    PlanLoop loop{{near}};
+    addEnd(plan, near.end, far.start, way, loop);
+    loop.elements.push_back(far);
+    addEnd(plan, far.end, near.start, -way, loop);
+    bodies.push_back({loop});
   }
   return bodies;
 }

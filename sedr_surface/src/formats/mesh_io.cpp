@@ -38,6 +38,17 @@ needsDoubles(const TriangleMesh& mesh)
   });
 }
 
+constexpr const char* colour_properties =
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
+void
+appendColour(std::string& bytes, std::uint32_t label)
+{
+  const LabelColour colour = colourOf(label);
+  for (const double channel : {colour.red, colour.green, colour.blue})
+    appendBytes(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+}
+
 std::string
 plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
@@ -50,8 +61,7 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
     header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis
            << '\n';
   if (!mesh.labels.empty())
-    header << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-           << "property uint label\n";
+    header << colour_properties << "property uint label\n";
   if (!mesh.rooms.empty())
     header << "property uint room\n";
   header << "element face " << mesh.triangles.size()
@@ -62,6 +72,8 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
     header << "property int room\n";
   if (!mesh.elements.empty())
     header << "property int element\n";
+  if (!mesh.labels.empty())
+    header << colour_properties;
   header << "end_header\n";
   return header.str();
 }
@@ -80,9 +92,7 @@ public:
   void append(std::string& bytes, std::size_t v) const
   {
     if (!labels_.empty()) {
-      const LabelColour colour = colourOf(labels_[v]);
-      for (const double channel : {colour.red, colour.green, colour.blue})
-        appendBytes(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+      appendColour(bytes, labels_[v]);
       appendBytes(bytes, labels_[v]);
     }
     if (!rooms_.empty())
@@ -100,7 +110,7 @@ plyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
   std::string content = plyHeader(mesh, comments);
   const bool doubles = needsDoubles(mesh);
   content.reserve(content.size() + (doubles ? 35 : 23) * mesh.vertices.size() +
-                  25 * mesh.triangles.size());
+                  28 * mesh.triangles.size());
   const VertexExtras extras(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k)
@@ -117,6 +127,8 @@ plyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
     for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
       if (!attribute->empty())
         appendBytes(content, static_cast<std::int32_t>((*attribute)[t]));
+    if (!mesh.labels.empty())
+      appendColour(content, static_cast<std::uint32_t>(mesh.labels[t]));
   }
   return content;
 }

@@ -155,11 +155,13 @@ def read_ply(path):
     looks = {(r[6], r[3:6]) for r in rows}
     assert len(looks) == len({label for label, _ in looks}), "a colour a label"
     assert {r[7] for r in rows} == {1, 2}
-    assert [p[-1] for p in properties["face"]] == ["vertex_indices", "label", "room", "element"]
+    assert [p[-1] for p in properties["face"]] == ["vertex_indices", "label", "room", "element", "red", "green", "blue"]
     groups, labels = defaultdict(list), {}
+    colours = dict(looks)
     for _ in range(counts["face"]):
-        size, a, b, c, label, room, e = struct.unpack_from("<B6i", body, at)
-        at += struct.calcsize("<B6i")
+        size, a, b, c, label, room, e, *colour = struct.unpack_from("<B6i3B", body, at)
+        at += struct.calcsize("<B6i3B")
+        assert tuple(colour) == colours.setdefault(label, tuple(colour)), "a face has the colour of its label"
         assert size == 3 and names[e].startswith("room_%d_" % room)
         groups[names[e]].append((a, b, c))
         labels[names[e]] = label
