@@ -60,7 +60,8 @@ main(int argc, char** argv)
   options.number("scale", settings.scale, "", "50 for 1:50; 0: what fits the paper",
                  Range::between(0, 1e6));
   options.text("paper", paper, "smallest paper of the sheet", paper_names);
-  options.text("title", settings.title, "of the sheet; \"Floor plan\" if none is given");
+  options.text("title", settings.title,
+               "of the sheet; \"Floor plan\" if none is given");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {

@@ -163,15 +163,29 @@ def readings(truth, found):
     return spaces
 
 
+def faces_of(loops, frame, assumed):
+    """The sides of a wall that rooms see: along the x of its placement; on it, if one side was not seen."""
+    (a, b), (u, v), _ = frame
+    faces = []
+    for p, q in edges_of(loops):
+        along = abs((q[0] - p[0]) * u + (q[1] - p[1]) * v)
+        across = [(x - a) * -v + (y - b) * u for x, y in (p, q)]
+        is_hidden = assumed and len(loops[0]) <= 5 and max(map(abs, across)) > 0.001
+        if abs(across[1] - across[0]) < 0.5 * along and not is_hidden:
+            faces.append((p, q))
+    return faces
+
+
 def found_walls(model):
     walls = []
     for n, v in model.of("IFCWALL"):
         frame = model.frame(v[5])
         values = model.sets[n]
-        walls.append({"name": v[2], "edges": edges_of(model.outlines(model.body(v[6]), frame)), "low": frame[2],
-                      "high": frame[2] + values["Height"], "width": values["Width"],
-                      "assumed": values["ThicknessAssumed"] == "T"})
-    return walls
+        assumed = values["ThicknessAssumed"] == "T"
+        walls.append({"name": v[2], "edges": faces_of(model.outlines(model.body(v[6]), frame), frame, assumed),
+                      "low": frame[2], "high": frame[2] + values["Height"], "width": values["Width"],
+                      "assumed": assumed})
+    return [w for w in walls if w["edges"]]
 
 
 def distance(p, edge):
@@ -179,6 +193,12 @@ def distance(p, edge):
     along = ((p[0] - ax) * (bx - ax) + (p[1] - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2)
     along = min(1, max(0, along))
     return math.hypot(p[0] - ax - along * (bx - ax), p[1] - ay - along * (by - ay))
+
+
+def is_along(edge, out):
+    """Whether a face runs along one whose way out is given, within 30 degrees."""
+    (ax, ay), (bx, by) = edge
+    return abs((bx - ax) * out[0] + (by - ay) * out[1]) <= 0.5 * math.dist((ax, ay), (bx, by))
 
 
 def places_on(space):
@@ -212,7 +232,7 @@ def compare_walls(spaces, walls):
         near = [w for w in walls if share_heights(w, space)]
         for place, out in places_on(space):
             whole += 1
-            at = [w for w in near if min(distance(place, e) for e in w["edges"]) <= ON_FACE]
+            at = [w for w in near if any(is_along(e, out) and distance(place, e) <= ON_FACE for e in w["edges"])]
             if not at:
                 continue
             met += 1

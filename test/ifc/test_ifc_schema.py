@@ -39,7 +39,8 @@ class IfcSchema(unittest.TestCase):
             self.assertEqual(self.problems(instances), [])
             kinds = {name for name, _ in instances.values()}
             for kind in ("SPACE", "WALL", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
-                         "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID", "BOOLEANCLIPPINGRESULT"):
+                         "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID",
+                         "BOOLEANCLIPPINGRESULT"):
                 self.assertIn("IFC" + kind, kinds)
             self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "facets" not in options)
 

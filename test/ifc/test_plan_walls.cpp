@@ -12,8 +12,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-
-
 /** The area of a straight wall's plan. */
 double
 areaOf(const PlanWall& wall)

@@ -48,7 +48,8 @@ public:
     return ends;
   }
 
-  /** @brief What one sees at a place along the side: a wall and how deep it is there. */
+  /** @brief What one sees at a place along the side: a wall and how deep it is there.
+   */
   struct Sight {
     std::size_t wall = no_wall;
     double depth = nowhere;
@@ -204,9 +205,9 @@ chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least
   for (std::size_t k = 0; k < places.size(); ++k) {
     const SideView::Sight& before = sights[k];
     const SideView::Sight& after = sights[k + 1];
-    const bool goes_on = before.wall == after.wall ||
-                         (before.isWall() && after.isWall() &&
-                          view.areInLine(before.wall, after.wall));
+    const bool goes_on =
+        before.wall == after.wall ||
+        (before.isWall() && after.isWall() && view.areInLine(before.wall, after.wall));
     if (goes_on)
       continue;
     // Where walls meet here, the nearer of their ends.

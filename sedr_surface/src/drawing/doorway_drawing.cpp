@@ -40,9 +40,8 @@ offsetsOf(const PlanRoom& room,
   if (wall.isArc() || std::abs(along.dot(left)) > steepest * std::abs(along.dot(way)))
     return FaceOffsets::Constant(to.dot(left));
   const double slope = along.dot(left) / along.dot(way);
-  const double at_start =
-      (wall.start - doorway.start).dot(left) -
-      slope * (wall.start - doorway.start).dot(way);
+  const double at_start = (wall.start - doorway.start).dot(left) -
+                          slope * (wall.start - doorway.start).dot(way);
   return {at_start, at_start + slope * doorway.width()};
 }
 

@@ -40,19 +40,14 @@ constexpr const char* height_layer = "A-CLNG-IDEN";
 
 /** As the US National CAD Standard (AIA) names them: discipline, what, and what of it.
  */
-constexpr Layer layers[] = {{"A-WALL", 7, "CONTINUOUS"},
-                            {"A-WALL-NICH", 6, "CONTINUOUS"},
-                            {"A-COLS", 1, "CONTINUOUS"},
-                            {door_layer, 4, "CONTINUOUS"},
-                            {"A-CLNG", 5, "DASHED"},
-                            {"A-CLNG-RIDG", 5, "DASHED"},
-                            {"A-CLNG-HEAD", 30, "DASHED"},
-                            {height_layer, 5, "CONTINUOUS"},
-                            {"A-FLOR-LEVL", 3, "CONTINUOUS"},
-                            {area_layer, 9, "CONTINUOUS"},
-                            {name_layer, 7, "CONTINUOUS"},
-                            {size_layer, 8, "CONTINUOUS"},
-                            {text_layer, 7, "CONTINUOUS"}};
+constexpr Layer layers[] = {
+    {"A-WALL", 7, "CONTINUOUS"},      {"A-WALL-NICH", 6, "CONTINUOUS"},
+    {"A-COLS", 1, "CONTINUOUS"},      {door_layer, 4, "CONTINUOUS"},
+    {"A-CLNG", 5, "DASHED"},          {"A-CLNG-RIDG", 5, "DASHED"},
+    {"A-CLNG-HEAD", 30, "DASHED"},    {height_layer, 5, "CONTINUOUS"},
+    {"A-FLOR-LEVL", 3, "CONTINUOUS"}, {area_layer, 9, "CONTINUOUS"},
+    {name_layer, 7, "CONTINUOUS"},    {size_layer, 8, "CONTINUOUS"},
+    {text_layer, 7, "CONTINUOUS"}};
 
 const char*
 nameOf(DrawnLayer layer)
@@ -104,7 +99,9 @@ writeTables(DxfText& dxf, const DxfDimensions& dimensions)
   dxf.group(0, "LTYPE").group(2, "DASHED").group(70, 0).group(3, "__ __ __");
   dxf.group(72, 65).group(73, 2).group(40, 0.15).group(49, 0.1).group(49, -0.05);
   dxf.group(0, "ENDTAB");
-  dxf.group(0, "TABLE").group(2, "LAYER").group(70, static_cast<int>(std::size(layers)));
+  dxf.group(0, "TABLE")
+      .group(2, "LAYER")
+      .group(70, static_cast<int>(std::size(layers)));
   for (const Layer& layer : layers)
     dxf.group(0, "LAYER")
         .group(2, layer.name)

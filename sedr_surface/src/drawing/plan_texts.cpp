@@ -146,8 +146,9 @@ PlanTexts::writeWays(const Floorplan& plan)
         decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2);
     const Eigen::Vector2d half = font * halfSizeOf({text});
     std::vector<TextBox> boxes;
-    for (const auto& [from, to] : {std::make_pair(doorway.corners[2], doorway.corners[3]),
-                                   std::make_pair(doorway.corners[0], doorway.corners[1])}) {
+    for (const auto& [from, to] :
+         {std::make_pair(doorway.corners[2], doorway.corners[3]),
+          std::make_pair(doorway.corners[0], doorway.corners[1])}) {
       const Eigen::Vector2d a = frame_(from);
       const Eigen::Vector2d b = frame_(to);
       const Eigen::Vector2d way = (b - a).normalized();
@@ -166,8 +167,8 @@ PlanTexts::add(const std::string& look,
                double font,
                const std::string& text)
 {
-  sheet_.add(SheetText{look, box.middle, font, text, box.degrees, TextAnchor::Middle,
-                       true});
+  sheet_.add(
+      SheetText{look, box.middle, font, text, box.degrees, TextAnchor::Middle, true});
 }
 
 } // namespace sedr

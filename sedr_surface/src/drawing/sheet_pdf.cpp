@@ -127,7 +127,8 @@ private:
     for (int k = 0; k < n; ++k) {
       const Eigen::Vector2d a = Eigen::Rotation2Dd(k * step) * first;
       const Eigen::Vector2d b = Eigen::Rotation2Dd((k + 1) * step) * first;
-      const Eigen::Vector2d from = e.centre + a + handle * Eigen::Vector2d(-a.y(), a.x());
+      const Eigen::Vector2d from =
+          e.centre + a + handle * Eigen::Vector2d(-a.y(), a.x());
       const Eigen::Vector2d to = e.centre + b - handle * Eigen::Vector2d(-b.y(), b.x());
       text += at(from) + " " + at(to) + " " + at(e.centre + b) + " c\n";
     }

@@ -15,8 +15,8 @@ using namespace sheet_measures;
 
 constexpr double row_height = title_height / 3;
 constexpr double caption_font = 1.8;
-constexpr double indent = 1.5;      ///< of texts in their cell
-constexpr double north_width = 20;  ///< of the cell with the arrow
+constexpr double indent = 1.5;     ///< of texts in their cell
+constexpr double north_width = 20; ///< of the cell with the arrow
 
 /** @brief Draws the strip, row by row. */
 class TitleStrip {
@@ -68,8 +68,7 @@ public:
              start + Eigen::Vector2d((k + 1) * part, 1.3));
     for (int k = 0; k <= 4; k += 2)
       sheet_.add(SheetText{"size", start + Eigen::Vector2d(k * part, 3.6), caption_font,
-                           shortDecimalText(length * k / 4, 3) +
-                               (k == 4 ? " m" : "")});
+                           shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : "")});
   }
 
   /** @brief An arrow along y of the plan: north where its origin is a place of a grid.
@@ -82,8 +81,8 @@ public:
     const auto at = [&](double x, double y) -> Eigen::Vector2d {
       return middle + turn * Eigen::Vector2d(x, y);
     };
-    sheet_.addLine("north", {at(0, 6), at(2.6, -6), at(0, -3.6), at(-2.6, -6), at(0, 6)},
-                   true);
+    sheet_.addLine("north",
+                   {at(0, 6), at(2.6, -6), at(0, -3.6), at(-2.6, -6), at(0, 6)}, true);
     sheet_.add(SheetText{"title", at(0, 9), small_font, origin.isZero() ? "y" : "N"});
   }
 
@@ -93,11 +92,10 @@ private:
     return low_ + Eigen::Vector2d(share * width_, (2 - row) * row_height);
   }
 
-  void
-  addBox(const char* look, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
+  void addBox(const char* look, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
   {
-    sheet_.addLine(look,
-                   {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, true);
+    sheet_.addLine(look, {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low},
+                   true);
   }
 
   void addText(const char* look,
@@ -109,8 +107,8 @@ private:
     if (text.empty())
       return;
     const double fitting = (width - 2 * indent) / (2 * halfSizeOf({text}).x());
-    sheet_.add(SheetText{look, place, std::min(font, fitting), text, 0,
-                         TextAnchor::Start});
+    sheet_.add(
+        SheetText{look, place, std::min(font, fitting), text, 0, TextAnchor::Start});
   }
 
   Sheet& sheet_;
@@ -148,7 +146,8 @@ addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block)
                 large_font);
   strip.addCell(0, 0.75, 1, "Scale", scaleText(layout), large_font);
   strip.addCell(1, 0, 0.3, "Rooms, floor area",
-                std::to_string(block.rooms) + (block.rooms == 1 ? " room, " : " rooms, ") +
+                std::to_string(block.rooms) +
+                    (block.rooms == 1 ? " room, " : " rooms, ") +
                     decimalText(block.area, 2) + " m²");
   for (const auto& [from, caption] :
        {std::make_pair(0.3, "Date"), std::make_pair(0.4, "Drawn"),

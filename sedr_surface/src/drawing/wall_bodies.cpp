@@ -20,24 +20,27 @@ segmentBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 
 /** @brief The part of an element between two of its places, the way it runs. */
 PlanElement
-partBetween(const PlanElement& element, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+partBetween(const PlanElement& element,
+            const Eigen::Vector2d& a,
+            const Eigen::Vector2d& b)
 {
   const auto [from, to] = std::minmax({element.project(a), element.project(b)});
   return element.part(from, to);
 }
 
-/** @brief Whether walls meet at a place: rooms lie in three of four directions aslant of
- * a wall. Outside of the building there are two at most. */
+/** @brief Whether walls meet at a place: rooms lie in three of four directions aslant
+ * of a wall. Outside of the building there are two at most. */
 bool
-isJunction(const Floorplan& plan, const Eigen::Vector2d& place, const Eigen::Vector2d& way)
+isJunction(const Floorplan& plan,
+           const Eigen::Vector2d& place,
+           const Eigen::Vector2d& way)
 {
   constexpr double reach = 0.5; // metres
   const Eigen::Vector2d left(-way.y(), way.x());
   int rooms = 0;
-  for (const Eigen::Vector2d& aslant : {Eigen::Vector2d(way + left),
-                                        Eigen::Vector2d(way - left),
-                                        Eigen::Vector2d(left - way),
-                                        Eigen::Vector2d(-way - left)})
+  for (const Eigen::Vector2d& aslant :
+       {Eigen::Vector2d(way + left), Eigen::Vector2d(way - left),
+        Eigen::Vector2d(left - way), Eigen::Vector2d(-way - left)})
     if (std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
           return room.boundary.contains(place + reach * aslant.normalized());
         }))
@@ -83,13 +86,13 @@ wallBodies(const Floorplan& plan)
       bodies.push_back({{{element}}, {{other}}});
       continue;
     }
-    // Faces of a wall run opposite ways, so that both parts make a loop; at a corner one
-    // reaches beyond the other by the thickness of the next wall.
+    // Faces of a wall run opposite ways, so that both parts make a loop; at a corner
+    // one reaches beyond the other by the thickness of the next wall.
     const PlanElement far =
         partBetween(other, element.pointAt(std::max(wall.stretch.from, 0.0)),
                     element.pointAt(std::min(wall.stretch.to, element.length())));
-    const double from = std::max({element.project(far.end) - wall.thickness, 0.0,
-                                  wall.stretch.from});
+    const double from =
+        std::max({element.project(far.end) - wall.thickness, 0.0, wall.stretch.from});
     const double to = std::min({element.project(far.start) + wall.thickness,
                                 element.length(), wall.stretch.to});
     if (to - from < least_length || far.length() < least_length)

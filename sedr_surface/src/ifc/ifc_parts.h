@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ifc_document.h"
 #include "../walls/plan_walls.h"
+#include "ifc_document.h"
 
 #include <vector>
 

@@ -49,8 +49,7 @@ public:
   /** @brief A swept body without what of it is above a plane.
    * @param on a place of the plane
    * @param up its unit normal, upwards */
-  StepRef
-  clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up);
+  StepRef clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up);
 
   /** @brief A closed mesh as IfcTriangulatedFaceSet. */
   StepRef faceSet(const TriangleMesh& mesh);

@@ -129,8 +129,7 @@ private:
     const bool is_lowest = written.storey == 0 && !below;
     const StepRef slab =
         add(r, name, item, is_swept ? "SweptSolid" : "Tessellation", "slab",
-            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below,
-            room.floor);
+            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below, room.floor);
     writeBoundary(document_, r, name, slab, {}, below ? "INTERNAL" : "NOTDEFINED");
     if (below)
       slab_above_[below->room].push_back({name, slab});

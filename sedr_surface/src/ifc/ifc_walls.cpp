@@ -113,9 +113,8 @@ bodyOf(IfcDocument& document, const PlanWall& wall, const WallHeights& heights)
   StepRef item;
   if (heights.isSwept()) {
     const WallProfile profile = profileOf(document.plan, wall);
-    const double top = heights.roof.empty()
-                           ? heights.highest()
-                           : heightAbove(document.plan, wall, heights);
+    const double top = heights.roof.empty() ? heights.highest()
+                                            : heightAbove(document.plan, wall, heights);
     item = shapes.extrusion(profile.boundary, profile.holes, 0, top - heights.bottom);
     type = heights.roof.empty() ? "SweptSolid" : "Clipping";
     const WallFrame frame = frameOf(document.plan, wall);

@@ -51,7 +51,8 @@ slabAbove(const Side& side, const Eigen::Vector2d& p)
   return side.slopes || ceiling.heightAt(p) > main.heightAt(p) ? ceiling : main;
 }
 
-/** @brief The ceiling above a wall: places along it, and the slabs that it ends below. */
+/** @brief The ceiling above a wall: places along it, and the slabs that it ends below.
+ */
 struct SlabsAbove {
   struct Place {
     Eigen::Vector2d at;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ifc_shapes.h"
 #include "../walls/plan_walls.h"
+#include "ifc_shapes.h"
 
 #include <vector>
 
@@ -46,7 +46,8 @@ struct WallProfile {
 WallProfile profileOf(const Floorplan& plan, const PlanWall& wall);
 
 /** @brief Above all of a wall's top, before its roof's planes cut it; metres. */
-double heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
+double
+heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
 
 /** @brief A wall whose top is not level, in its frame, z from its bottom. */
 TriangleMesh

@@ -83,14 +83,16 @@ TEST(FloorplanDrawing, ArcsKeepTheirSenseAndSize)
   // From 270 to 180 degrees against the clock: the larger part of the circle.
   const PlanLoop keyhole{{arc({0, 0}, 1, 270, 540), segment({-1, 0}, {-1, -1}),
                           segment({-1, -1}, {0, -1})}};
-  EXPECT_TRUE(holds(floorplanToSvg(planOf(keyhole), scaled(10)), "A 100 100 0 1 0 119"));
+  EXPECT_TRUE(
+      holds(floorplanToSvg(planOf(keyhole), scaled(10)), "A 100 100 0 1 0 119"));
   // With the clock.
   EXPECT_TRUE(holds(floorplanToSvg(planOf(bittenRectangle(6, 4, 1)), scaled(100)),
                     "A 10 10 0 0 1 229"));
   // A whole circle in two halves, in DXF as such.
   const std::string round = floorplanToSvg(planOf(circle({0, 0}, 1)), scaled(10));
   EXPECT_TRUE(holds(round, "A 100 100 0 0 0 119 131 A 100 100 0 0 0 319 131"));
-  EXPECT_TRUE(holds(floorplanToDxf(planOf(circle({0, 0}, 1))), "\nCIRCLE\n8\nA-WALL\n"));
+  EXPECT_TRUE(
+      holds(floorplanToDxf(planOf(circle({0, 0}, 1))), "\nCIRCLE\n8\nA-WALL\n"));
 }
 
 TEST(FloorplanDrawing, APlanThatStandsAslantIsTurnedUpright)
@@ -105,15 +107,18 @@ TEST(FloorplanDrawing, APlanThatStandsAslantIsTurnedUpright)
 TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
 {
   // A step of 1 m in the lower wall, which one does not see from above.
-  const Floorplan plan =
-      planOf({{segment({0, 0}, {4, 0}), segment({4, 0}, {4, 1}), segment({4, 1}, {6, 1}),
-               segment({6, 1}, {6, 5}), segment({6, 5}, {0, 5}), segment({0, 5}, {0, 0})}});
+  const Floorplan plan = planOf(
+      {{segment({0, 0}, {4, 0}), segment({4, 0}, {4, 1}), segment({4, 1}, {6, 1}),
+        segment({6, 1}, {6, 5}), segment({6, 5}, {0, 5}), segment({0, 5}, {0, 0})}});
   const std::string svg = floorplanToSvg(plan, scaled(50));
   // 120 mm by 100 mm about (219, 131): the first row 9 mm below, at 190, the second at
   // 198; texts 2.1 mm above them.
-  EXPECT_TRUE(holds(svg, "x=\"199\" y=\"187.9\" dy=\"0.35em\" font-size=\"2.5\">4.00<"));
-  EXPECT_TRUE(holds(svg, "x=\"259\" y=\"187.9\" dy=\"0.35em\" font-size=\"2.5\">2.00<"));
-  EXPECT_TRUE(holds(svg, "x=\"219\" y=\"195.9\" dy=\"0.35em\" font-size=\"2.5\">6.00<"));
+  EXPECT_TRUE(
+      holds(svg, "x=\"199\" y=\"187.9\" dy=\"0.35em\" font-size=\"2.5\">4.00<"));
+  EXPECT_TRUE(
+      holds(svg, "x=\"259\" y=\"187.9\" dy=\"0.35em\" font-size=\"2.5\">2.00<"));
+  EXPECT_TRUE(
+      holds(svg, "x=\"219\" y=\"195.9\" dy=\"0.35em\" font-size=\"2.5\">6.00<"));
 }
 
 TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
@@ -229,7 +234,8 @@ TEST(FloorplanDrawing, ADetailOutsideOfTheRoomTellsNothing)
 TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
 {
   // A closet 30 cm wide: no sizes, no name that could be read at 1:100.
-  const std::string closet = floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
+  const std::string closet =
+      floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
   EXPECT_FALSE(holds(closet, ">Room"));
   EXPECT_FALSE(holds(closet, "class=\"size halo\""));
   const std::string room = floorplanToSvg(planOf(rectangle(0, 0, 6, 5)), scaled(100));

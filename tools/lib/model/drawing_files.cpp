@@ -18,7 +18,8 @@ writeDrawings(OutputFolder& folder,
               const std::string& input,
               const DrawingSettings& settings)
 {
-  std::vector<std::string> old = folder.filesLike("floorplan(_[0-9]+)?\\.(svg|pdf|dxf)");
+  std::vector<std::string> old =
+      folder.filesLike("floorplan(_[0-9]+)?\\.(svg|pdf|dxf)");
   for (const std::string& name : drawing_names)
     for (const DrawingSheet& sheet : drawingSheets(name, plan)) {
       folder.add({sheet.path});

@@ -113,9 +113,7 @@ drawingSheets(const std::string& path, const Floorplan& plan)
 }
 
 void
-saveDrawing(const DrawingSheet& sheet,
-            const Floorplan& plan,
-            DrawingSettings settings)
+saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings settings)
 {
   settings.storey = sheet.storey ? &*sheet.storey : nullptr;
   auto* const write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg

@@ -21,9 +21,9 @@ struct DrawingSettings {
    * are those of the whole plan, so that the sheets of a building lie over each other.
    * Null: all rooms. */
   const PlanStorey* storey = nullptr;
-  Origin origin{};                  ///< what places are counted from
+  Origin origin{};                 ///< what places are counted from
   PaperSize paper = PaperSize::A3; ///< larger where a scale is given that needs it
-  std::string title{};              ///< "": "Floor plan"
+  std::string title{};             ///< "": "Floor plan"
 };
 
 /** @brief A floor plan as a sheet to hand over, an SVG in millimetres of paper.

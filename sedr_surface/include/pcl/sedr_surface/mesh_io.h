@@ -23,9 +23,9 @@ std::string loadMesh(const std::string& path, TriangleMesh& mesh);
 
 /** @brief Writes a binary little-endian PLY: x, y, z, floats unless a coordinate of 256
  * m or more calls for doubles; faces with int `label`, `room` and `element` if the mesh
- * has them, and the label's colour; vertices then with uint `label` and `room`, those of
- * most of the area around them, and that label's colour. Written beside and then renamed: the file is
- * whole or not there.
+ * has them, and the label's colour; vertices then with uint `label` and `room`, those
+ * of most of the area around them, and that label's colour. Written beside and then
+ * renamed: the file is whole or not there.
  *
  * @param comments lines for the header
  * @return an empty string, or a sentence that says why nothing was written */
