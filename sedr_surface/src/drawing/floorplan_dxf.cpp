@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_chains.h"
-#include "doorway_drawing.h"
 #include "dxf_dimensions.h"
 #include "dxf_text.h"
+#include "dxf_texts.h"
 #include "plan_drawing.h"
-#include "roof_lines.h"
 #include "sheet_layout.h"
-#include "text_places.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
@@ -22,6 +20,7 @@ namespace sedr {
 
 namespace {
 
+using namespace dxf_layers;
 using namespace sheet_measures;
 
 /** @brief A layer of the drawing: its colour is an index of AutoCAD's palette. */
@@ -30,13 +29,6 @@ struct Layer {
   int colour;
   const char* line_type;
 };
-
-constexpr const char* area_layer = "A-AREA";
-constexpr const char* door_layer = "A-DOOR";
-constexpr const char* name_layer = "A-AREA-IDEN";
-constexpr const char* size_layer = "A-ANNO-DIMS";
-constexpr const char* text_layer = "A-ANNO-TEXT";
-constexpr const char* height_layer = "A-CLNG-IDEN";
 
 /** As the US National CAD Standard (AIA) names them: discipline, what, and what of it.
  */
@@ -48,27 +40,6 @@ constexpr Layer layers[] = {
     {"A-FLOR-LEVL", 3, "CONTINUOUS"}, {area_layer, 9, "CONTINUOUS"},
     {name_layer, 7, "CONTINUOUS"},    {size_layer, 8, "CONTINUOUS"},
     {text_layer, 7, "CONTINUOUS"}};
-
-const char*
-nameOf(DrawnLayer layer)
-{
-  switch (layer) {
-  case DrawnLayer::Wall:
-    return "A-WALL";
-  case DrawnLayer::Column:
-    return "A-COLS";
-  case DrawnLayer::Detail:
-    return "A-CLNG";
-  case DrawnLayer::Ridge:
-    return "A-CLNG-RIDG";
-  case DrawnLayer::FloorDetail:
-    return "A-FLOR-LEVL";
-  case DrawnLayer::Niche:
-    return "A-WALL-NICH";
-  default:
-    return "A-CLNG-HEAD";
-  }
-}
 
 void
 writeHeader(DxfText& dxf, const Eigen::AlignedBox2d& bounds, const Origin& origin)
@@ -165,98 +136,6 @@ writeOutline(DxfText& dxf, const PlanLoop& loop)
   }
   dxf.group(0, "SEQEND").group(8, area_layer);
 }
-
-/** @brief Writes the texts of a plan, and its dimensions. Letters are as high as on the
- * sheet, where they are 1.8 and 2.5 mm. */
-class DxfTexts {
-public:
-  DxfTexts(DxfText& dxf, double scale)
-      : dxf_(dxf)
-      , height_(1.8e-3 * scale)
-      , name_height_(2.5e-3 * scale)
-  {}
-
-  void writeRoom(const PlanRoom& room)
-  {
-    const TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const double height = fitting(name_height_, spot.radius / 4);
-    Eigen::Vector2d place = spot.place + Eigen::Vector2d(0, 1.5 * height);
-    for (const std::string& line : roomTexts(room, spot.place, "m2")) {
-      dxf_.label(name_layer, place, height, line);
-      place.y() -= 1.5 * height;
-    }
-    for (const LevelNote& note : levelNotes(room, spot))
-      dxf_.label(note.layer == DrawnLayer::FloorDetail ? nameOf(note.layer)
-                                                       : height_layer,
-                 note.spot.place, fitting(height_, note.spot.radius / 2), note.text);
-    for (const PlanElement& wall : room.boundary.elements) {
-      writeAlong(height_layer, wall, eavesText(room, wall), 2.5);
-      if (wall.isArc())
-        writeAlong(size_layer, wall, sizeText(wall), 1);
-    }
-    for (const PlanLoop& column : room.columns)
-      writeColumn(column);
-  }
-
-  /** @brief Beside the middle of a line, so many heights off it. */
-  void writeAlong(const char* layer,
-                  const PlanElement& line,
-                  const std::string& text,
-                  double off)
-  {
-    if (text.empty() || line.length() < height_ * static_cast<double>(text.size()))
-      return;
-    const double middle = line.length() / 2;
-    const Eigen::Vector2d normal = line.normalAt(middle);
-    dxf_.label(layer, line.pointAt(middle) + off * height_ * normal, height_, text,
-               readableAngle({normal.y(), -normal.x()}));
-  }
-
-  /** @brief The outline of each doorway within its wall, and words at stairs. */
-  void writeWays(const Floorplan& plan)
-  {
-    for (const DrawnDoorway& doorway : drawnDoorways(plan))
-      for (std::size_t k = 0; k < 4; ++k)
-        dxf_.line(door_layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
-    for (const StairNote& note : stairNotes(plan))
-      dxf_.label(text_layer, note.place, height_, note.text);
-  }
-
-  /** @brief A line of text below the plan, `rows` rows below it. Not ASCII: "?". */
-  void writeBelow(const Eigen::AlignedBox2d& bounds, std::string text, double rows)
-  {
-    for (char& c : text)
-      c = c >= ' ' && c <= '~' ? c : '?';
-    dxf_.label(text_layer,
-               {bounds.center().x(), bounds.min().y() - 2 * rows * name_height_},
-               name_height_, text);
-  }
-
-private:
-  /** @brief A height of text that fits, but may still be read. */
-  static double fitting(double usual, double space)
-  {
-    return std::clamp(space, usual / 2, usual);
-  }
-
-  void writeColumn(const PlanLoop& column)
-  {
-    const Eigen::AlignedBox2d box = boundsOf(column);
-    std::string text = columnText(column);
-    if (text.empty())
-      return;
-    if (text.compare(0, 2, "Ø") == 0)
-      text = "%%c" + text.substr(2); // the sign of a diameter in DXF
-    dxf_.label(size_layer,
-               {box.max().x() + 0.4 * height_ * static_cast<double>(text.size()),
-                box.center().y()},
-               height_, text);
-  }
-
-  DxfText& dxf_;
-  double height_;
-  double name_height_;
-};
 
 /** @brief Dimensions along the walls, and in rows beside the plan as on the sheet. */
 void
