@@ -37,6 +37,7 @@ if [ "$with_tests" = yes ]; then
     "python3             tests read solids, drawings and report.html back"
     "python3-ezdxf       reads the DXF there"
     "librsvg2-bin        draws the SVG there"
+    "poppler-utils       reads the PDF there"
   )
 fi
 if [ "$with_benchmarks" = yes ]; then

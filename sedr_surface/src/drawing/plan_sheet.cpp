@@ -85,11 +85,7 @@ public:
   /** @brief Gaps in the walls, over both faces. */
   void addDoorways()
   {
-    const auto doorways = drawnDoorways(plan_);
-    if (doorways.empty())
-      return;
-    sheet_.add(SheetGroup{"doorways"});
-    for (const DrawnDoorway& doorway : doorways) {
+    for (const DrawnDoorway& doorway : drawnDoorways(plan_)) {
       std::vector<Eigen::Vector2d> c;
       for (const Eigen::Vector2d& corner : doorway.corners)
         c.push_back(frame_(corner));
@@ -99,7 +95,6 @@ public:
       for (const auto& [from, to] : doorway.jambs())
         sheet_.addLine("jamb", {frame_(from), frame_(to)});
     }
-    sheet_.add(SheetGroup{});
   }
 
   /** @brief Dimensions about the plan: by wall, and farther out overall. */
