@@ -60,13 +60,16 @@ eavesText(const PlanRoom& room, const PlanElement& wall)
   constexpr double rises = 0.03; // over that distance
   if (!room.hasFacets() || wall.isArc() || wall.length() < 4 * beside)
     return "";
+  // What of the ceiling is beside the wall, and how high it is at the wall.
   const auto heightAt = [&](double share, double distance) {
     const double s = share * wall.length();
-    return room.ceilingAt(wall.pointAt(s) + distance * wall.normalAt(s));
+    const Eigen::Vector2d inside = wall.pointAt(s) + beside * wall.normalAt(s);
+    return room.ceilingSlab(room.detailAt(inside))
+        .heightAt(wall.pointAt(s) + distance * wall.normalAt(s));
   };
-  const double first = heightAt(0.05, beside);
-  const double middle = heightAt(0.5, beside);
-  const double last = heightAt(0.95, beside);
+  const double first = heightAt(0.05, 0);
+  const double middle = heightAt(0.5, 0);
+  const double last = heightAt(0.95, 0);
   const auto [low, high] = std::minmax({first, middle, last});
   if (high - low > level || heightAt(0.5, inward) < middle + rises)
     return "";

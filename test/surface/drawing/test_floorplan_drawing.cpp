@@ -236,7 +236,7 @@ TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
   // A closet 30 cm wide: no sizes, no name that could be read at 1:100.
   const std::string closet =
       floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
-  EXPECT_FALSE(holds(closet, ">Room"));
+  EXPECT_FALSE(holds(closet, ">Room 1<"));
   EXPECT_FALSE(holds(closet, "class=\"size halo\""));
   const std::string room = floorplanToSvg(planOf(rectangle(0, 0, 6, 5)), scaled(100));
   EXPECT_TRUE(holds(room, ">Room 1<"));
@@ -267,9 +267,9 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_TRUE(holds(upper, ">attic<"));
   EXPECT_TRUE(holds(lower, "id=\"room_2\"") && !holds(lower, "id=\"room_3\""));
   EXPECT_TRUE(holds(upper, "id=\"room_3\"") && !holds(upper, "id=\"room_2\""));
-  // The origin of the plan, 3 m to the right of the margin of 20 mm and as high as
-  // 3.5 m below the top of the highest room.
-  EXPECT_TRUE(holds(upper, "M 80 68 L")) << upper;
+  // The origin of the plan, 3.05 m to the left of the middle of both storeys, which is
+  // 219 mm from the left, and 1 m below it, 131 mm from above.
+  EXPECT_TRUE(holds(upper, "M 158 151 L")) << upper;
   const std::string dxf = floorplanToDxf(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.0000000\n20\n-1.0000000\n"));
   EXPECT_TRUE(holds(dxf, "\nattic\n"));
