@@ -94,10 +94,13 @@ TEST_P(FloorplanTools, BadUseIsRefused)
   expectFailure(run(program(), {plan_file, in(output()), "--no-such-option"}), 1);
   expectFailure(run(program(), {plan_file, in("output.txt")}), 1);
   expectFailure(run(program(), {plan_file, in("no_folder/" + output())}), 1);
-  for (const auto& option : optionsIn(run(program(), {"-h"}).out))
+  for (const auto& option : optionsIn(run(program(), {"-h"}).out)) {
+    if (option.name == "title") // any text is one
+      continue;
     for (const char* value : {"many", "-1"})
       expectFailure(
           run(program(), {plan_file, in(output()), "--" + option.name, value}), 1);
+  }
 }
 
 TEST_P(FloorplanTools, FilesThatAreNoPlansAreRefused)
@@ -192,7 +195,7 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out.svg"));
   EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
-  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2, "), std::string::npos);
+  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
