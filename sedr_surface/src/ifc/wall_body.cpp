@@ -12,11 +12,12 @@ namespace sedr {
 namespace ifc {
 namespace {
 
+constexpr double off = 0.02; ///< of a wall, whose place is known to millimetres
+
 /** @brief A place beside a face, within its room. */
 Eigen::Vector2d
 insideAt(const PlanElement& element, double s)
 {
-  constexpr double off = 0.02; // of the wall, whose place is known to millimetres
   const auto [place, inward] = faceAt(element, std::clamp(s, 0.0, element.length()));
   return place + off * inward;
 }
@@ -186,10 +187,13 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
     SlabsAbove::Place place;
     const PlanSlab* highest = nullptr;
     for (const Side& side : sides) {
-      const Eigen::Vector2d p = insideAt(
-          *side.element, &side == &sides[0] ? s : side.element->project(on_face));
+      const double along = &side == &sides[0] ? s : side.element->project(on_face);
+      const Eigen::Vector2d p = insideAt(*side.element, along);
+      // What is above is asked for off the walls at its ends, too.
+      const double last = std::max(side.element->length() - off, off);
+      const PlanSlab& slab =
+          slabAbove(side, insideAt(*side.element, std::clamp(along, off, last)));
       heights.bottom = std::min(heights.bottom, side.room->floorAt(p));
-      const PlanSlab& slab = slabAbove(side, p);
       slopes = slopes || side.slopes;
       if (slab.heightAt(p) <= top)
         continue;
