@@ -8,9 +8,9 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/plan/room_map.h"
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floor_recovery.h>
-#include <pcl/sedr_filters/room_map.h>
 
 #include <algorithm>
 #include <map>

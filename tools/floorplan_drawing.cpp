@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "sedr/solid_files.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/storeys.h>

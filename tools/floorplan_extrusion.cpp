@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_picture.h"
+#include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "sedr/solid_files.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>

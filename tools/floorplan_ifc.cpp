@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/ifc_file.h"
+#include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "sedr/ifc_file.h"
-#include "sedr/solid_files.h"
 #include "tool_error.h"
 #include "whole_file.h"
 

@@ -11,9 +11,9 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
-#include <pcl/sedr_segmentation/plane_list.h>
+#include "sedr_segmentation/src/planes/plane_list.h"
+#include "sedr_segmentation/src/scan/scan_lean.h"
 #include <pcl/sedr_segmentation/scan_check.h>
-#include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <nlohmann/json.hpp>
 

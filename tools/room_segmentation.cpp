@@ -9,9 +9,9 @@
 #include "tool_error.h"
 #include "whole_file.h"
 
+#include "sedr_segmentation/src/scan/scan_lean.h"
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_segmentation/scan_check.h>
-#include <pcl/sedr_segmentation/scan_lean.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/model_run.h"
 #include "run_tool.h"
 #include "scan_file.h"
-#include "sedr/model_run.h"
 
 #include <memory>
 

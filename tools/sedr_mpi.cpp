@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/model_run.h"
 #include "mpi/end_watch.h"
 #include "mpi/joint_step.h"
 #include "mpi/kept_rooms.h"
@@ -6,7 +7,6 @@
 #include "mpi/rank_orders.h"
 #include "mpi/scan_parts.h"
 #include "run_tool.h"
-#include "sedr/model_run.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/parallel.h>

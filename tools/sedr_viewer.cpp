@@ -2,9 +2,9 @@
 #include "picture_file.h"
 #include "run_tool.h"
 #include "tool_error.h"
-#include "viewer/display.h"
 #include "viewer/keys.h"
-#include "viewer/window.h"
+#include "viewer/window/display.h"
+#include "viewer/window/window.h"
 
 #include <cstdio>
 #include <string>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_picture.h"
+#include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
-#include "sedr/solid_files.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "whole_file.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "benchmark/run_row.h"
-#include "benchmark/scene_truth.h"
+#include "benchmark/figures/scene_truth.h"
+#include "benchmark/runs/run_row.h"
 
 #include "simulator/sample_rooms.h"
 

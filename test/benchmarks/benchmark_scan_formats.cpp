@@ -7,9 +7,9 @@
 // scan.e57 (scaled integers of 18 bits, 0.1 mm), scan.las and scan.xyz into FOLDER,
 // unless they are there, and reads them from the page cache.
 #include "scan_file.h"
-#include "tools/e57_writer.h"
-#include "tools/las_writer.h"
 #include "tools/sample_files.h"
+#include "tools/scans/e57_writer.h"
+#include "tools/scans/las_writer.h"
 
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 

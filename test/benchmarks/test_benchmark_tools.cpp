@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "benchmark/csv_file.h"
+#include "benchmark/table/csv_file.h"
 #include "tools/option_help.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"

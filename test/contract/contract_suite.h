@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contract/contract.h"
+#include "contract.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contract/contract.h"
+#include "contract.h"
 #include "plan_loops.h"
 
 #include <pcl/sedr_filters/plan_surfaces.h>

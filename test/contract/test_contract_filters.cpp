@@ -4,7 +4,7 @@
 #include "contract/adaptors/parallel_voxel_grid.h"
 #include "contract/adaptors/structure_refinement.h"
 #include "contract/adaptors/vertical_hole_repair.h"
-#include "contract/contract_suite.h"
+#include "contract_suite.h"
 
 namespace contract {
 

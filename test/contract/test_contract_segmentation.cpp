@@ -4,7 +4,7 @@
 #include "contract/adaptors/grid_slice_detail.h"
 #include "contract/adaptors/horizontal_plane_detection.h"
 #include "contract/adaptors/room_segmentation.h"
-#include "contract/contract_suite.h"
+#include "contract_suite.h"
 
 namespace contract {
 

@@ -2,7 +2,7 @@
 #include "contract/adaptors/floorplan_extrusion.h"
 #include "contract/adaptors/indoor_structure_reconstruction.h"
 #include "contract/adaptors/structural_poisson.h"
-#include "contract/contract_suite.h"
+#include "contract_suite.h"
 
 namespace contract {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_surface/src/ifc/ifc_guid.h"
+#include "sedr_surface/src/ifc/ifc_guid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_surface/src/ifc/mesh_prism.h"
+#include "sedr_surface/src/ifc/mesh_prism.h"
 
 #include <pcl/sedr_surface/mesh_topology.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_surface/src/ifc/plan_walls.h"
 #include "plan_loops.h"
+#include "sedr_surface/src/ifc/plan_walls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulator/scan.h"
-#include "simulator/scenes.h"
-#include "simulator/truth_mesh.h"
+#include "simulator/scan/scan.h"
+#include "simulator/scene/scenes.h"
+#include "simulator/truth/truth_mesh.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sample_rooms.h"
-#include "simulator/files.h"
+#include "simulator/truth/files.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>

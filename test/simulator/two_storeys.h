@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scene_text.h"
+#include "simulator/scene/scene_text.h"
 
 /** @file A building of two rooms above each other and a tall hall beside them. */
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tool_cloud.h"
-#include "tools/tool_contract.h"
+#include "tool_contract.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tools/box_room.h"
+#include "box_room.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
-#include "tools/tool_contract.h"
+#include "tool_contract.h"
 
 #include <gtest/gtest.h>
 

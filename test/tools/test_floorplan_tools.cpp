@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/drawing_files.h"
+#include "option_help.h"
 #include "plan_file.h"
-#include "sedr/drawing_files.h"
+#include "run_program.h"
+#include "sample_files.h"
 #include "tool_error.h"
-#include "tools/option_help.h"
-#include "tools/run_program.h"
-#include "tools/sample_files.h"
 #include "two_storeys.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>

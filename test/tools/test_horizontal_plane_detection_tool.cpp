@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/labelling_tools.h"
+#include "labelling_tools.h"
 
 #include <nlohmann/json.hpp>
 

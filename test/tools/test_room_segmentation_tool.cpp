@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "labelling_tools.h"
 #include "rooms/building_file.h"
 #include "tool_error.h"
-#include "tools/labelling_tools.h"
 
 #include <nlohmann/json.hpp>
 

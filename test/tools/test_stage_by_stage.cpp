@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "box_room.h"
+#include "option_help.h"
+#include "run_program.h"
+#include "sample_files.h"
 #include "tool_cloud.h"
-#include "tools/box_room.h"
-#include "tools/option_help.h"
-#include "tools/run_program.h"
-#include "tools/sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 

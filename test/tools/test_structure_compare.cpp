@@ -2,8 +2,8 @@
 #include "compare/change_mesh.h"
 #include "compare/comparison.h"
 #include "compare/plan_alignment.h"
-#include "tools/run_program.h"
-#include "tools/sample_files.h"
+#include "run_program.h"
+#include "sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tools/box_room.h"
-#include "tools/option_help.h"
-#include "tools/run_program.h"
-#include "tools/sample_files.h"
+#include "box_room.h"
+#include "option_help.h"
+#include "run_program.h"
+#include "sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 

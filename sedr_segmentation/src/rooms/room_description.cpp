@@ -2,7 +2,7 @@
 #include "room_description.h"
 
 #include "../air/height_counts.h"
-#include "wall_beside.h"
+#include "../parting/wall_beside.h"
 
 #include <pcl/sedr_filters/parallel.h>
 

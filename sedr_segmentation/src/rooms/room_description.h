@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "room_parting.h"
+#include "../parting/room_parting.h"
 
 #include <pcl/sedr_segmentation/building.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../air/height_counts.h"
 
+#include "room_planes.h"
 #include <pcl/sedr_filters/plane_fit.h>
-#include <pcl/sedr_segmentation/room_planes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_filters/disjoint_sets.h>
+#include "sedr_filters/src/grids/disjoint_sets.h"
 #include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/structure_fields.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "sheet_fit.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_choice.h"
 
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

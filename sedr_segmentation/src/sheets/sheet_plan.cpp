@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_borders.h"
 
-#include <pcl/sedr_segmentation/loop_difference.h>
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "../curves/loop_difference.h"
+#include "sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_proposals.h"
 
-#include <pcl/sedr_filters/middle_value.h>
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "sedr_filters/src/base/middle_value.h"
+#include "sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_relief.h"
 
-#include <pcl/sedr_filters/middle_value.h>
+#include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "cell_points.h"
 #include "shape_fit.h"
 
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "sheet_fit.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "level_slab.h"
 #include "mesh_prism.h"
 
-#include "../plan_drawing.h"
+#include "../drawing/plan_drawing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_file.h"
 
-#include "../decimal_text.h"
+#include "../formats/decimal_text.h"
 
 namespace pcl {
 namespace sedr {

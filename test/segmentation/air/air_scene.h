@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../sedr_segmentation/src/air/air_gaps.h"
+#include "sedr_segmentation/src/air/air_gaps.h"
 
 #include "room_points.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segmentation/air/air_scene.h"
+#include "air_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_segmentation/src/air/voxel_columns.h"
+#include "sedr_segmentation/src/air/voxel_columns.h"
 
 #include "room_points.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_segmentation/src/rooms/room_description.h"
+#include "sedr_segmentation/src/rooms/room_description.h"
 
 #include "segmentation/air/air_scene.h"
 

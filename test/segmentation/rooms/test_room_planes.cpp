@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/room_planes.h>
+#include "sedr_segmentation/src/rooms/room_planes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_segmentation/src/rooms/storey_levels.h"
+#include "sedr_segmentation/src/rooms/storey_levels.h"
 
 #include <gtest/gtest.h>
 

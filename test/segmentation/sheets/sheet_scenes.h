@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/sheet_fit.h>
+#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
-#include "../../plan_loops.h"
+#include "plan_loops.h"
 
 #include <cmath>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../sedr_segmentation/src/sheets/shape_fit.h"
+#include "sedr_segmentation/src/sheets/shape_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slab_agreement.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include "middle_value.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Leaves in `inside` the points within `band` of the slab. */
+void
+keepWithinBand(const Positions& points,
+               const PlanSlab& slab,
+               double band,
+               Positions& inside)
+{
+  inside.resize(points.size());
+  std::size_t count = 0;
+  for (const auto& p : points) {
+    inside[count] = p;
+    count += std::abs(distanceAbove(slab, p)) <= band ? 1 : 0;
+  }
+  inside.resize(count);
+}
+
+/** @brief Notes how far each point is from the slab; the root mean square of that, 0
+ * of none. */
+double
+residualOf(const Positions& points,
+           const PlanSlab& slab,
+           std::vector<double>& distances)
+{
+  distances.resize(points.size());
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    distances[k] = std::abs(distanceAbove(slab, points[k]));
+    sum += distances[k] * distances[k];
+  }
+  return points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/** @brief 1.4826 times the median distance: the standard deviation, outliers left
+ * aside. */
+double
+robustDeviation(std::vector<double> distances)
+{
+  return 1.4826 * middleValue(std::move(distances));
+}
+
+/** @brief Half width of the band that holds what deviates so, no wider than `widest`.
+ */
+double
+shrunk(double deviation, double widest)
+{
+  constexpr double least = 1e-4;
+  return std::min(widest, std::max(2.5 * deviation, least));
+}
+
+/** @brief The plane through three points, c > 0; false where it leans more than
+ * allowed. */
+bool
+planeThrough(const Eigen::Vector3d& a,
+             const Eigen::Vector3d& b,
+             const Eigen::Vector3d& c,
+             double minimum_cosine,
+             PlanSlab& slab)
+{
+  Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double length = normal.norm();
+  if (length < 1e-9)
+    return false;
+  normal *= (normal.z() < 0 ? -1 : 1) / length;
+  if (normal.z() < minimum_cosine)
+    return false;
+  slab.plane << normal, -normal.dot(a);
+  return true;
+}
+
+/** @brief The horizontal plane at the height around which, within the tolerance, most
+ * points lie. */
+PlanSlab
+densestLevel(const Positions& points, double tolerance)
+{
+  std::vector<float> heights;
+  for (const auto& p : points)
+    heights.push_back(p.z());
+  std::sort(heights.begin(), heights.end());
+  std::size_t best_first = 0;
+  std::size_t best_last = 0;
+  for (std::size_t first = 0, last = 0; last < heights.size(); ++last) {
+    while (heights[last] - heights[first] > tolerance)
+      ++first;
+    if (last - first > best_last - best_first) {
+      best_first = first;
+      best_last = last;
+    }
+  }
+  return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
+}
+
+/** @brief The slab that fits best; its residual is left to the caller. */
+PlanSlab
+bestSlab(const Positions& points)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : points)
+    mean += p.cast<double>();
+  if (!points.empty())
+    mean /= static_cast<double>(points.size());
+
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const auto& p : points) {
+    const Eigen::Vector3d d = p.cast<double>() - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    xz += d.x() * d.z();
+    yy += d.y() * d.y();
+    yz += d.y() * d.z();
+    zz += d.z() * d.z();
+  }
+  Eigen::Matrix3d scatter;
+  scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  PlanSlab slab = horizontalSlab(mean.z());
+  slab.inliers = points.size();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const bool is_flat = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
+  if (points.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
+    const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
+    slab.plane << up, -up.dot(mean);
+  }
+  return slab;
+}
+
+PlanSlab
+fitParallel(const Positions& points,
+            const PlanSlab& direction,
+            const PlanSlab& start,
+            double band)
+{
+  PlanSlab slab = start;
+  slab.plane.head<3>() = direction.plane.head<3>();
+  Positions inside;
+  keepWithinBand(points, start, band, inside);
+  // Turned about the points, not about the origin, which may be far away.
+  std::vector<double> offsets;
+  for (const auto& p : inside)
+    offsets.push_back(distanceAbove(slab, p));
+  if (!offsets.empty())
+    slab.plane[3] -= middleValue(std::move(offsets));
+  const double widest = band;
+  for (int round = 0; round < 6; ++round) {
+    keepWithinBand(points, slab, band, inside);
+    if (inside.empty())
+      break;
+    double sum = 0;
+    for (const auto& p : inside)
+      sum += distanceAbove(slab, p);
+    slab.plane[3] -= sum / static_cast<double>(inside.size());
+    slab.inliers = inside.size();
+    std::vector<double> distances;
+    slab.residual = residualOf(inside, slab, distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
+  }
+  return slab;
+}
+
+} // namespace
+
+Positions
+positionsOf(const PointView& points, const std::vector<int>& indices)
+{
+  Positions positions;
+  positions.reserve(indices.size());
+  for (const int i : indices)
+    positions.push_back(points[static_cast<std::size_t>(i)]);
+  return positions;
+}
+
+PlanSlab
+fitSlab(const Positions& points)
+{
+  PlanSlab slab = bestSlab(points);
+  std::vector<double> distances;
+  slab.residual = residualOf(points, slab, distances);
+  return slab;
+}
+
+PlanSlab
+fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
+{
+  PlanSlab slab = start;
+  const double widest = band;
+  Positions inside;
+  Positions fitted;
+  for (int round = 0; round < 6; ++round) {
+    keepWithinBand(points, slab, band, inside);
+    if (inside.size() < 3 || inside == fitted) // the same again gives the same
+      break;
+    slab = bestSlab(inside);
+    std::vector<double> distances;
+    slab.residual = residualOf(inside, slab, distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
+    fitted.swap(inside);
+  }
+  return slab;
+}
+
+PlanSlab
+findSlab(const Positions& points,
+         double tolerance,
+         double maximum_tilt,
+         std::uint64_t seed,
+         unsigned threads)
+{
+  constexpr int trials = 300;
+  constexpr std::size_t most_scored = 2000;
+
+  std::mt19937_64 random(seed);
+  const double minimum_cosine = std::cos(maximum_tilt);
+  Positions scored;
+  const std::size_t step = points.size() / most_scored + 1;
+  for (std::size_t k = 0; k < points.size(); k += step)
+    scored.push_back(points[k]);
+
+  const PlanSlab level = densestLevel(scored, tolerance);
+  const auto draw = [&]() {
+    return Eigen::Vector3d(points[random() % points.size()].cast<double>());
+  };
+  std::vector<PlanSlab> slabs;
+  for (int trial = 0; trial < trials && points.size() >= 3; ++trial) {
+    PlanSlab slab;
+    const Eigen::Vector3d a = draw();
+    const Eigen::Vector3d b = draw();
+    if (planeThrough(a, b, draw(), minimum_cosine, slab))
+      slabs.push_back(slab);
+  }
+  const PlanSlab best = mostAgreed(slabs, level, scored, tolerance, threads);
+  const PlanSlab refined = fitSlabRobustly(points, best, tolerance);
+  return refined.plane[2] >= minimum_cosine
+             ? refined
+             : fitParallel(points, level, level, tolerance);
+}
+
+PlanSlab
+fitParallel(const PointView& points,
+            const std::vector<int>& indices,
+            const PlanSlab& direction,
+            const PlanSlab& start,
+            double band)
+{
+  return fitParallel(positionsOf(points, indices), direction, start, band);
+}
+
+} // namespace sedr
+} // namespace pcl

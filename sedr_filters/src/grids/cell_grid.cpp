@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "disjoint_sets.h"
+#include <pcl/sedr_filters/cell_grid.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Joins every cell with its eight neighbours: the one before it in the row, and
+ * of the up to three in the row below, which a second cursor follows, those that
+ * nothing has joined with it yet. */
+void
+joinNeighbours(const CellSet& cells, DisjointSets<std::size_t>& sets)
+{
+  const std::vector<CellKey>& keys = cells.keys();
+  const auto followsAnother = [&](std::size_t i) {
+    return i > 0 && keys[i - 1] + 1 == keys[i];
+  };
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = cells[i];
+    const bool goes_on = followsAnother(i);
+    if (goes_on)
+      sets.join(i - 1, i);
+    const CellKey first = keyOf({cell.x - 1, cell.y - 1});
+    while (keys[below] < first)
+      ++below;
+    const CellKey fresh = goes_on ? first + 2 : first; // beside none before this cell
+    for (std::size_t j = below; keys[j] <= first + 2; ++j)
+      if (keys[j] >= fresh && (keys[j] == first || !followsAnother(j)))
+        sets.join(i, j);
+  }
+}
+
+/** @brief Sorts `keys` and leaves out repetitions: by a bit for every cell of the
+ * rectangle around them, where that is no larger than the keys themselves. */
+void
+sortOnce(std::vector<CellKey>& keys)
+{
+  if (keys.empty())
+    return;
+  Cell low = cellOf(keys.front());
+  Cell high = low;
+  for (const CellKey key : keys) {
+    const Cell cell = cellOf(key);
+    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+  }
+  constexpr std::uint64_t bits = 64;
+  const auto width = static_cast<std::uint64_t>(std::int64_t{high.x} - low.x + 1);
+  const auto height = static_cast<std::uint64_t>(std::int64_t{high.y} - low.y + 1);
+  const std::uint64_t words = width / bits + 1; // a row
+  if (words > keys.size() || height > keys.size() / words) {
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    return;
+  }
+  std::vector<std::uint64_t> marked(words * height, 0);
+  for (const CellKey key : keys) {
+    const Cell cell = cellOf(key);
+    const auto x = static_cast<std::uint64_t>(std::int64_t{cell.x} - low.x);
+    const auto y = static_cast<std::uint64_t>(std::int64_t{cell.y} - low.y);
+    marked[y * words + x / bits] |= std::uint64_t{1} << (x % bits);
+  }
+  keys.clear();
+  for (std::uint64_t w = 0; w < marked.size(); ++w)
+    for (std::uint64_t rest = marked[w]; rest != 0; rest &= rest - 1) {
+      const auto bit = static_cast<std::uint64_t>(__builtin_ctzll(rest));
+      const auto x = static_cast<std::int64_t>(w % words * bits + bit);
+      keys.push_back(keyOf(
+          {static_cast<std::int32_t>(low.x + x),
+           static_cast<std::int32_t>(low.y + static_cast<std::int64_t>(w / words))}));
+    }
+}
+
+} // namespace
+
+CellSet::CellSet(std::vector<CellKey> keys)
+    : keys_(std::move(keys))
+{
+  sortOnce(keys_);
+  indexRows();
+}
+
+CellSet
+CellSet::fromSorted(std::vector<CellKey> keys)
+{
+  assert(std::adjacent_find(keys.begin(), keys.end(), std::greater_equal<>()) ==
+         keys.end());
+  CellSet set;
+  set.keys_ = std::move(keys);
+  set.indexRows();
+  return set;
+}
+
+/** @brief Notes where rows begin, unless there are few cells a row. */
+void
+CellSet::indexRows()
+{
+  row_.clear();
+  if (keys_.empty())
+    return;
+  first_row_ = cellOf(keys_.front()).y;
+  const std::int64_t rows = std::int64_t{cellOf(keys_.back()).y} - first_row_ + 1;
+  if (static_cast<std::uint64_t>(rows) > keys_.size())
+    return;
+  row_.assign(static_cast<std::size_t>(rows) + 1, 0);
+  for (const CellKey key : keys_)
+    ++row_[static_cast<std::size_t>(cellOf(key).y - first_row_) + 1];
+  std::partial_sum(row_.begin(), row_.end(), row_.begin());
+}
+
+CellSet
+unite(const CellSet& a, const CellSet& b)
+{
+  std::vector<CellKey> keys;
+  std::set_union(a.keys().begin(), a.keys().end(), b.keys().begin(), b.keys().end(),
+                 std::back_inserter(keys));
+  return CellSet::fromSorted(std::move(keys));
+}
+
+CellSet
+intersect(const CellSet& a, const CellSet& b)
+{
+  std::vector<CellKey> keys;
+  std::set_intersection(a.keys().begin(), a.keys().end(), b.keys().begin(),
+                        b.keys().end(), std::back_inserter(keys));
+  return CellSet::fromSorted(std::move(keys));
+}
+
+CellSet
+subtract(const CellSet& a, const CellSet& b)
+{
+  std::vector<CellKey> keys;
+  std::set_difference(a.keys().begin(), a.keys().end(), b.keys().begin(),
+                      b.keys().end(), std::back_inserter(keys));
+  return CellSet::fromSorted(std::move(keys));
+}
+
+CellRegions
+labelRegions(const CellSet& cells)
+{
+  DisjointSets<std::size_t> sets(cells.size());
+  joinNeighbours(cells, sets);
+
+  // Roots are the first cells of their regions, so regions are met in the order of the
+  // keys.
+  CellRegions regions;
+  regions.label.resize(cells.size());
+  std::vector<std::size_t> region_of_root(cells.size());
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t root = sets.find(i);
+    if (root == i) {
+      region_of_root[i] = sizes.size();
+      sizes.push_back(0);
+    }
+    regions.label[i] = region_of_root[root];
+    ++sizes[regions.label[i]];
+  }
+
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::vector<std::size_t> rank(sizes.size());
+  for (std::size_t r = 0; r < order.size(); ++r) {
+    rank[order[r]] = r;
+    regions.sizes.push_back(sizes[order[r]]);
+  }
+  for (auto& label : regions.label)
+    label = rank[label];
+  return regions;
+}
+
+std::vector<CellSet>
+connectedRegions(const CellSet& cells)
+{
+  const CellRegions regions = labelRegions(cells);
+  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    keys[regions.label[i]].push_back(cells.keys()[i]);
+  std::vector<CellSet> result;
+  for (auto& own : keys)
+    result.push_back(CellSet::fromSorted(std::move(own)));
+  return result;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../thinning/point_cubes.h"
+
+#include <pcl/sedr_filters/plan_evidence.h>
+
+#include <pcl/sedr_filters/cell_table.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plan_surfaces.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+// Metres.
+constexpr double cell_size = 0.1;
+constexpr double rim = 0.03;    ///< of a wall, where points may be those of a slab
+constexpr double beside = 0.08; ///< of a point from the place that it fills
+constexpr double beside_corner = 0.06; ///< where points may be those of the next wall
+constexpr double reach_before = 1.0;   ///< of what hides a cell
+constexpr double off_slab = 0.07;  ///< points nearer to floor or ceiling hide nothing
+constexpr double low_cell = 1.0;   ///< below it shadows of furniture are looked for
+constexpr double foot_from = 0.15; ///< the floor at the foot of a wall
+constexpr double foot_to = 0.55;
+constexpr double least_seen = 0.05; ///< share; below it a wall was not in view
+
+/** @brief A room with its niches, and what may stand before or behind its walls. */
+Eigen::AlignedBox3d
+boxOf(const PlanRoom& room)
+{
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const PlanLoop& loop) {
+    for (const auto& p : loop.polygon(0.01))
+      for (const PlanSlab* slab : {&room.floor, &room.ceiling})
+        box.extend(Eigen::Vector3d(p.x(), p.y(), slab->heightAt(p)));
+  };
+  extend(room.boundary);
+  for (const PlanNiche& niche : room.niches)
+    extend(niche.boundary);
+  if (box.isEmpty())
+    return box;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.5);
+  return {box.min() - margin, box.max() + margin};
+}
+
+/** @brief A cell of an upright surface. */
+struct Cell {
+  Eigen::Vector3d middle;
+  Eigen::Vector3d normal; ///< into the room
+  double floor = 0;       ///< z at its foot
+  UprightSpan span;
+};
+
+class RoomEvidence {
+public:
+  RoomEvidence(const PlanRoom& room, const PointCubes& points, double tolerance)
+      : room_(room)
+      , points_(points)
+      , tolerance_(tolerance)
+  {}
+
+  /** @brief Counts of seen, hidden and open cells of a surface. */
+  ElementEvidence countOf(const UprightSurface& surface) const
+  {
+    ElementEvidence count;
+    const double margin = std::min(beside_corner, surface.element->length() / 4);
+    const double length = surface.element->length() - 2 * margin;
+    const auto columns = partsOf(length);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double s = margin + length * (static_cast<double>(c) + 0.5) /
+                                    static_cast<double>(columns);
+      const UprightSpan span = surface.spanAt(s);
+      if (!(span.high > span.low))
+        continue;
+      const Eigen::Vector2d place = surface.element->pointAt(s);
+      const auto rows = partsOf(span.high - span.low);
+      const Eigen::Vector3d normal = surface.normalAt(s);
+      const double floor = room_.floorAt(place);
+      for (std::size_t r = 0; r < rows; ++r) {
+        Cell cell{{}, normal, floor, span};
+        cell.middle << place, span.low + (span.high - span.low) *
+                                             (static_cast<double>(r) + 0.5) /
+                                             static_cast<double>(rows);
+        (isSeen(cell)     ? count.seen
+         : isHidden(cell) ? count.hidden
+                          : count.opening) += 1;
+      }
+    }
+    return count;
+  }
+
+private:
+  static std::size_t partsOf(double length)
+  {
+    return std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::lround(length / cell_size)));
+  }
+
+  bool isSeen(const Cell& cell) const
+  {
+    return points_.anyNear(cell.middle, [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector3d off = p - cell.middle;
+      const double across = off.dot(cell.normal);
+      const double along = (off - across * cell.normal).head<2>().norm();
+      return std::abs(across) <= tolerance_ && along <= cell_size / 2 &&
+             std::abs(off.z()) <= cell_size / 2 && p.z() > cell.span.low + rim &&
+             p.z() < cell.span.high - rim;
+    });
+  }
+
+  bool isHidden(const Cell& cell) const
+  {
+    for (double d = tolerance_ + beside; d < reach_before; d += cell_size) {
+      const Eigen::Vector3d before = cell.middle + d * cell.normal;
+      if (!room_.contains(before.head<2>()))
+        break;
+      if (points_.anyNear(before, [&](const Eigen::Vector3d& p) {
+            return (p - before).norm() <= beside && p.z() > cell.floor + off_slab &&
+                   p.z() < cell.span.high - off_slab;
+          }))
+        return true;
+    }
+    return cell.middle.z() < cell.floor + low_cell && !seesFloorAtFoot(cell);
+  }
+
+  bool seesFloorAtFoot(const Cell& cell) const
+  {
+    for (double d = foot_from; d < foot_to; d += cell_size) {
+      Eigen::Vector3d foot = cell.middle + d * cell.normal;
+      foot.z() = room_.floorAt(foot.head<2>());
+      if (points_.anyNear(foot, [&](const Eigen::Vector3d& p) {
+            return (p - foot).head<2>().norm() <= beside &&
+                   std::abs(p.z() - foot.z()) <= tolerance_;
+          }))
+        return true;
+    }
+    return false;
+  }
+
+  RoomLookup room_;
+  const PointCubes& points_;
+  double tolerance_;
+};
+
+ElementEvidence
+sumOf(const ElementEvidence& a, const ElementEvidence& b)
+{
+  return {a.seen + b.seen, a.hidden + b.hidden, a.opening + b.opening};
+}
+
+/** @brief Shares of counted cells. */
+ElementEvidence
+countedShares(const ElementEvidence& count)
+{
+  const double all = count.seen + count.hidden + count.opening;
+  if (all == 0)
+    return {};
+  return {count.seen / all, count.hidden / all, count.opening / all};
+}
+
+/** @brief The same, but of a surface that was not in view all is hidden. */
+ElementEvidence
+sharesOf(const ElementEvidence& count)
+{
+  const ElementEvidence shares = countedShares(count);
+  if (shares.isKnown() && shares.seen < least_seen)
+    return {shares.seen, 1 - shares.seen, 0};
+  return shares;
+}
+
+using Counts = std::map<const PlanElement*, ElementEvidence>;
+
+void
+note(const Counts& counts, PlanLoop& loop)
+{
+  for (PlanElement& element : loop.elements) {
+    const auto count = counts.find(&element);
+    element.evidence =
+        count == counts.end() ? ElementEvidence() : sharesOf(count->second);
+  }
+}
+
+void
+measureRoom(PlanRoom& room,
+            const PointView& points,
+            const std::vector<int>& indices,
+            double tolerance,
+            unsigned threads)
+{
+  const PointCubes cubes(points, indices, boxOf(room), cell_size, threads);
+  const RoomEvidence evidence(room, cubes, tolerance);
+  const std::vector<UprightSurface> surfaces = uprightSurfaces(room);
+  std::vector<ElementEvidence> count_of(surfaces.size());
+  parallelBlocks(surfaces.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    count_of[k] = evidence.countOf(surfaces[k]);
+  });
+  Counts counts;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    ElementEvidence& sum = counts[surfaces[k].element];
+    sum = sumOf(sum, count_of[k]);
+  }
+  note(counts, room.boundary);
+  for (PlanLoop& column : room.columns)
+    note(counts, column);
+  for (auto* details : {&room.details, &room.floor_details})
+    for (PlanDetail& detail : *details) {
+      note(counts, detail.boundary);
+      for (PlanLoop& hole : detail.holes)
+        note(counts, hole);
+    }
+  for (PlanNiche& niche : room.niches)
+    note(counts, niche.boundary);
+}
+
+/** @brief Adds entries for the places at which points may tell of the uprights of a
+ * room. */
+void
+appendEntries(const PlanRoom& room,
+              std::uint32_t number,
+              double tolerance,
+              const CellTable& table,
+              std::vector<CellTable::Entry>& entries)
+{
+  constexpr double step = 0.5; // metres, along an upright
+  const Eigen::Vector2d reach =
+      Eigen::Vector2d::Constant(reach_before + step / 2 + beside + tolerance);
+  for (const UprightSurface& surface : uprightSurfaces(room)) {
+    const double length = surface.element->length();
+    for (double s = 0; s < length + step; s += step) {
+      const Eigen::Vector2d p = surface.element->pointAt(std::min(s, length));
+      entries.push_back({table.boxAround(p - reach, p + reach), number});
+    }
+  }
+}
+
+/** @brief The points that may tell of the uprights of each room; all of them where the
+ * rooms are too far apart for a table. */
+std::vector<std::vector<int>>
+pointsNearRooms(const Floorplan& plan,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double tolerance,
+                unsigned threads)
+{
+  constexpr double cell = 0.25; // metres
+  CellTable rooms_near(cell);
+  std::vector<CellTable::Entry> entries;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    appendEntries(plan.rooms[r], static_cast<std::uint32_t>(r), tolerance, rooms_near,
+                  entries);
+  if (!rooms_near.fill(entries).empty())
+    return std::vector<std::vector<int>>(plan.rooms.size(), indices);
+  constexpr std::size_t points_a_block = std::size_t{1} << 15;
+  const std::size_t blocks = (indices.size() + points_a_block - 1) / points_a_block;
+  std::vector<std::vector<std::vector<int>>> parts(
+      blocks, std::vector<std::vector<int>>(plan.rooms.size()));
+  parallelBlocks(
+      indices.size(), points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        auto& part = parts[begin / points_a_block];
+        for (std::size_t k = begin; k < end; ++k) {
+          const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
+          for (const auto r : rooms_near.at(p.head<2>().cast<double>()))
+            part[r].push_back(indices[k]);
+        }
+      });
+  std::vector<std::vector<int>> shares(plan.rooms.size());
+  for (const auto& part : parts)
+    for (std::size_t r = 0; r < shares.size(); ++r)
+      shares[r].insert(shares[r].end(), part[r].begin(), part[r].end());
+  return shares;
+}
+
+} // namespace
+
+void
+measureEvidence(Floorplan& plan,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double tolerance,
+                unsigned threads)
+{
+  const std::vector<std::vector<int>> shares =
+      pointsNearRooms(plan, points, indices, tolerance, threads);
+  parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    measureRoom(plan.rooms[r], points, shares[r], tolerance, threads);
+  });
+}
+
+ElementEvidence
+countedEvidence(const PlanRoom& room,
+                std::size_t wall,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double tolerance)
+{
+  const PointCubes cubes(points, indices, boxOf(room), cell_size, 1);
+  const RoomEvidence evidence(room, cubes, tolerance);
+  ElementEvidence sum;
+  for (const UprightSurface& surface : uprightSurfaces(room))
+    if (surface.element == &room.boundary.elements[wall])
+      sum = sumOf(sum, evidence.countOf(surface));
+  return countedShares(sum);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_map.h"
+#include <pcl/sedr_filters/region_selection.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+using Votes = std::map<std::uint32_t, std::size_t>;
+
+/** @brief How many points of each room lie in each cell; of no room, none. */
+std::vector<Votes>
+countRooms(const CellGrid& grid,
+           const PointView& points,
+           const std::vector<std::uint32_t>& room,
+           const pcl::Indices& indices,
+           const CellSet& cells)
+{
+  std::vector<Votes> votes(cells.size());
+  for (const auto index : indices) {
+    const auto i = static_cast<std::size_t>(index);
+    const Eigen::Vector3f p = points[i];
+    if (room[i] != 0 && points.isFinite(i) && grid.holds(p.x(), p.y()))
+      ++votes[cells.find(grid.at(p.x(), p.y()))][room[i]];
+  }
+  return votes;
+}
+
+std::uint32_t
+mostFrequent(const Votes& votes)
+{
+  return std::max_element(
+             votes.begin(), votes.end(),
+             [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+} // namespace
+
+RoomMap::RoomMap(const CellGrid& grid,
+                 const PointView& points,
+                 const std::vector<std::uint32_t>& room,
+                 const pcl::Indices& ceiling,
+                 const pcl::Indices& detail)
+    : grid_(grid)
+    , points_(points)
+    , cells_(unite(CellSet(grid, points, ceiling), CellSet(grid, points, detail)))
+{
+  // Details speak where there is no ceiling: those with a room for it, the others take
+  // it.
+  const auto by_ceiling = countRooms(grid, points, room, ceiling, cells_);
+  const auto by_detail = countRooms(grid, points, room, detail, cells_);
+  std::vector<std::size_t> label(cells_.size(), CellSet::npos);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const Votes& votes = by_ceiling[i].empty() ? by_detail[i] : by_ceiling[i];
+    if (!votes.empty())
+      label[i] = mostFrequent(votes);
+  }
+  growLabels(cells_, label);
+  for (const std::size_t l : label)
+    room_of_cell_.push_back(l == CellSet::npos ? 0 : static_cast<std::uint32_t>(l));
+  noteCeilings(room, ceiling);
+}
+
+void
+RoomMap::noteCeilings(const std::vector<std::uint32_t>& room,
+                      const pcl::Indices& ceiling)
+{
+  above_.resize(cells_.size());
+  for (const auto index : ceiling) {
+    const auto i = static_cast<std::size_t>(index);
+    const Eigen::Vector3f p = points_[i];
+    if (room[i] == 0 || !points_.isFinite(i) || !grid_.holds(p.x(), p.y()))
+      continue;
+    auto& here = above_[cells_.find(grid_.at(p.x(), p.y()))];
+    auto own = std::find_if(here.begin(), here.end(),
+                            [&](const Above& a) { return a.room == room[i]; });
+    if (own == here.end())
+      own = here.insert(own, {room[i], 0, 0});
+    own->points += 1;
+    own->height += (p.z() - own->height) / static_cast<double>(own->points);
+  }
+}
+
+std::uint32_t
+RoomMap::roomOver(pcl::index_t index) const
+{
+  const auto i = static_cast<std::size_t>(index);
+  const Eigen::Vector3f p = points_[i];
+  if (!points_.isFinite(i) || !grid_.holds(p.x(), p.y()))
+    return 0;
+  const std::size_t cell = cells_.find(grid_.at(p.x(), p.y()));
+  if (cell == CellSet::npos)
+    return 0;
+  // Rooms that lie beside each other have ceilings less than a storey apart.
+  constexpr double noise = 0.15;       // metres
+  constexpr double least_storey = 1.5; // metres
+  const std::vector<Above>& here = above_[cell];
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Above& a : here)
+    if (a.height >= p.z() - noise)
+      lowest = std::min(lowest, a.height);
+  const Above* most = nullptr;
+  for (const Above& a : here)
+    if (a.height >= lowest && a.height < lowest + least_storey &&
+        (!most || a.points > most->points))
+      most = &a;
+  return most ? most->room : room_of_cell_[cell];
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column_fit.h"
+
+#include "column_rectangle.h"
+
+#include "sedr_filters/src/base/middle_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief What a number to describe a shape by costs, as a share of the points. */
+constexpr double per_parameter = 0.01;
+
+/** @brief A shape that a column may have. */
+struct Shape {
+  PlanLoop loop;
+  double parameters = 0;              ///< numbers that describe it
+  std::vector<double> distances = {}; ///< of the points from it
+};
+
+PlanLoop
+polygonOf(const Contour& contour)
+{
+  PlanLoop loop;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    PlanElement e;
+    e.start = contour[i];
+    e.end = contour[(i + 1) % contour.size()];
+    loop.elements.push_back(e);
+  }
+  return loop;
+}
+
+/** @brief The points in a hole, and those beside it that may be of its column. */
+std::vector<Eigen::Vector2d>
+pointsOfColumn(const Contour& hole, const PlanLoop& outline, const PlanPoints& evidence)
+{
+  constexpr double beside = 0.03;
+  Eigen::Vector2d low = hole[0];
+  Eigen::Vector2d high = hole[0];
+  for (const auto& p : hole) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  std::vector<Eigen::Vector2d> points;
+  evidence.forEachWithin((low + high) / 2, (high - low).norm() / 2 + beside,
+                         [&](const auto& p) {
+                           if (outline.contains(p) || outline.distance(p) < beside)
+                             points.push_back(p);
+                         });
+  return points;
+}
+
+/** @brief The distances of points from a loop. */
+std::vector<double>
+distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
+{
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const auto& p : points)
+    distances.push_back(loop.distance(p));
+  return distances;
+}
+
+/** @brief Whether a shape keeps within the hole and fills it. */
+bool
+fitsIn(const PlanLoop& shape, const PlanLoop& hole)
+{
+  constexpr double least_share = 0.25; // a hole is up to a cell wider on each side
+  if (std::abs(shape.area()) < least_share * std::abs(hole.area()))
+    return false;
+  constexpr double farthest = 0.08; // ceiling cells lie over the edge of a column
+  constexpr double chord = 0.01;
+  const auto isNear = [&](const Eigen::Vector2d& p, double reach) {
+    return hole.contains(p) || hole.distance(p) < reach;
+  };
+  // Where cells lie over two sides, their corner is farther from the hole than these.
+  return std::all_of(
+      shape.elements.begin(), shape.elements.end(), [&](const PlanElement& e) {
+        if (!e.isArc())
+          return isNear(e.pointAt(e.length() / 2), farthest) &&
+                 isNear(e.start, std::sqrt(2.0) * farthest);
+        const std::vector<Eigen::Vector2d> way = PlanLoop{{e}}.polygon(chord);
+        return std::all_of(way.begin(), way.end(), [&](const Eigen::Vector2d& p) {
+          return isNear(p, farthest);
+        });
+      });
+}
+
+Shape
+circleShape(const PlanCurve& circle)
+{
+  PlanElement e;
+  e.start = circle.point + circle.radius * Eigen::Vector2d::UnitX();
+  e.end = e.start;
+  e.centre = circle.point;
+  e.radius = circle.radius;
+  e.counter_clockwise = false;
+  e.inliers = circle.inliers;
+  e.residual = circle.residual;
+  return {{{e}}, 3};
+}
+
+/** @brief The circle through most points, by seeded RANSAC and robust least squares.
+ * @return radius 0 where there is none */
+PlanCurve
+findCircle(const std::vector<Eigen::Vector2d>& points,
+           double largest_radius,
+           const LoopParameters& parameters)
+{
+  constexpr int trials = 300;
+  constexpr double smallest_radius = 0.05;
+  constexpr double rounding = 1e-6; // of a sum of scores, 0 to 1 a point
+  std::mt19937_64 random(parameters.seed);
+  PlanCurve best;
+  double best_score = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const PlanCurve circle = circleThrough(points[random() % points.size()],
+                                           points[random() % points.size()],
+                                           points[random() % points.size()]);
+    if (circle.radius < smallest_radius || circle.radius > largest_radius)
+      continue;
+    double score = 0;
+    auto left = static_cast<double>(points.size());
+    for (auto p = points.begin();
+         p != points.end() && score + left + rounding > best_score; ++p, --left)
+      score +=
+          std::max(0.0, 1 - std::pow(circle.distance(*p) / parameters.tolerance, 2));
+    if (score <= best_score)
+      continue;
+    best_score = score;
+    best = circle;
+  }
+  if (!best.isCircle())
+    return best;
+  std::vector<WeightedPoint> weighted;
+  for (const auto& p : points)
+    weighted.push_back({p, 1});
+  return fitRobustly(weighted, best, parameters.tolerance, smallest_radius,
+                     largest_radius);
+}
+
+std::vector<Shape>
+shapesOf(const Contour& hole,
+         const std::vector<Eigen::Vector2d>& points,
+         const PlanPoints& evidence,
+         const std::vector<Eigen::Vector2d>& directions,
+         const LoopParameters& parameters,
+         std::vector<ContourSample>* places)
+{
+  std::vector<Shape> shapes;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < hole.size(); ++i)
+    perimeter += (hole[(i + 1) % hole.size()] - hole[i]).norm();
+  const PlanCurve circle = findCircle(points, perimeter / 4, parameters);
+  if (circle.isCircle())
+    shapes.push_back(circleShape(circle));
+  for (const auto& direction : directions) {
+    const Rectangle along = findRectangle(points, direction, parameters.tolerance);
+    if (along.isSound())
+      shapes.push_back({along.loop(), 4});
+  }
+  for (const auto& direction : directionsOf(points, parameters)) {
+    const Rectangle turned = fitTurnedRectangle(
+        points, findRectangle(points, direction, parameters.tolerance),
+        parameters.tolerance);
+    if (turned.isSound())
+      shapes.push_back({turned.loop(), 5});
+  }
+  const PlanLoop any = fitLoop(hole, evidence, {}, parameters, places);
+  double numbers = 0;
+  for (const auto& e : any.elements)
+    numbers += e.isArc() ? 3 : 2;
+  if (!any.elements.empty() && any.area() < 0)
+    shapes.push_back({any, numbers});
+  for (Shape& shape : shapes)
+    shape.distances = distancesFrom(shape.loop, points);
+  return shapes;
+}
+
+} // namespace
+
+PlanLoop
+fitColumn(const Contour& hole,
+          const PlanPoints& evidence,
+          const std::vector<Eigen::Vector2d>& directions,
+          const LoopParameters& parameters,
+          std::vector<ContourSample>* places)
+{
+  constexpr std::size_t least_points = 20;
+  if (hole.size() < 4)
+    return {};
+  const PlanLoop outline = polygonOf(hole);
+  const std::vector<Eigen::Vector2d> points = pointsOfColumn(hole, outline, evidence);
+  if (points.size() < least_points)
+    return fitLoop(hole, evidence, {}, parameters, places);
+  std::vector<Shape> shapes =
+      shapesOf(hole, points, evidence, directions, parameters, places);
+
+  // The noise is what the best shape leaves.
+  double noise = parameters.tolerance / 3;
+  for (const auto& shape : shapes)
+    noise = std::min(noise, 1.4826 * middleValue(shape.distances));
+  const double reach = std::clamp(3 * noise, 0.01, parameters.tolerance);
+  PlanLoop best;
+  double least = 2;
+  for (auto& shape : shapes) {
+    if (!fitsIn(shape.loop, outline))
+      continue;
+    double missed = 0;
+    for (const double d : shape.distances)
+      missed += std::min(1.0, std::pow(d / reach, 2));
+    const double cost =
+        missed / static_cast<double>(points.size()) + per_parameter * shape.parameters;
+    if (cost >= least)
+      continue;
+    least = cost;
+    best = std::move(shape.loop);
+  }
+  return best.elements.empty() ? fitLoop(hole, evidence, {}, parameters) : best;
+}
+
+} // namespace sedr
+} // namespace pcl

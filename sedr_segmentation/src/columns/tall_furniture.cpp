@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../profiles/room_columns.h"
+
+#include "tall_furniture.h"
+
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/parallel.h>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr int reach = 2; ///< cells in which the ceiling of a column is looked for
+
+/** @brief Whether something stands, or hangs, in the upper half of a column that ends
+ * at `top`. */
+bool
+isUpright(Cell cell, double top, const RoomColumns& room)
+{
+  return room.upperShare(cell, top, 0.25, 0) >= 0.5;
+}
+
+bool
+isEmpty(Cell cell, const RoomColumns& room)
+{
+  return room.table().begin(cell) == room.table().end(cell);
+}
+
+} // namespace
+
+CellMask
+uprightCells(const CellBox& box,
+             const CellGrid& grid,
+             const ColumnTable& columns,
+             const PlanSlab& ceiling,
+             const PlanSlab& floor,
+             unsigned threads)
+{
+  constexpr std::size_t cells_a_block = 4096;
+  const RoomColumns room(grid, columns, ceiling, floor);
+  CellMask upright(box);
+  parallelBlocks(upright.values().size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const Cell cell = upright.cellAt(i);
+                     upright.values()[i] =
+                         !isEmpty(cell, room) &&
+                         isUpright(cell, room.topAround(cell, reach), room);
+                   }
+                 });
+  return upright;
+}
+
+CellMask
+tallFurniture(const CellMask& seen,
+              const CellMask& upright,
+              const CellGrid& grid,
+              const ColumnTable& columns,
+              const PlanSlab& ceiling,
+              const PlanSlab& floor,
+              const CeilingGap& gap)
+{
+  const RoomColumns room(grid, columns, ceiling, floor);
+  CellMask low = upright;
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (low.values()[i]) {
+      const Cell cell = low.cellAt(i);
+      low.values()[i] = !room.reaches(cell, room.topAround(cell, reach), gap);
+    }
+  const CellMask below = eroded(eroded(dilated(seen, 1), 1), 1);
+  const MaskRegions regions = labelRegions(low, true);
+  std::vector<std::size_t> under(regions.sizes.size());
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (regions.label[i] >= 0)
+      under[static_cast<std::size_t>(regions.label[i])] += below.values()[i];
+  const CellMask near = dilated(below, 1);
+  for (std::size_t i = 0; i < low.values().size(); ++i)
+    if (regions.label[i] >= 0) {
+      const auto r = static_cast<std::size_t>(regions.label[i]);
+      low.values()[i] = 2 * under[r] >= regions.sizes[r] && near.values()[i] ? 1 : 0;
+    }
+  return low;
+}
+
+CellMask
+aroundSeenCeiling(const CellMask& seen, const CellMask& upright, const CellGrid& grid)
+{
+  constexpr double largest = 1; // square metres
+  constexpr double least_seen = 0.3;
+  constexpr std::size_t least_cells = 6;
+  const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
+  const CellMask within = enclosedCells(upright);
+  const MaskRegions regions = labelRegions(within, false);
+  std::vector<std::size_t> count(regions.sizes.size());
+  for (std::size_t i = 0; i < seen.values().size(); ++i)
+    if (regions.label[i] >= 0)
+      count[static_cast<std::size_t>(regions.label[i])] += seen.values()[i];
+  CellMask around(seen.box());
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    const auto size = static_cast<double>(regions.sizes[r]);
+    if (size * grid.size() * grid.size() > largest || count[r] < least_cells ||
+        static_cast<double>(count[r]) < least_seen * size)
+      continue;
+    const CellMask place = regionMask(within, regions, static_cast<std::int32_t>(r));
+    around = unite(around, unite(place, intersect(dilated(place, thickness), upright)));
+  }
+  return around;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_difference.h"
+
+#include <pcl/sedr_segmentation/plan_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double exactness = 1e-7; // metres
+
+/** @brief The distances along every element of a loop at which it is cut. */
+using Cuts = std::vector<std::vector<double>>;
+
+void
+findCuts(const PlanLoop& a, const PlanLoop& b, Cuts& cuts_a, Cuts& cuts_b)
+{
+  cuts_a.resize(a.elements.size());
+  cuts_b.resize(b.elements.size());
+  for (std::size_t i = 0; i < a.elements.size(); ++i)
+    for (std::size_t j = 0; j < b.elements.size(); ++j) {
+      const PlanElement& e = a.elements[i];
+      const PlanElement& f = b.elements[j];
+      for (const auto& p : intersections(carrierOf(e), carrierOf(f)))
+        if (e.distance(p) < exactness && f.distance(p) < exactness) {
+          cuts_a[i].push_back(e.project(p));
+          cuts_b[j].push_back(f.project(p));
+        }
+    }
+}
+
+/** @brief The elements of a loop, cut. */
+std::vector<PlanElement>
+partsOf(const PlanLoop& loop, const Cuts& cuts)
+{
+  std::vector<PlanElement> parts;
+  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
+    const PlanElement& e = loop.elements[i];
+    std::vector<double> at = cuts[i];
+    at.push_back(0);
+    at.push_back(e.length());
+    std::sort(at.begin(), at.end());
+    for (std::size_t k = 0; k + 1 < at.size(); ++k)
+      if (at[k + 1] - at[k] > exactness)
+        parts.push_back(at.size() == 2 ? e : e.part(at[k], at[k + 1]));
+  }
+  return parts;
+}
+
+/** @brief Those of some parts whose middle lies inside of a loop. */
+std::vector<PlanElement>
+within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
+{
+  std::vector<PlanElement> kept;
+  for (const auto& e : parts) {
+    const Eigen::Vector2d middle = e.pointAt(e.length() / 2);
+    if (loop.distance(middle) >= exactness && loop.contains(middle))
+      kept.push_back(e);
+  }
+  return kept;
+}
+
+/** @brief Those of some parts of a counter-clockwise loop of which what is just within
+ * lies inside of another loop, or outside: so also where both run along each other. */
+std::vector<PlanElement>
+onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_inside)
+{
+  std::vector<PlanElement> kept;
+  for (const auto& e : parts) {
+    const double middle = e.length() / 2;
+    if (other.contains(e.pointAt(middle) + 2 * exactness * e.normalAt(middle)) ==
+        is_inside)
+      kept.push_back(e);
+  }
+  return kept;
+}
+
+/** @brief Chains parts that start where others end to closed loops. */
+std::vector<PlanLoop>
+chained(std::vector<PlanElement> parts)
+{
+  constexpr double slack = 1e-5; // metres
+  std::vector<PlanLoop> loops;
+  while (!parts.empty()) {
+    PlanLoop loop;
+    loop.elements.push_back(parts.back());
+    parts.pop_back();
+    while ((loop.elements.back().end - loop.elements.front().start).norm() > slack) {
+      const Eigen::Vector2d& end = loop.elements.back().end;
+      const auto next =
+          std::find_if(parts.begin(), parts.end(), [&](const PlanElement& e) {
+            return (e.start - end).norm() <= slack;
+          });
+      if (next == parts.end())
+        break;
+      loop.elements.push_back(*next);
+      loop.elements.back().start = end;
+      parts.erase(next);
+    }
+    if ((loop.elements.back().end - loop.elements.front().start).norm() > slack)
+      continue; // an end that nothing goes on from
+    loop.elements.back().end = loop.elements.front().start;
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/** @brief Chains parts to closed loops, the largest first. */
+std::vector<PlanLoop>
+largestFirst(std::vector<PlanElement> parts)
+{
+  std::vector<PlanLoop> loops = chained(std::move(parts));
+  std::stable_sort(
+      loops.begin(), loops.end(),
+      [](const PlanLoop& a, const PlanLoop& b) { return a.area() > b.area(); });
+  return loops;
+}
+
+/** @brief Elements that nothing was fitted to. */
+std::vector<PlanElement>
+withoutInliers(std::vector<PlanElement> elements)
+{
+  for (PlanElement& e : elements) {
+    e.inliers = 0;
+    e.residual = 0;
+    e.evidence = {};
+  }
+  return elements;
+}
+
+/** @brief An element `by` metres to the right. */
+PlanElement
+shifted(const PlanElement& e, double by)
+{
+  PlanElement moved = e;
+  moved.start -= by * e.normalAt(0);
+  moved.end -= by * e.normalAt(e.length());
+  if (e.isArc())
+    moved.radius += e.counter_clockwise ? by : -by;
+  return moved;
+}
+
+PlanElement
+segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+{
+  PlanElement e;
+  e.start = start;
+  e.end = end;
+  return e;
+}
+
+} // namespace
+
+std::pair<std::vector<PlanElement>, std::vector<PlanElement>>
+partsInside(const PlanLoop& first, const PlanLoop& second)
+{
+  Cuts cuts_first;
+  Cuts cuts_second;
+  findCuts(first, second, cuts_first, cuts_second);
+  return {within(partsOf(first, cuts_first), second),
+          within(partsOf(second, cuts_second), first)};
+}
+
+PlanLoop
+widened(const PlanLoop& loop, double by)
+{
+  std::vector<PlanElement> moved;
+  for (const auto& e : loop.elements)
+    if (!e.isArc() || e.radius > (e.counter_clockwise ? -by : by))
+      moved.push_back(shifted(e, by));
+  const double reach = 4 * std::abs(by);
+  PlanLoop wide;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    PlanElement& next = moved[(i + 1) % moved.size()];
+    wide.elements.push_back(moved[i]);
+    PlanElement& e = wide.elements.back();
+    if (moved.size() == 1)
+      break;
+    const Eigen::Vector2d end = e.end;
+    const Eigen::Vector2d start = next.start;
+    if ((end - start).norm() < exactness) {
+      e.end = start;
+      continue;
+    }
+    double nearest = reach;
+    for (const auto& p : intersections(carrierOf(e), carrierOf(next)))
+      if (const double away = std::max((p - end).norm(), (p - start).norm());
+          away < nearest) {
+        nearest = away;
+        e.end = p;
+      }
+    if (nearest == reach)
+      wide.elements.push_back(segment(end, start));
+    else if (i + 1 < moved.size())
+      next.start = e.end;
+    else
+      wide.elements.front().start = e.end;
+  }
+  return wide;
+}
+
+std::vector<PlanLoop>
+difference(const PlanLoop& loop, const PlanLoop& cutter)
+{
+  Cuts cuts_loop;
+  Cuts cuts_cutter;
+  findCuts(loop, cutter, cuts_loop, cuts_cutter);
+  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), cutter, false);
+  PlanLoop sides;
+  sides.elements = withoutInliers(within(partsOf(cutter, cuts_cutter), loop));
+  const std::vector<PlanElement> back = reversed(sides).elements;
+  parts.insert(parts.end(), back.begin(), back.end());
+  return largestFirst(std::move(parts));
+}
+
+std::vector<PlanLoop>
+intersection(const PlanLoop& loop, const PlanLoop& other)
+{
+  Cuts cuts_loop;
+  Cuts cuts_other;
+  findCuts(loop, other, cuts_loop, cuts_other);
+  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), other, true);
+  const std::vector<PlanElement> sides =
+      withoutInliers(within(partsOf(other, cuts_other), loop));
+  parts.insert(parts.end(), sides.begin(), sides.end());
+  return largestFirst(std::move(parts));
+}
+
+} // namespace sedr
+} // namespace pcl

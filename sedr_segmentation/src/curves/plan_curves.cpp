@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_curves.h"
+
+#include <pcl/sedr_segmentation/contour.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief How exactly elements are on one curve that share it, metres. */
+constexpr double exactness = 1e-6;
+
+/** @brief What the place of a curve is not known better than, however many points there
+ * are: scanners and walls are not perfect. Metres, and as a share of the noise. */
+constexpr double least_deviation = 0.0003;
+constexpr double deviation_share = 0.05;
+
+/** @brief Points and noise of an element that nobody saw. */
+constexpr double unseen_points = 1;
+constexpr double unseen_noise = 0.05;
+
+PlanCurve
+curveThrough(const PlanElement& e)
+{
+  PlanCurve curve = lineThrough(e.start, e.end);
+  if (e.isArc()) {
+    curve.point = e.centre;
+    curve.radius = e.radius;
+  }
+  curve.inliers = e.inliers;
+  curve.residual = e.residual;
+  return curve;
+}
+
+/** @brief What an element is worth. */
+Eigen::Matrix3d
+informationOf(const PlanElement& e, double length)
+{
+  double count = unseen_points;
+  double noise = unseen_noise;
+  if (e.inliers > 0) {
+    noise = std::max(e.residual, least_deviation);
+    const double best = std::max(least_deviation, deviation_share * noise);
+    count = std::min(static_cast<double>(e.inliers), std::pow(noise / best, 2));
+  }
+  if (!e.isArc())
+    return lineInformation(count, noise, std::max(length, 0.01));
+  const Eigen::Vector2d outward = e.start - e.centre;
+  // A short arc says little about its radius, but not nothing.
+  return circleInformation(count, noise, std::atan2(outward.y(), outward.x()),
+                           e.sweep()) +
+         Eigen::Matrix3d::Identity() * (1e-4 * count / (noise * noise));
+}
+
+} // namespace
+
+std::vector<PlanLoop*>
+loopsOf(PlanRoom& room)
+{
+  std::vector<PlanLoop*> loops{&room.boundary};
+  for (auto& column : room.columns)
+    loops.push_back(&column);
+  for (auto* details : {&room.details, &room.floor_details})
+    for (auto& detail : *details) {
+      loops.push_back(&detail.boundary);
+      for (auto& hole : detail.holes)
+        loops.push_back(&hole);
+    }
+  for (auto& niche : room.niches)
+    loops.push_back(&niche.boundary);
+  return loops;
+}
+
+PlanCurves::PlanCurves(Floorplan& plan)
+{
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const std::size_t first = curves.size();
+    for (PlanLoop* loop : loopsOf(plan.rooms[r])) {
+      Loop entry;
+      entry.loop = loop;
+      entry.room = r;
+      entry.is_boundary = loop == &plan.rooms[r].boundary;
+      for (const auto& e : loop->elements)
+        entry.curves.push_back(curveOf(e, first));
+      loops.push_back(std::move(entry));
+    }
+  }
+}
+
+std::size_t
+PlanCurves::curveOf(const PlanElement& e, std::size_t first)
+{
+  for (std::size_t c = first; c < curves.size(); ++c)
+    if (isAlong(e, curves[c].curve)) {
+      measure(c, e);
+      return c;
+    }
+  MeasuredCurve m;
+  m.curve = curveThrough(e);
+  m.pivot = (e.start + e.end) / 2;
+  m.information = informationOf(e, e.length());
+  curves.push_back(m);
+  reach_.push_back(e.length() / 2);
+  return curves.size() - 1;
+}
+
+bool
+PlanCurves::isAlong(const PlanElement& e, const PlanCurve& curve) const
+{
+  if (e.isArc() != curve.isCircle())
+    return false;
+  if (e.isArc())
+    return (e.centre - curve.point).norm() < exactness &&
+           std::abs(e.radius - curve.radius) < exactness;
+  return curve.distance(e.start) < exactness && curve.distance(e.end) < exactness;
+}
+
+/** @brief A further element on a curve: it is measured along both. */
+void
+PlanCurves::measure(std::size_t curve, const PlanElement& e)
+{
+  MeasuredCurve& m = curves[curve];
+  PlanElement best = e;
+  best.inliers = std::max(e.inliers, m.curve.inliers);
+  best.residual = std::max(e.residual, m.curve.residual);
+  m.curve.inliers = best.inliers;
+  m.curve.residual = best.residual;
+  if (m.curve.isCircle()) {
+    const Eigen::Matrix3d other = informationOf(best, e.length());
+    if (e.length() > 2 * reach_[curve]) {
+      m.information = other;
+      reach_[curve] = e.length() / 2;
+    }
+    return;
+  }
+  const Eigen::Vector2d& along = m.curve.direction;
+  double low = -reach_[curve];
+  double high = reach_[curve];
+  for (const Eigen::Vector2d& p : {e.start, e.end}) {
+    low = std::min(low, (p - m.pivot).dot(along));
+    high = std::max(high, (p - m.pivot).dot(along));
+  }
+  m.pivot += (low + high) / 2 * along;
+  reach_[curve] = (high - low) / 2;
+  m.information = informationOf(best, high - low);
+}
+
+void
+PlanCurves::remeasure(std::size_t c)
+{
+  MeasuredCurve& m = curves[c];
+  PlanElement shown;
+  shown.end = {2 * reach_[c], 0};
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.curves.size() && m.curve.isCircle(); ++i)
+      if (const PlanElement& e = loop.loop->elements[i];
+          loop.curves[i] == c && (!shown.isArc() || e.length() > shown.length()))
+        shown = e;
+  shown.inliers = m.curve.inliers;
+  shown.residual = m.curve.residual;
+  m.information = informationOf(shown, shown.length());
+}
+
+bool
+PlanCurves::meetSmoothly(const PlanElement& e, const PlanElement& next, double angle)
+{
+  const Eigen::Vector2d a = e.normalAt(e.length());
+  const Eigen::Vector2d b = next.normalAt(0);
+  return a.dot(b) > 0 && std::abs(a.dot(leftOf(b))) < std::sin(angle);
+}
+
+/** @brief Where element `i` of a loop starts on the curves as they are: where they
+ * touch or cross near by. What nobody saw follows what it meets.
+ * @return false where they do not meet within `farthest` metres */
+bool
+PlanCurves::cornerOf(const Loop& loop,
+                     std::size_t i,
+                     double farthest,
+                     Eigen::Vector2d& corner) const
+{
+  const auto& elements = loop.loop->elements;
+  const Eigen::Vector2d& old = elements[i].start;
+  const std::size_t n = elements.size();
+  const std::size_t a = loop.curves[(i + n - 1) % n];
+  const std::size_t b = loop.curves[i];
+  const PlanCurve& before = curves[a].curve;
+  const PlanCurve& after = curves[b].curve;
+  if (a == b) {
+    corner = after.project(old);
+    return (corner - old).norm() <= farthest;
+  }
+  if (tangents.count({std::min(a, b), std::max(a, b)}) > 0) {
+    corner =
+        after.isCircle() ? touchingPoint(before, after) : touchingPoint(after, before);
+    // Where along a smooth way the joint lies is hardly known.
+    constexpr double along = 0.5;
+    return curveThrough(elements[i]).distance(corner) <= farthest &&
+           (corner - old).norm() <= along;
+  }
+  double nearest = farthest;
+  bool is_found = false;
+  for (const auto& p : intersections(before, after))
+    if ((p - old).norm() <= nearest) {
+      nearest = (p - old).norm();
+      corner = p;
+      is_found = true;
+    }
+  if (is_found || (before.inliers > 0 && after.inliers > 0))
+    return is_found;
+  const PlanElement& unseen =
+      before.inliers > 0 ? elements[i] : elements[(i + n - 1) % n];
+  corner = (before.inliers > 0 ? before : after).project(old);
+  return !unseen.isArc() && (corner - old).norm() <= farthest;
+}
+
+/** @brief A loop on the curves as they are; false where it would be broken. */
+bool
+PlanCurves::moved(const Loop& loop, double farthest, PlanLoop& result) const
+{
+  result = *loop.loop;
+  auto& elements = result.elements;
+  const std::size_t n = elements.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Eigen::Vector2d corner;
+    if (!cornerOf(loop, i, farthest, corner))
+      return false;
+    elements[i].start = corner;
+    elements[(i + n - 1) % n].end = corner;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    PlanElement& e = elements[i];
+    const PlanElement& old = loop.loop->elements[i];
+    const PlanCurve& curve = curves[loop.curves[i]].curve;
+    if (e.isArc()) {
+      e.centre = curve.point;
+      e.radius = curve.radius;
+      if (std::abs(e.sweep() - old.sweep()) > 0.5)
+        return false;
+    }
+    else if ((e.end - e.start).dot(old.end - old.start) <= 0)
+      return false;
+  }
+  constexpr double chord = 0.005;
+  return !crossesItself(result.polygon(chord)) ||
+         crossesItself(loop.loop->polygon(chord));
+}
+
+std::vector<std::size_t>
+PlanCurves::rebuild(double farthest)
+{
+  std::vector<std::size_t> broken;
+  std::vector<PlanLoop> results(loops.size());
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    if (!moved(loops[l], farthest, results[l]))
+      broken.push_back(l);
+  if (broken.empty())
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      *loops[l].loop = std::move(results[l]);
+  return broken;
+}
+
+} // namespace sedr
+} // namespace pcl

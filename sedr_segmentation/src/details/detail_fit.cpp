@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detail_extension.h"
+#include "detail_risers.h"
+#include "height_bends.h"
+#include "height_map.h"
+
+#include "../profiles/cell_count.h"
+#include "detail_fit.h"
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/room_lookup.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Adds what of a loop others may follow. */
+void
+appendElements(const PlanLoop& loop, std::vector<PlanElement>& elements)
+{
+  constexpr double shortest = 0.1;
+  for (const auto& e : loop.elements)
+    if (e.length() > shortest)
+      elements.push_back(e);
+}
+
+/** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie
+ * on it. */
+void
+appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
+{
+  for (const auto& e : loop.elements)
+    for (double s = 0.005; s < e.length(); s += 0.01)
+      points.push_back(e.pointAt(s));
+}
+
+/** @brief The cells of a detail, less those unseen that are within larger ones: behind
+ * what hides an edge, it goes on straight. */
+CellMask
+seenCellsOf(const HeightMap& map,
+            std::int32_t label,
+            const CellBox& box,
+            const std::vector<const PlanDetail*>& larger,
+            const CellGrid& grid)
+{
+  CellMask cells = cellsOf(map, label, box);
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    const Cell cell = cells.cellAt(i);
+    const auto encloses = [&](const PlanDetail* d) {
+      return d->boundary.contains(grid.centre(cell));
+    };
+    if (cells.values()[i] && map.seen[map.room.indexOf(cell)] != label &&
+        std::any_of(larger.begin(), larger.end(), encloses))
+      cells.values()[i] = 0;
+  }
+  return cells;
+}
+
+/** @brief The labels of the details, the widest first. */
+std::vector<std::int32_t>
+widestFirst(const HeightMap& map)
+{
+  std::vector<std::size_t> sizes(map.details.size() + 1, 0);
+  for (const std::int32_t l : map.label)
+    if (l > 0)
+      ++sizes[static_cast<std::size_t>(l)];
+  std::vector<std::int32_t> labels;
+  for (std::size_t k = 1; k < sizes.size(); ++k)
+    labels.push_back(static_cast<std::int32_t>(k));
+  std::stable_sort(labels.begin(), labels.end(), [&](std::int32_t a, std::int32_t b) {
+    return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
+  });
+  return labels;
+}
+
+/** @brief How far a detail may be from the cells of another and still bear on its fit,
+ * metres. */
+constexpr double detail_reach = 0.6;
+
+/** @brief Of each of `count` boxes, those before it that it meets. */
+template <typename BoxAt>
+std::vector<std::vector<std::size_t>>
+overlapsBefore(std::size_t count, BoxAt boxAt)
+{
+  std::vector<std::vector<std::size_t>> before(count);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (overlapOf(boxAt(k), boxAt(l)).count() > 0)
+        before[k].push_back(l);
+  return before;
+}
+
+/** @brief Parts what waits for others into turns: each waits for earlier ones only. */
+std::vector<std::vector<std::size_t>>
+turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
+{
+  std::vector<std::size_t> turn_of(waits_for.size(), 0);
+  std::vector<std::vector<std::size_t>> turns;
+  for (std::size_t k = 0; k < waits_for.size(); ++k) {
+    for (const std::size_t l : waits_for[k])
+      turn_of[k] = std::max(turn_of[k], turn_of[l] + 1);
+    turns.resize(std::max(turns.size(), turn_of[k] + 1));
+    turns[turn_of[k]].push_back(k);
+  }
+  return turns;
+}
+
+/** @brief Lets beams go on over what was not seen of them; joined pieces share their
+ * label. */
+void
+extendBeams(HeightMap& map, const CellGrid& grid)
+{
+  extendDetails(map.room, map.details, grid, map.label);
+  for (std::size_t i = 0; i < map.seen.size(); ++i)
+    if (map.seen[i] > 0)
+      map.seen[i] = map.label[i];
+}
+
+/** @brief The cells of a room that its boundary holds, and what it holds besides,
+ * strips narrower than three cells left out: a beam may hide the corner between it and
+ * the wall. */
+CellMask
+withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
+{
+  CellMask held(cells.box());
+  const LoopLookup lookup(boundary);
+  for (std::size_t i = 0; i < held.values().size(); ++i)
+    held.values()[i] = lookup.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+  const CellMask hidden = subtract(held, cells);
+  return unite(intersect(cells, held), dilated(eroded(hidden, 1), 1));
+}
+
+/** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
+ * are not its. No furniture hides the rim of what is at a ceiling. */
+std::vector<Eigen::Vector2d>
+atRim(const PlanPoints& points, const CellMask& cells, const CellGrid& grid)
+{
+  constexpr int reach = 4; // cells
+  if (cells.count() == 0)
+    return {};
+  const CellMask near = cropped(cells, grown(boxOf(cells.toSet()), reach + 1));
+  const CellMask rim = subtract(dilated(near, reach), eroded(near, reach));
+  std::vector<Eigen::Vector2d> own;
+  points.forEachIn({grid.centre(rim.box().low), grid.centre(rim.box().high)},
+                   [&](const Eigen::Vector2d& p) {
+                     if (rim.at(grid.at(p.x(), p.y())))
+                       own.push_back(p);
+                   });
+  return own;
+}
+
+PlanDetail
+fitDetail(const HeightMap& map,
+          const CellMask& cells,
+          bool is_floor,
+          std::int32_t label,
+          const PlanPoints& risers,
+          const std::vector<PlanElement>& others,
+          const RoomFitParameters& parameters)
+{
+  PlanDetail detail;
+  detail.slab = map.slabOf(label);
+  // The cells of a riser belong to the lower of its two ceilings, the higher of its
+  // floors.
+  const bool is_low =
+      heightOverMain(map.main, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
+  LoopParameters loop = parameters.loop;
+  loop.expected_offset = (is_low != is_floor ? 0.5 : -0.5) * parameters.cell_size;
+  loop.reach = 2 * parameters.cell_size;
+  loop.evidence_span =
+      2 * parameters.cell_size; // a riser has few points above each other
+  loop.corner_reach = 3 * parameters.cell_size;
+  loop.threads = parameters.threads;
+  const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
+  const auto largest = std::max_element(
+      contours.begin(), contours.end(),
+      [](const Contour& a, const Contour& b) { return signedArea(a) < signedArea(b); });
+  if (largest == contours.end() || !(signedArea(*largest) > 0))
+    return detail;
+  detail.boundary = fitLoop(*largest, risers, others, loop);
+  for (const auto& contour : contours)
+    if (signedArea(contour) < -parameters.minimum_detail_area)
+      detail.holes.push_back(fitLoop(contour, risers, others, loop));
+  return detail;
+}
+
+} // namespace
+
+std::vector<PlanDetail>
+fitDetails(const PointView& points,
+           const SlabEvidence& evidence,
+           const PlanRoom& room,
+           const CellMask& cells,
+           const ColumnTable& columns,
+           const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  HeightMap map =
+      seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
+                  withinBoundary(cells, room.boundary, grid), parameters);
+  if (map.details.empty())
+    return {};
+  if (!evidence.is_floor)
+    extendBeams(map, grid);
+  fillHeights(map);
+  if (evidence.is_floor)
+    fillHiddenParts(map, columns, grid);
+  dropUnsupported(map, columns, grid, evidence.is_floor);
+  std::vector<Eigen::Vector2d> edges =
+      riserPoints(points, evidence, map, columns, parameters);
+  const BentEdges bent = bentEdges(map, grid);
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                             [&](const Eigen::Vector2d& p) {
+                               return bent.cells.at(grid.at(p.x(), p.y()));
+                             }),
+              edges.end());
+  edges.insert(edges.end(), bent.points.begin(), bent.points.end());
+  appendPoints(room.boundary, edges);
+  std::vector<PlanElement> others;
+  appendElements(room.boundary, others);
+  for (const auto& column : room.columns)
+    appendElements(column, others);
+
+  constexpr double point_cell = 0.1; // metres
+  const PlanPoints of_all(edges, point_cell);
+  const std::vector<CellBox> boxes = boxesOf(map);
+  const std::vector<std::int32_t> order = widestFirst(map);
+  const auto boxOfRank = [&](std::size_t k) -> const CellBox& {
+    return boxes[static_cast<std::size_t>(order[k])];
+  };
+  // A detail is fitted after the larger ones near it, side by side with all others.
+  const std::vector<std::vector<std::size_t>> larger =
+      overlapsBefore(order.size(), [&](std::size_t k) {
+        return grown(boxOfRank(k), cellsFor(detail_reach, grid.size()));
+      });
+  std::vector<PlanDetail> fitted(order.size());
+  const auto fit = [&](std::size_t k) {
+    std::vector<const PlanDetail*> near;
+    std::vector<PlanElement> known = others;
+    for (const std::size_t l : larger[k]) {
+      near.push_back(&fitted[l]);
+      appendElements(fitted[l].boundary, known);
+    }
+    const CellMask own = seenCellsOf(map, order[k], boxOfRank(k), near, grid);
+    fitted[k] = evidence.is_floor
+                    ? fitDetail(map, own, true, order[k], of_all, known, parameters)
+                    : fitDetail(map, own, false, order[k],
+                                PlanPoints(atRim(of_all, own, grid), point_cell), known,
+                                parameters);
+  };
+  for (const std::vector<std::size_t>& turn : turnsOf(larger))
+    parallelBlocks(turn.size(), 1, parameters.threads,
+                   [&](std::size_t k, std::size_t) { fit(turn[k]); });
+  std::vector<PlanDetail> details;
+  for (PlanDetail& detail : fitted)
+    if (!detail.boundary.elements.empty())
+      details.push_back(std::move(detail));
+  std::stable_sort(details.begin(), details.end(), [](const auto& a, const auto& b) {
+    return a.boundary.area() > b.boundary.area();
+  });
+  return details;
+}
+
+} // namespace sedr
+} // namespace pcl

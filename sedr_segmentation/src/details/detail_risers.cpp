@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detail_risers.h"
+
+#include "../profiles/ceiling_gap.h"
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Lowest and highest slab around a cell; no step where there is one only. */
+struct StepBeside {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool isStep() const { return high - low >= least_step; }
+};
+
+/** @brief The step within two cells of a cell of a map. */
+StepBeside
+stepBeside(const HeightMap& map, const CellGrid& grid, Cell cell)
+{
+  StepBeside step;
+  std::int32_t last = -1;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t label =
+          map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (label < 0 || label == last)
+        continue;
+      last = label;
+      const double height = map.slabOf(label).heightAt(grid.centre(cell));
+      step.low = std::min(step.low, height);
+      step.high = std::max(step.high, height);
+    }
+  return step;
+}
+
+/** @brief The steps within two cells of all cells of a map, row by row. */
+std::vector<StepBeside>
+stepsBeside(const HeightMap& map, const CellGrid& grid)
+{
+  std::vector<StepBeside> steps;
+  steps.reserve(map.label.size());
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    steps.push_back(stepBeside(map, grid, map.room.cellAt(i)));
+  return steps;
+}
+
+/** @brief Whether what shows at a point goes on beyond the riser between two heights: a
+ * shelf that stands before it, or hangs from it. */
+bool
+goesOn(const ColumnTable& columns,
+       Cell cell,
+       double z,
+       double low,
+       double high,
+       bool is_floor)
+{
+  constexpr double gap = 0.12;
+  constexpr double beyond = 0.15;
+  const std::vector<ColumnRun> runs = columns.runs(cell, gap);
+  return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
+    return run.low <= z && z <= run.high &&
+           (is_floor ? run.high > high + beyond : run.low < low - beyond);
+  });
+}
+
+/** @brief Whether a point is at the height of any slab of the floor, such as the tread
+ * of a step before a platform, of which little may have been seen. */
+bool
+isOnFloor(const HeightMap& map, const Eigen::Vector3f& p, double margin)
+{
+  return std::abs(distanceAbove(map.main, p)) <= margin ||
+         std::any_of(map.details.begin(), map.details.end(), [&](const PlanSlab& slab) {
+           return std::abs(distanceAbove(slab, p)) <= margin;
+         });
+}
+
+/** @brief Whether a point is at the height of a slab around it. What is elsewhere at
+ * the ceiling does not matter: its coffers may be of many heights. */
+bool
+isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
+{
+  constexpr int reach = 4;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t label =
+          map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (label >= 0 && std::abs(distanceAbove(map.slabOf(label), p)) <= margin)
+        return true;
+    }
+  return false;
+}
+
+/** @brief Whether what stands at a step of a ceiling goes up to the higher side of it:
+ * a duct ends below. True where the step is too low to tell. */
+bool
+reachesCeiling(const ColumnTable& columns,
+               Cell cell,
+               double low,
+               double high,
+               const PlanSlab& higher)
+{
+  constexpr double least_body = 0.05; // metres, of what would end in a gap
+  const CeilingGap gap = gapBelow(higher);
+  return high - gap.low < low + least_body ||
+         columns.share(cell, high - gap.low, high - gap.high, 1, 2) >= 1;
+}
+
+/** @brief Whether something closes the step along most of the edge between a detail and
+ * what is beside it. A shelf below a soffit has no riser, that of a duct ends below the
+ * ceiling: they are furniture. */
+bool
+hasRisers(const HeightMap& map,
+          const ColumnTable& columns,
+          const CellGrid& grid,
+          bool is_floor,
+          std::int32_t label)
+{
+  std::size_t edges = 0;
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i < map.label.size(); ++i) {
+    if (map.label[i] != label)
+      continue;
+    const Cell cell = map.room.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      const std::int32_t other =
+          map.room.at(to) ? map.label[map.room.indexOf(to)] : std::int32_t{-1};
+      if (other < 0 || other == label)
+        continue;
+      const Eigen::Vector2d p = grid.centre(cell);
+      const double a = map.slabOf(label).heightAt(p);
+      const double b = map.slabOf(other).heightAt(p);
+      ++edges;
+      const double low = std::min(a, b) + 0.02;
+      const double high = std::max(a, b) - 0.02;
+      // Bins that hold a voxel each, at most four.
+      const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
+      const PlanSlab& higher = map.slabOf(a > b ? label : other);
+      if (high - low < 0.06 ||
+          (columns.share(cell, low, high, bins, 2) >= 0.5 &&
+           (is_floor ||
+            reachesCeiling(columns, cell, std::min(a, b), std::max(a, b), higher))))
+        ++closed;
+    }
+  }
+  return 2 * closed >= edges;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d>
+riserPoints(const PointView& points,
+            const SlabEvidence& evidence,
+            const HeightMap& map,
+            const ColumnTable& columns,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const std::vector<StepBeside> steps = stepsBeside(map, grid);
+  std::vector<Eigen::Vector2d> risers;
+  CellMask at_steps(map.room.box());
+  for (std::size_t c = 0; c < steps.size(); ++c)
+    at_steps.values()[c] = steps[c].isStep() ? 1 : 0;
+  for (const int i : columns.indicesIn(at_steps)) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const Cell cell = grid.at(p.x(), p.y());
+    const auto& [low, high] = steps[map.room.indexOf(cell)];
+    const double margin = std::min(parameters.slab_tolerance, (high - low) / 4);
+    if (p.z() > low + margin && p.z() < high - margin &&
+        !(evidence.is_floor ? isOnFloor(map, p, margin)
+                            : isOnSlabAround(map, cell, p, margin)) &&
+        !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
+      risers.push_back(p.head<2>().cast<double>());
+  }
+  return risers;
+}
+
+void
+fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid& grid)
+{
+  CellMask rest = map.room;
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] > 0)
+      rest.values()[i] = 0;
+  const MaskRegions parts = labelRegions(rest, false);
+  const auto largest =
+      std::max_element(parts.sizes.begin(), parts.sizes.end()) - parts.sizes.begin();
+  map.details.push_back(map.main);
+  const auto tried = static_cast<std::int32_t>(map.details.size());
+  const auto relabel = [&](std::int32_t part, std::int32_t label) {
+    for (std::size_t i = 0; i < map.label.size(); ++i)
+      if (parts.label[i] == part)
+        map.label[i] = label;
+  };
+  for (std::size_t r = 0; r < parts.sizes.size(); ++r) {
+    const auto part = static_cast<std::int32_t>(r);
+    if (part == largest)
+      continue;
+    relabel(part, tried);
+    relabel(part, hasRisers(map, columns, grid, true, tried) ? 0 : -1);
+  }
+  map.details.pop_back();
+  fillHeights(map);
+}
+
+void
+dropUnsupported(HeightMap& map,
+                const ColumnTable& columns,
+                const CellGrid& grid,
+                bool is_floor)
+{
+  for (std::size_t k = map.details.size(); k >= 1; --k) {
+    const auto label = static_cast<std::int32_t>(k);
+    if (hasRisers(map, columns, grid, is_floor, label))
+      continue;
+    for (auto& l : map.label)
+      l = l == label ? -1 : l;
+    fillHeights(map);
+  }
+}
+
+} // namespace sedr
+} // namespace pcl

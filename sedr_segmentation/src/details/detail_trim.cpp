@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detail_trim.h"
+
+#include "../curves/loop_difference.h"
+#include <pcl/sedr_segmentation/plan_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double slack = 0.001; // metres
+
+/** @brief Whether a corner of a loop lies beyond a boundary, or a stretch of the
+ * boundary within the loop. */
+bool
+reachesOut(const PlanLoop& loop, const PlanLoop& boundary)
+{
+  const auto isOff = [](const PlanLoop& other, const Eigen::Vector2d& p) {
+    return other.distance(p) > slack;
+  };
+  const std::vector<Eigen::Vector2d> corners = loop.polygon(slack);
+  const std::vector<PlanElement> crossed = partsInside(loop, boundary).second;
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](const Eigen::Vector2d& p) {
+                       return isOff(boundary, p) && !boundary.contains(p);
+                     }) ||
+         std::any_of(crossed.begin(), crossed.end(), [&](const PlanElement& e) {
+           return isOff(loop, e.pointAt(e.length() / 2));
+         });
+}
+
+/** @brief The lines of a boundary's segments that a side all but runs along. */
+std::vector<PlanCurve>
+linesAlong(const PlanElement& side, const PlanLoop& boundary)
+{
+  std::vector<PlanCurve> lines;
+  for (const PlanElement& e : boundary.elements) {
+    if (side.isArc() || e.isArc() || !(e.length() > slack))
+      continue;
+    const PlanCurve line = carrierOf(e);
+    if (line.distance(side.start) <= slack && line.distance(side.end) <= slack &&
+        std::min({e.distance(side.start), e.distance(side.end), side.distance(e.start),
+                  side.distance(e.end)}) <= slack)
+      lines.push_back(line);
+  }
+  return lines;
+}
+
+/** @brief A loop whose segments run along those of a boundary that they all but run
+ * along. */
+PlanLoop
+snapped(PlanLoop loop, const PlanLoop& boundary)
+{
+  std::vector<PlanElement>& elements = loop.elements;
+  const std::vector<PlanElement> were = elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::size_t before = (i + elements.size() - 1) % elements.size();
+    const std::vector<PlanCurve> first = linesAlong(were[before], boundary);
+    const std::vector<PlanCurve> second = linesAlong(were[i], boundary);
+    if (were[before].isArc() || were[i].isArc() || (first.empty() && second.empty()))
+      continue;
+    Eigen::Vector2d corner =
+        (first.empty() ? second : first).front().project(were[i].start);
+    if (!first.empty() && !second.empty())
+      for (const auto& crossing : intersections(first.front(), second.front()))
+        if ((crossing - were[i].start).norm() <= 2 * slack)
+          corner = crossing;
+    elements[before].end = elements[i].start = corner;
+  }
+  return loop;
+}
+
+/** @brief What of a counter-clockwise loop is within a boundary; the loop itself where
+ * that cannot be told, as where both run along each other by rounding only. */
+std::vector<PlanLoop>
+within(const PlanLoop& loop, const PlanLoop& boundary)
+{
+  constexpr double exactness = 1e-6; // square metres
+  std::vector<PlanLoop> inside = intersection(loop, boundary);
+  double missing = loop.area();
+  for (const auto& part : inside)
+    missing -= part.area();
+  for (const auto& part : difference(loop, boundary))
+    missing -= part.area();
+  if (std::abs(missing) > exactness)
+    return {loop};
+  inside.erase(std::remove_if(inside.begin(), inside.end(),
+                              [](const PlanLoop& part) {
+                                return 2 * part.area() < slack * part.length();
+                              }),
+               inside.end());
+  return inside;
+}
+
+/** @brief The parts of a detail within a boundary, with what of its holes is in them.
+ */
+std::vector<PlanDetail>
+trimmed(const PlanDetail& detail, const PlanLoop& boundary)
+{
+  std::vector<PlanDetail> parts;
+  for (const PlanLoop& loop : within(snapped(detail.boundary, boundary), boundary)) {
+    PlanDetail part;
+    part.boundary = loop;
+    part.slab = detail.slab;
+    for (const PlanLoop& hole : detail.holes)
+      for (const PlanLoop& of_hole : within(reversed(hole), loop))
+        part.holes.push_back(reversed(of_hole));
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+void
+trim(std::vector<PlanDetail>& details, const PlanLoop& boundary)
+{
+  std::vector<PlanDetail> kept;
+  for (PlanDetail& detail : details) {
+    if (!reachesOut(detail.boundary, boundary)) {
+      kept.push_back(std::move(detail));
+      continue;
+    }
+    for (PlanDetail& part : trimmed(detail, boundary))
+      kept.push_back(std::move(part));
+  }
+  details = std::move(kept);
+}
+
+} // namespace
+
+void
+trimDetails(PlanRoom& room)
+{
+  trim(room.details, room.boundary);
+  trim(room.floor_details, room.boundary);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_bends.h"
+
+#include "../levels/level_relief.h"
+
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief What is less than this apart may be one uneven surface, metres. */
+constexpr double shallow_step = 0.06;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/** @brief The points of a cell, over the main slab, metres. */
+struct CellHeights {
+  double sum = 0;
+  double count = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double height)
+  {
+    sum += height;
+    count += 1;
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+};
+
+/** @brief Notes what was seen of a ceiling in the cells of its room.
+ * @return marks those at steps */
+std::vector<std::uint8_t>
+noteRelief(const PointView& points,
+           const SlabEvidence& evidence,
+           const CellGrid& grid,
+           HeightMap& map)
+{
+  constexpr double most_spread = 0.1; // more is a riser
+  const CellMask& room = map.room;
+  std::vector<CellHeights> seen(room.values().size());
+  for (const auto* indices : {&evidence.main, &evidence.details})
+    for (const int i : *indices) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+      const Cell cell = grid.at(p.x(), p.y());
+      if (room.at(cell))
+        seen[room.indexOf(cell)].add(distanceAbove(map.main, p));
+    }
+  const CellSet cells = room.toSet();
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const CellHeights& of_cell = seen[room.indexOf(cells[k])];
+    heights.push_back(of_cell.high - of_cell.low <= most_spread
+                          ? of_cell.sum / of_cell.count
+                          : unknown);
+  }
+  const std::vector<std::uint8_t> edges = cellsOfSteps(cells, heights, 1);
+  const std::vector<double> smooth = smoothRelief(cells, heights, 1);
+  map.relief.assign(seen.size(), unknown);
+  std::vector<std::uint8_t> steps(seen.size(), 0);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    map.relief[room.indexOf(cells[k])] = smooth[k];
+    steps[room.indexOf(cells[k])] = edges[k];
+  }
+  return steps;
+}
+
+/** @brief Where two labels meet. */
+struct Meeting {
+  double cells = 0; ///< edges between seen cells of the two
+  double bends = 0; ///< those where the ceiling goes on without a step
+  double drop = 0;  ///< between their planes there, sum of metres
+
+  bool isBend() const { return 2 * bends > cells; }
+};
+
+using Meetings = std::vector<std::map<std::int32_t, Meeting>>;
+
+/** @brief Two cells side by side. */
+using CellPair = std::pair<std::size_t, std::size_t>;
+
+/** @brief The labels, once what is near one goes to the nearest. */
+std::vector<std::int32_t>
+grownLabels(const HeightMap& map)
+{
+  constexpr int reach = 3; // cells
+  std::vector<std::int32_t> label = map.label;
+  growLabels(map.room, reach, label);
+  return label;
+}
+
+/** @brief Where seen cells of two labels meet. */
+std::vector<CellPair>
+borderOf(const HeightMap& map, const std::vector<std::int32_t>& label)
+{
+  std::vector<CellPair> border;
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    if (label[i] < 0)
+      continue;
+    const Cell cell = map.room.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      if (!map.room.at(to))
+        continue;
+      const std::size_t j = map.room.indexOf(to);
+      if (label[j] >= 0 && label[j] != label[i] &&
+          !std::isnan(map.relief[i] - map.relief[j]))
+        border.emplace_back(i, j);
+    }
+  }
+  return border;
+}
+
+/** @brief The meetings of each label with others.
+ * @param border where they meet; pairs of one label are skipped */
+Meetings
+meetingsOf(const HeightMap& map,
+           const std::vector<std::int32_t>& label,
+           const std::vector<CellPair>& border,
+           const std::vector<std::uint8_t>& steps,
+           const CellGrid& grid)
+{
+  Meetings meetings(map.details.size() + 1);
+  for (const auto& [i, j] : border) {
+    const std::int32_t a = label[i];
+    const std::int32_t b = label[j];
+    if (a == b)
+      continue;
+    const double rise = std::abs(map.relief[i] - map.relief[j]);
+    const Eigen::Vector2d place = grid.centre(map.room.cellAt(i));
+    const double drop =
+        std::abs(map.slabOf(a).heightAt(place) - map.slabOf(b).heightAt(place));
+    const bool is_bend =
+        !steps[i] && !steps[j] && (drop < shallow_step || 2 * rise < drop);
+    for (const auto& [from, other] : {std::pair{a, b}, std::pair{b, a}}) {
+      Meeting& meeting = meetings[static_cast<std::size_t>(from)][other];
+      meeting.cells += 1;
+      meeting.bends += is_bend ? 1 : 0;
+      meeting.drop += drop;
+    }
+  }
+  return meetings;
+}
+
+/** @brief The label that a sliver goes to: that a good part of it borders on, without a
+ * step, and that is nearest in height; -1 if none is near. */
+std::int32_t
+besideSliver(const std::map<std::int32_t, Meeting>& meetings)
+{
+  double around = 0;
+  for (const auto& [other, meeting] : meetings)
+    around += meeting.cells;
+  double least = shallow_step;
+  std::int32_t beside = -1;
+  for (const auto& [other, meeting] : meetings) {
+    const double drop = meeting.drop / meeting.cells;
+    if (4 * meeting.cells < around || !meeting.isBend() || drop >= least)
+      continue;
+    least = drop;
+    beside = other;
+  }
+  return beside;
+}
+
+/** @brief Joins slivers with what is beside them, the smallest first.
+ * @return the meetings of what is left */
+Meetings
+joinSlivers(const std::vector<std::uint8_t>& steps,
+            const CellGrid& grid,
+            HeightMap& map)
+{
+  constexpr double widest = 1.0; // square metres
+  // Where labels grow to does not depend on what they are: joined ones stay there.
+  std::vector<std::int32_t> label = grownLabels(map);
+  const std::vector<CellPair> border = borderOf(map, label);
+  std::vector<double> area(map.details.size() + 1, 0);
+  for (const std::int32_t l : map.label)
+    if (l >= 0)
+      area[static_cast<std::size_t>(l)] += grid.size() * grid.size();
+  Meetings meetings = meetingsOf(map, label, border, steps, grid);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    double least = widest;
+    std::pair<std::int32_t, std::int32_t> join;
+    for (std::size_t l = 1; l < area.size(); ++l) {
+      const std::int32_t beside =
+          area[l] > 0 && area[l] < least ? besideSliver(meetings[l]) : -1;
+      if (beside < 0)
+        continue;
+      least = area[l];
+      join = {static_cast<std::int32_t>(l), beside};
+      has_changed = true;
+    }
+    if (!has_changed)
+      break;
+    const auto [from, to] = join;
+    std::replace(map.label.begin(), map.label.end(), from, to);
+    for (const auto& [i, j] : border)
+      for (const std::size_t at : {i, j})
+        if (label[at] == from)
+          label[at] = to;
+    area[static_cast<std::size_t>(to)] += area[static_cast<std::size_t>(from)];
+    area[static_cast<std::size_t>(from)] = 0;
+    meetings = meetingsOf(map, label, border, steps, grid);
+  }
+  return meetings;
+}
+
+/** @brief The label within some cells of one whose plane is nearest to what was seen
+ * there. */
+std::int32_t
+nearestLabel(const HeightMap& map, const CellGrid& grid, std::size_t at)
+{
+  constexpr int reach = 2; // cells
+  const Cell cell = map.room.cellAt(at);
+  const Eigen::Vector2d place = grid.centre(cell);
+  const double height = map.main.heightAt(place) + map.relief[at];
+  const auto distance = [&](std::int32_t l) {
+    return std::abs(map.slabOf(l).heightAt(place) - height);
+  };
+  const std::int32_t own = map.label[at];
+  std::int32_t nearest = own;
+  double least =
+      nearest < 0 ? std::numeric_limits<double>::infinity() : distance(nearest);
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell near{cell.x + dx, cell.y + dy};
+      const std::int32_t l = map.room.at(near) ? map.label[map.room.indexOf(near)] : -1;
+      if (l < 0 || l == nearest || (own >= 0 && map.bends.count({own, l}) == 0))
+        continue;
+      const double d = distance(l);
+      if (d < least) {
+        least = d;
+        nearest = l;
+      }
+    }
+  return nearest;
+}
+
+/** @brief Lets the cells that no step holds follow their heights. */
+void
+followHeights(const std::vector<std::uint8_t>& steps,
+              const CellGrid& grid,
+              HeightMap& map)
+{
+  constexpr int most_rounds = 20;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<std::int32_t> next = map.label;
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (map.room.values()[i] && !std::isnan(map.relief[i]) &&
+          (map.label[i] >= 0 || !steps[i]))
+        next[i] = nearestLabel(map, grid, i);
+    if (next == map.label)
+      return;
+    map.label = std::move(next);
+  }
+}
+
+/** @brief Leaves of each detail its largest part. */
+void
+keepLargestParts(HeightMap& map)
+{
+  const std::vector<CellBox> boxes = boxesOf(map);
+  for (std::size_t l = 1; l <= map.details.size(); ++l) {
+    const CellMask cells = cellsOf(map, static_cast<std::int32_t>(l), boxes[l]);
+    const MaskRegions regions = labelRegions(cells, true);
+    const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end()) -
+                         regions.sizes.begin();
+    for (std::size_t i = 0; i < regions.label.size(); ++i)
+      if (regions.label[i] >= 0 && regions.label[i] != largest)
+        map.label[map.room.indexOf(cells.cellAt(i))] = -1;
+  }
+}
+
+} // namespace
+
+void
+tidyBends(const PointView& points,
+          const SlabEvidence& evidence,
+          const CellGrid& grid,
+          HeightMap& map)
+{
+  if (map.details.empty())
+    return;
+  const std::vector<std::uint8_t> steps = noteRelief(points, evidence, grid, map);
+  const Meetings meetings = joinSlivers(steps, grid, map);
+  for (std::size_t l = 0; l < meetings.size(); ++l)
+    for (const auto& [other, meeting] : meetings[l])
+      if (meeting.isBend())
+        map.bends.insert({static_cast<std::int32_t>(l), other});
+  if (map.bends.empty())
+    return;
+  followHeights(steps, grid, map);
+  keepLargestParts(map);
+}
+
+namespace {
+
+/** @brief How far from one cell to the next the ceiling is midway between the planes of
+ * their labels, from 0 to 1: lines of one height go through between the cells. */
+double
+shareOfWay(const HeightMap& map, std::size_t from, std::size_t to, const CellGrid& grid)
+{
+  const Eigen::Vector2d place = grid.centre(map.room.cellAt(from));
+  const double midway = (map.slabOf(map.label[from]).heightAt(place) +
+                         map.slabOf(map.label[to]).heightAt(place)) /
+                            2 -
+                        map.main.heightAt(place);
+  const double rise = map.relief[to] - map.relief[from];
+  const double share = (midway - map.relief[from]) / rise;
+  return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.5;
+}
+
+} // namespace
+
+BentEdges
+bentEdges(const HeightMap& map, const CellGrid& grid)
+{
+  constexpr int reach = 2; // cells
+  BentEdges edges{{}, CellMask(map.room.box())};
+  CellMask sharp(map.room.box()); // where a step is
+  if (map.bends.empty())
+    return edges;
+  const auto isBent = [&](std::size_t i, std::size_t j) {
+    const std::int32_t a = map.label[i];
+    const std::int32_t b = map.label[j];
+    if (a == b || map.bends.count({a, b}) == 0)
+      return false;
+    const Eigen::Vector2d place = grid.centre(map.room.cellAt(i));
+    const double step = map.slabOf(a).heightAt(place) - map.slabOf(b).heightAt(place);
+    return 2 * std::abs(map.relief[i] - map.relief[j]) < std::abs(step);
+  };
+  for (std::size_t i = 0; i < map.relief.size(); ++i) {
+    const Cell cell = map.room.cellAt(i);
+    for (const Cell d : {Cell{1, 0}, Cell{0, 1}}) {
+      const Cell to{cell.x + d.x, cell.y + d.y};
+      if (!map.room.at(cell) || !map.room.at(to))
+        continue;
+      if (!isBent(i, map.room.indexOf(to))) {
+        if (map.label[i] != map.label[map.room.indexOf(to)])
+          sharp.set(cell, 1);
+        continue;
+      }
+      const Eigen::Vector2d middle =
+          grid.centre(cell) + shareOfWay(map, i, map.room.indexOf(to), grid) *
+                                  (grid.centre(to) - grid.centre(cell));
+      const Eigen::Vector2d along(d.y, d.x);
+      for (double s = 0.005 - grid.size() / 2; s < grid.size() / 2; s += 0.01)
+        edges.points.emplace_back(middle + s * along);
+      edges.cells.set(cell, 1);
+      edges.cells.set(to, 1);
+    }
+  }
+  edges.cells = subtract(dilated(edges.cells, reach), dilated(sharp, reach));
+  return edges;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_map.h"
+#include "height_bends.h"
+
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/plane_fit.h>
+#include <pcl/sedr_segmentation/horizontal_levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Smallest part of a floor at a height of its own, square metres. */
+constexpr double least_floor_area = 1.0;
+
+/** @brief Least height of it: lower ones are rugs, metres. */
+constexpr double least_floor_step = 0.06;
+
+/** @brief What is less than this below a ceiling and smaller than that is a lamp or a
+ * panel, metres and square metres. What is above it is a coffer: nothing hangs there.
+ */
+constexpr double shallow_step = 0.06;
+constexpr double least_shallow_area = 1.0;
+
+/** @brief Least width of a recess of a ceiling, metres: between closer ribs the ceiling
+ * is uneven. */
+constexpr double least_recess = 0.3;
+
+/** @brief What is lower than the ceiling all around it and smaller than that hangs
+ * there, square metres. */
+constexpr double least_island_area = 1.0;
+constexpr double lamp_clearance = 0.15; ///< metres, from walls
+
+/** @brief The levels among the detail points. */
+std::vector<Level>
+detailLevels(const PointView& points,
+             const SlabEvidence& evidence,
+             const RoomFitParameters& parameters)
+{
+  LevelParameters p;
+  p.tolerance = parameters.slab_tolerance;
+  p.cell_size = parameters.cell_size;
+  p.minimum_area = parameters.minimum_detail_area;
+  p.seed = parameters.loop.seed;
+  p.threads = parameters.threads;
+  return findLevels(points, evidence.details, p);
+}
+
+/** @brief The plane of the detail over some cells: parallel to the main slab, unless it
+ * is wide enough for its points to say clearly otherwise. */
+PlanSlab
+detailSlab(const PointView& points,
+           const SlabEvidence& evidence,
+           const PlanSlab& main,
+           const Level& level,
+           const CellMask& cells,
+           const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  std::vector<int> own;
+  for (const int i : evidence.details) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (cells.at(grid.at(p.x(), p.y())) &&
+        std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
+      own.push_back(i);
+  }
+  const PlanSlab leaning =
+      fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
+  const PlanSlab parallel =
+      fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
+  constexpr double least_width = 1.0;
+  const bool is_wide =
+      eroded(cells, cellsFor(least_width / 2, grid.size())).count() > 0;
+  const bool is_clear =
+      leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
+  return is_wide && is_clear ? leaning : parallel;
+}
+
+/** @brief Whether a piece of a ceiling is a lamp below it: small, away from the walls,
+ * which beams and soffits start from, and the ceiling was seen all around it, as it is
+ * not around the strip of a vault.
+ * @param main cells of the main ceiling */
+bool
+isLamp(const CellMask& region,
+       double height,
+       const CellMask& main,
+       const CellMask& room,
+       double cell_size)
+{
+  if (height >= 0 ||
+      static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
+    return false;
+  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size, 2));
+  const CellMask rim = subtract(near, dilated(region, 1));
+  return subtract(near, room).count() == 0 &&
+         10 * intersect(rim, main).count() >= 8 * rim.count();
+}
+
+/** @brief Adds a piece of a ceiling or floor to a map as a detail, or as one for each
+ * field into which what is below it parts it, such as beams below a soffit. What is
+ * left of it beside these goes with the largest.
+ * @param least cells of a detail */
+void
+addFields(const PointView& points,
+          const SlabEvidence& evidence,
+          const PlanSlab& main_slab,
+          const Level& level,
+          CellMask piece,
+          std::size_t least,
+          const RoomFitParameters& parameters,
+          HeightMap& map)
+{
+  constexpr std::size_t least_part = 4; // of the least area of a detail
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] > 0)
+      piece.values()[i] = 0;
+  const MaskRegions fields = labelRegions(piece, true);
+  if (fields.sizes.empty())
+    return;
+  const PlanSlab slab =
+      detailSlab(points, evidence, main_slab, level, piece, parameters);
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(fields.sizes.begin(), fields.sizes.end()) -
+      fields.sizes.begin());
+  std::vector<std::int32_t> number(fields.sizes.size(), 0);
+  for (std::size_t f = 0; f < fields.sizes.size(); ++f)
+    if (f == largest || least_part * fields.sizes[f] >= least) {
+      map.details.push_back(slab);
+      number[f] = static_cast<std::int32_t>(map.details.size());
+    }
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (fields.label[i] >= 0) {
+      const auto field = static_cast<std::size_t>(fields.label[i]);
+      map.label[i] = number[field] > 0 ? number[field] : number[largest];
+    }
+}
+
+} // namespace
+
+double
+heightOverMain(const PlanSlab& main,
+               const PlanSlab& slab,
+               const CellMask& cells,
+               const CellGrid& grid)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
+    sum += slab.heightAt(p) - main.heightAt(p);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+SlabEvidence
+withFieldsOfMain(const PointView& points,
+                 SlabEvidence evidence,
+                 const PlanSlab& main_slab,
+                 const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const double tolerance = parameters.slab_tolerance;
+  const auto isNear = [&](const PlanSlab& slab, int i) {
+    return std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
+           tolerance;
+  };
+  std::vector<int>& details = evidence.details;
+  const auto near_main = static_cast<double>(std::count_if(
+      details.begin(), details.end(), [&](int i) { return isNear(main_slab, i); }));
+  if (near_main * grid.size() * grid.size() < parameters.minimum_detail_area)
+    return evidence; // most have none: levels need not be looked for
+  for (const Level& level : detailLevels(points, evidence, parameters)) {
+    const CellMask cells(level.cells, boxOf(level.cells));
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >= least_step)
+      continue;
+    const auto first_of_main =
+        std::stable_partition(details.begin(), details.end(), [&](int i) {
+          const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+          return !cells.at(grid.at(p.x(), p.y())) || !isNear(level.slab, i);
+        });
+    evidence.main.insert(evidence.main.end(), first_of_main, details.end());
+    details.erase(first_of_main, details.end());
+  }
+  return evidence;
+}
+
+HeightMap
+seenHeights(const PointView& points,
+            const SlabEvidence& evidence,
+            const PlanSlab& main_slab,
+            const CellMask& room,
+            const RoomFitParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  // Furniture leaves small and thin pieces at the heights of a floor.
+  const double least_area =
+      evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
+  const double step = evidence.is_floor ? least_floor_step : least_step;
+  const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
+  HeightMap map;
+  map.room = room;
+  map.label.assign(room.values().size(), -1);
+  map.main = main_slab;
+  const CellMask main =
+      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
+  // Between two stretches of the ceiling a beam may be narrow.
+  const CellMask beams =
+      evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (main.values()[i])
+      map.label[i] = 0;
+  for (const Level& level : detailLevels(points, evidence, parameters)) {
+    CellMask cells = intersect(CellMask(level.cells, room.box()), room);
+    const double over = heightOverMain(main_slab, level.slab, cells, grid);
+    const double height = std::abs(over);
+    if (height < step)
+      continue;
+    const auto enough =
+        static_cast<std::size_t>(over < 0 && height < shallow_step
+                                     ? least_shallow_area / (grid.size() * grid.size())
+                                     : 0);
+    cells = subtract(eroded(dilated(cells, 2), 2), main);
+    const bool is_recess = !evidence.is_floor && over > 0;
+    const double opening = evidence.is_floor ? 2
+                           : is_recess       ? cellsFor(least_recess / 2, grid.size())
+                                             : 1;
+    const CellMask wide = dilated(eroded(cells, opening), opening + 1);
+    cells = intersect(cells, is_recess ? wide : unite(wide, beams));
+    const MaskRegions regions = labelRegions(cells, true);
+    for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+      if (regions.sizes[r] < std::max(least, enough))
+        continue;
+      const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
+      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size()))
+        continue;
+      addFields(points, evidence, main_slab, level, region, least, parameters, map);
+    }
+  }
+  if (!evidence.is_floor)
+    tidyBends(points, evidence, grid, map);
+  map.seen = map.label;
+  return map;
+}
+
+std::vector<CellBox>
+boxesOf(const HeightMap& map)
+{
+  std::vector<CellBox> boxes(map.details.size() + 1, {{0, 0}, {-1, -1}});
+  for (std::size_t i = 0; i < map.label.size(); ++i)
+    if (map.label[i] >= 0) {
+      CellBox& box = boxes[static_cast<std::size_t>(map.label[i])];
+      const Cell cell = map.room.cellAt(i);
+      box = around(box, {cell, cell});
+    }
+  return boxes;
+}
+
+CellMask
+cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box)
+{
+  CellMask cells(box);
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    cells.values()[i] = map.label[map.room.indexOf(cells.cellAt(i))] == label ? 1 : 0;
+  return cells;
+}
+
+void
+fillHeights(HeightMap& map)
+{
+  growLabels(map.room, std::numeric_limits<int>::max(), map.label);
+}
+
+} // namespace sedr
+} // namespace pcl

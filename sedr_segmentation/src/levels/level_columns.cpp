@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/level_columns.h>
+
+#include "../profiles/column_order.h"
+#include "level_candidates.h"
+
+#include "sedr_filters/src/grids/digit_sort.h"
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Whether any of some columns holds a point within a window of height that
+ * only ever rises. */
+class RisingWindow {
+public:
+  RisingWindow(const LevelColumns& columns, const CellBlock& block)
+      : heights_(columns.heights().data())
+  {
+    for (const std::size_t cell : block)
+      columns_[size_++] = {columns.first(cell), columns.last(cell)};
+  }
+
+  bool holds(float low, float high)
+  {
+    if (holdsIn(columns_[held_last_], low, high)) // a wall goes on in its column
+      return true;
+    for (std::size_t k = 0; k < size_; ++k)
+      if (holdsIn(columns_[k], low, high)) {
+        held_last_ = k;
+        return true;
+      }
+    return false;
+  }
+
+private:
+  bool holdsIn(ColumnStretch& rest, float low, float high) const
+  {
+    while (rest.first < rest.last && heights_[rest.first] < low)
+      ++rest.first;
+    return rest.first < rest.last && heights_[rest.first] <= high;
+  }
+
+  const float* heights_;
+  std::array<ColumnStretch, 9> columns_{}; ///< from the first point not below it
+  std::size_t size_ = 0;
+  std::size_t held_last_ = 0;
+};
+
+bool
+isLower(const Candidate& a, const Candidate& b)
+{
+  return a.z != b.z ? a.z < b.z : a.index < b.index;
+}
+
+/** @brief Sorts by height, and those as high as each other by index. O(n) where few
+ * are. */
+void
+sortByHeight(std::vector<Candidate>& candidates)
+{
+  sortByDigits(candidates, [](const Candidate& c) { return orderOf(c.z); });
+  for (auto first = candidates.begin(); first != candidates.end();) {
+    const auto last = std::find_if(first, candidates.end(),
+                                   [&](const Candidate& c) { return c.z != first->z; });
+    if (last - first > 1)
+      std::sort(first, last, isLower);
+    first = last;
+  }
+}
+
+/** @brief Heights, rising, between which about as many of some candidates lie. */
+std::vector<float>
+evenHeights(const std::vector<std::vector<Candidate>>& blocks, std::size_t stretches)
+{
+  constexpr std::size_t step = 256; // a sample does
+  std::vector<float> sample;
+  for (const auto& block : blocks)
+    for (std::size_t k = 0; k < block.size(); k += step)
+      sample.push_back(block[k].z);
+  std::sort(sample.begin(), sample.end());
+  std::vector<float> heights;
+  for (std::size_t s = 1; s < stretches && !sample.empty(); ++s)
+    heights.push_back(sample[sample.size() * s / stretches]);
+  return heights;
+}
+
+/** @brief All candidates of some blocks sorted by height, stretches of height side by
+ * side. */
+std::vector<Candidate>
+sortedByHeight(const std::vector<std::vector<Candidate>>& blocks, unsigned threads)
+{
+  const std::vector<float> heights = evenHeights(blocks, resolveThreads(threads));
+  std::vector<std::vector<Candidate>> stretches(heights.size() + 1);
+  std::size_t count = 0;
+  for (const auto& block : blocks)
+    count += block.size();
+  parallelBlocks(stretches.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    const auto isWithin = [&](const Candidate& c) {
+      return (s == 0 || c.z >= heights[s - 1]) &&
+             (s == heights.size() || c.z < heights[s]);
+    };
+    std::vector<Candidate> own; // not next to what other threads write
+    own.reserve(count / stretches.size() + count / 16);
+    for (const auto& block : blocks)
+      std::copy_if(block.begin(), block.end(), std::back_inserter(own), isWithin);
+    sortByHeight(own);
+    stretches[s] = std::move(own);
+  });
+  std::vector<std::size_t> first(1, 0);
+  for (const auto& stretch : stretches)
+    first.push_back(first.back() + stretch.size());
+  std::vector<Candidate> sorted(first.back());
+  parallelBlocks(stretches.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    std::copy(stretches[s].begin(), stretches[s].end(), sorted.data() + first[s]);
+  });
+  return sorted;
+}
+
+} // namespace
+
+LevelColumns::LevelColumns(const PointView& points,
+                           const std::vector<int>& indices,
+                           double cell_size,
+                           double tolerance,
+                           unsigned threads)
+    : points_(points)
+    , grid_(cell_size)
+    , threads_(threads)
+    , cells_(grid_, points, indices)
+    , box_(boxOf(cells_))
+{
+  sortIntoColumns(indices);
+  leaveOutWalls(tolerance);
+}
+
+void
+LevelColumns::sortIntoColumns(const std::vector<int>& indices)
+{
+  const ColumnOrder order(
+      grid_, points_, indices, cells_.size(),
+      [&](Cell cell) { return static_cast<std::uint32_t>(cells_.find(cell)); },
+      threads_);
+  first_ = order.first();
+  all_ = order.sorted<Candidate>(
+      [&](std::size_t k, std::uint32_t cell) {
+        const Eigen::Vector3f p = points_[static_cast<std::size_t>(indices[k])];
+        return Candidate{indices[k], cell, p.x(), p.y(), p.z()};
+      },
+      isLower);
+  constexpr std::size_t points_a_block = 65536;
+  heights_.resize(all_.size());
+  parallelBlocks(all_.size(), points_a_block, threads_,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     heights_[k] = all_[k].z;
+                 });
+}
+
+void
+LevelColumns::leaveOutWalls(double tolerance)
+{
+  constexpr std::size_t cells_a_block = 4096;
+  const auto near = static_cast<float>(tolerance);
+  const auto far = static_cast<float>(3 * tolerance);
+  std::vector<std::vector<Candidate>> blocks(cells_.size() / cells_a_block + 1);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    std::vector<Candidate> horizontal;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const CellBlock block = blockAround(cells_, cell);
+      RisingWindow above(*this, block);
+      RisingWindow below(*this, block);
+      for (std::size_t i = first(cell); i < last(cell); ++i) {
+        const float z = heights_[i];
+        if (!above.holds(z + near, z + far) || !below.holds(z - far, z - near))
+          horizontal.push_back(all_[i]);
+      }
+    }
+    blocks[begin / cells_a_block] = std::move(horizontal);
+  };
+  parallelBlocks(cells_.size(), cells_a_block, threads_, look);
+  without_walls_ = sortedByHeight(blocks, threads_);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_candidates.h"
+#include "level_steps.h"
+
+#include <pcl/sedr_segmentation/horizontal_levels.h>
+
+#include "sedr_filters/src/grids/digit_sort.h"
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The level of each point within the tolerance of some: the nearest of those
+ * that were found in its cell; where none was, of those that may have points there. The
+ * plane of one room's ceiling may pass close to that of another, but does not reach it.
+ * The number of levels for the other points. */
+std::vector<std::size_t>
+ownLevels(const std::vector<Level>& levels,
+          const LevelColumns& columns,
+          const LevelParameters& parameters)
+{
+  constexpr std::size_t points_a_block = 16384;
+  const double tolerance = parameters.tolerance;
+  const std::vector<Candidate>& all = columns.all();
+  std::vector<std::size_t> own(all.size(), levels.size());
+  std::vector<HeightRange> reach;
+  for (const Level& level : levels)
+    reach.push_back(heightsNear(columns, level.slab, tolerance));
+  const auto look = [&](std::size_t k) {
+    const Cell cell = columns.cells()[all[k].cell];
+    double least = tolerance;
+    bool is_found_there = false;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      if (all[k].z < reach[l].low || all[k].z > reach[l].high) // as most are
+        continue;
+      const double d = std::abs(distanceAbove(levels[l].slab, all[k].position()));
+      if (d > tolerance)
+        continue;
+      const bool is_here = levels[l].cells.contains(cell);
+      const bool is_nearer = d < least || (d == least && own[k] == levels.size());
+      if (is_here == is_found_there ? !is_nearer : is_found_there)
+        continue;
+      if (!is_here && levels[l].without.contains(cell))
+        continue;
+      least = d;
+      own[k] = l;
+      is_found_there = is_here;
+    }
+  };
+  parallelBlocks(all.size(), points_a_block, parameters.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     look(k);
+                 });
+  return own;
+}
+
+/** @brief Marks the cells that a level has no inliers in: those of walls, for just
+ * below a ceiling, or just above a floor, a room has nothing, and those that it is not
+ * within.
+ * @param asked marks those that matter */
+std::vector<std::uint8_t>
+cellsLeftOut(const LevelColumns& columns,
+             const std::vector<std::uint8_t>& asked,
+             double tolerance,
+             const Level& level)
+{
+  const CellSet& cells = columns.cells();
+  std::vector<std::uint8_t> left_out(cells.size(), 0);
+  if (level.kind != LevelKind::Other)
+    left_out = columnsThatGoOn(columns, asked, level.slab,
+                               level.kind == LevelKind::Ceiling ? -1 : 1, tolerance);
+  if (!level.within.empty())
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (asked[i] && !level.within.contains(cells[i]))
+        left_out[i] = 1;
+  return left_out;
+}
+
+/** @brief Gives a level its inliers and their cells: those of its own points, positions
+ * among all, that are no wall's. */
+void
+takeInliers(const LevelColumns& columns,
+            const std::vector<std::size_t>& own,
+            double tolerance,
+            Level& level)
+{
+  const std::vector<Candidate>& all = columns.all();
+  const CellSet& cells = columns.cells();
+  std::vector<std::uint8_t> asked(cells.size(), 0);
+  for (const std::size_t k : own)
+    asked[all[k].cell] = 1;
+  const std::vector<std::uint8_t> left_out =
+      cellsLeftOut(columns, asked, tolerance, level);
+  // Cells with points on the plane itself, and cells with points near it only.
+  const double on_plane = noiseOf(level.slab, tolerance);
+  std::vector<std::uint8_t> on(cells.size(), 0);
+  for (const std::size_t k : own)
+    if (!left_out[all[k].cell] &&
+        std::abs(distanceAbove(level.slab, all[k].position())) <= on_plane)
+      on[all[k].cell] = 1;
+  std::vector<std::uint8_t> near(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    near[i] = asked[i] && !left_out[i] && !on[i] ? 1 : 0;
+  const CellSet beside = withoutFringes(markedCells(cells, near));
+  for (std::size_t i = 0; i < beside.size(); ++i)
+    on[cells.find(beside[i])] = 1;
+  level.cells = markedCells(cells, on);
+  level.inliers.clear();
+  for (const std::size_t k : own)
+    if (on[all[k].cell])
+      level.inliers.push_back(all[k].index);
+  sortByDigits(level.inliers, [](int i) { return static_cast<std::uint32_t>(i); });
+}
+
+} // namespace
+
+void
+collectInliers(std::vector<Level>& levels,
+               const PointView& points,
+               const std::vector<int>& indices,
+               const LevelParameters& parameters)
+{
+  collectInliers(levels, columnsOf(points, indices, parameters), parameters);
+}
+
+void
+collectInliers(std::vector<Level>& levels,
+               const LevelColumns& columns,
+               const LevelParameters& parameters)
+{
+  const std::vector<std::size_t> level_of = ownLevels(levels, columns, parameters);
+  std::vector<std::vector<std::size_t>> own(levels.size() + 1);
+  for (std::size_t k = 0; k < level_of.size(); ++k)
+    own[level_of[k]].push_back(k);
+  parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
+    takeInliers(columns, own[l], parameters.tolerance, levels[l]);
+  });
+}
+
+} // namespace sedr
+} // namespace pcl

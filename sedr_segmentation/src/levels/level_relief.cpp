@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_relief.h"
+#include "relief_window.h"
+
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t cells_a_block = 4096;
+
+/** @brief The relief around a cell, up to four cells away. */
+class Surroundings {
+public:
+  static constexpr int reach = 4;
+  static constexpr std::size_t side = 2 * reach + 1;
+
+  Surroundings(const CellSet& cells, const std::vector<double>& relief, std::size_t at)
+  {
+    values_.fill(unknown);
+    const Cell middle = cells[at];
+    forEachAround(cells, middle, reach, [&](std::size_t i) {
+      values_[indexOf(cells[i].x - middle.x, cells[i].y - middle.y)] = relief[i];
+    });
+  }
+
+  /** @brief The step across the cell, from what is on one side of it to what is on the
+   * other; 0 where too little was seen, or where it is lower than `lowest`. */
+  double step(bool along_x, double lowest) const
+  {
+    constexpr std::size_t least = 8;
+    return difference(along_x, reach, 2, least, lowest);
+  }
+
+  /** @brief Whether a step is there at once: of what slopes, the two cells on either
+   * side of the middle differ by no more than three fifths of the whole. */
+  bool isSharp(double step, bool along_x) const
+  {
+    constexpr double least_share = 0.8;
+    constexpr std::size_t least = 3;
+    return difference(along_x, 2, 1, least, 0) / step >= least_share;
+  }
+
+private:
+  static std::size_t indexOf(int dx, int dy)
+  {
+    return static_cast<std::size_t>(dy + reach) * side +
+           static_cast<std::size_t>(dx + reach);
+  }
+
+  double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
+
+  /** @brief How much higher what is behind the cell lies than what is before it; 0
+   * where fewer than `least` cells were seen on a side, or where it is less than
+   * `lowest`, which is mostly told without sorting. */
+  double difference(bool along_x,
+                    int length,
+                    int half_width,
+                    std::size_t least,
+                    double lowest) const
+  {
+    ReliefWindow before;
+    ReliefWindow behind;
+    for (int along = 1; along <= length; ++along)
+      for (int across = -half_width; across <= half_width; ++across) {
+        before.add(along_x ? at(-along, across) : at(across, -along));
+        behind.add(along_x ? at(along, across) : at(across, along));
+      }
+    if (before.size() < least || behind.size() < least)
+      return 0;
+    const auto [lowest_before, highest_before] = before.middleRange();
+    const auto [lowest_behind, highest_behind] = behind.middleRange();
+    if (std::max(highest_behind - lowest_before, highest_before - lowest_behind) <
+        lowest)
+      return 0;
+    const double step = behind.middleMean() - before.middleMean();
+    return std::abs(step) >= lowest ? step : 0;
+  }
+
+  std::array<double, side * side> values_{};
+};
+
+/** @brief Marks the cells around which a step may be: where the means of squares of
+ * 20 cm differ by half of it. Most of a slab is flat. */
+std::vector<std::uint8_t>
+unevenCells(const CellSet& cells, const std::vector<double>& relief, double step)
+{
+  const auto squareOf = [](Cell cell) {
+    return Cell{cell.x >> 2, cell.y >> 2}; // rounds down
+  };
+  std::vector<CellKey> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!std::isnan(relief[i]))
+      if (const CellKey key = keyOf(squareOf(cells[i]));
+          keys.empty() || keys.back() != key)
+        keys.push_back(key);
+  const CellSet squares(std::move(keys));
+  std::vector<double> sum(squares.size(), 0);
+  std::vector<double> count(squares.size(), 0);
+  std::vector<std::size_t> square_of(cells.size(), CellSet::npos);
+  std::size_t last = 0; // where the next cell in a row mostly is, too
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (std::isnan(relief[i]))
+      continue;
+    const Cell square = squareOf(cells[i]);
+    last = squares[last] == square ? last : squares.find(square);
+    square_of[i] = last;
+    sum[last] += relief[i];
+    count[last] += 1;
+  }
+  std::vector<std::uint8_t> is_uneven(squares.size(), 0);
+  for (std::size_t s = 0; s < squares.size(); ++s) {
+    double low = sum[s] / count[s];
+    double high = low;
+    for (const std::size_t near : blockAround(squares, s)) {
+      low = std::min(low, sum[near] / count[near]);
+      high = std::max(high, sum[near] / count[near]);
+    }
+    is_uneven[s] = 2 * (high - low) >= step ? 1 : 0;
+  }
+  std::vector<std::uint8_t> uneven(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    uneven[i] = square_of[i] != CellSet::npos ? is_uneven[square_of[i]] : 0;
+  return uneven;
+}
+
+/** @brief What a cell is of a step. */
+enum : std::uint8_t { none = 0, edge = 1, sharp_edge = 2 };
+
+/** @brief Whether one in ten of the edge cells about a cell is sharp. A slope has edge
+ * cells alone, and noise makes few of them sharp. */
+bool
+isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_t at)
+{
+  constexpr int reach = 6;
+  constexpr int least_share = 10; // one in so many
+  std::array<int, 3> count{};
+  forEachAround(cells, cells[at], reach, [&](std::size_t i) { ++count[kind[i]]; });
+  return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
+}
+
+/** @brief The kind of each cell: whether a drop is across it, and a sharp one. */
+std::vector<std::uint8_t>
+edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  constexpr double least_step = 0.015;
+  // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
+  const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
+  const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
+  std::vector<std::uint8_t> kind(relief.size(), none);
+  parallelBlocks(
+      relief.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if (!uneven[i])
+            continue;
+          const Surroundings around(cells, relief, i);
+          for (const bool along_x : {true, false}) {
+            const double across = around.step(along_x, step);
+            if (across != 0)
+              kind[i] = std::max<std::uint8_t>(
+                  kind[i], around.isSharp(across, along_x) ? sharp_edge : edge);
+          }
+        }
+      });
+  return kind;
+}
+
+} // namespace
+
+std::vector<double>
+reliefOf(const LevelColumns& columns,
+         const std::vector<Candidate>& candidates,
+         const PlanSlab& slab,
+         double reach)
+{
+  std::vector<double> sum(columns.cells().size(), 0);
+  std::vector<double> count(columns.cells().size(), 0);
+  for (const Candidate& c : stretchNear(columns, candidates, slab, reach)) {
+    const double d = distanceAbove(slab, c.position());
+    if (std::abs(d) > reach)
+      continue;
+    sum[c.cell] += d;
+    count[c.cell] += 1;
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = count[i] > 0 ? sum[i] / count[i] : unknown;
+  return sum;
+}
+
+double
+noiseOfRelief(const CellSet& cells, const std::vector<double>& relief)
+{
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < relief.size(); ++i)
+    if (!std::isnan(relief[i]) && !std::isnan(relief[i - 1]) &&
+        cells[i].y == cells[i - 1].y && cells[i].x == cells[i - 1].x + 1)
+      differences.push_back(std::abs(relief[i] - relief[i - 1]));
+  return differences.empty()
+             ? 0
+             : 1.4826 * middleValue(std::move(differences)) / std::sqrt(2);
+}
+
+std::vector<double>
+smoothRelief(const CellSet& cells,
+             const std::vector<double>& relief,
+             unsigned threads,
+             double flat)
+{
+  std::vector<double> smooth(relief.size(), unknown);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     if (std::isnan(relief[i]))
+                       continue;
+                     ReliefWindow window;
+                     for (const std::size_t k : blockAround(cells, i))
+                       window.add(relief[k]);
+                     smooth[i] = window.isWithin(flat) ? 0 : window.median();
+                   }
+                 });
+  return smooth;
+}
+
+std::vector<std::uint8_t>
+cellsOfDrops(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
+  for (std::uint8_t& k : kind)
+    k = k != none ? 1 : 0;
+  return kind;
+}
+
+std::vector<std::uint8_t>
+cellsOfSteps(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+{
+  const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
+  std::vector<std::uint8_t> edges(relief.size(), 0);
+  parallelBlocks(relief.size(), cells_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     edges[i] = kind[i] != none && isOfStep(cells, kind, i) ? 1 : 0;
+                 });
+  return edges;
+}
+
+} // namespace sedr
+} // namespace pcl

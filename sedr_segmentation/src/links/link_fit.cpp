@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link_fit.h"
+#include "../curves/main_directions.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The corners of a chain found anew, near where they were.
+ * @return false where two links do not meet */
+bool
+moveCorners(LoopChain& chain, const LoopParameters& parameters)
+{
+  std::vector<Eigen::Vector2d> corners(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (!findCorner(chain.links[chain.before(i)].curve, chain.links[i].curve,
+                    chain.corners[i], parameters, corners[i]))
+      return false;
+  chain.corners = std::move(corners);
+  return true;
+}
+
+/** @brief Bridges lead from where one curve passes the corner to where the next does.
+ */
+void
+layBridges(LoopChain& chain)
+{
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    LoopLink& link = chain.links[i];
+    if (!link.is_bridge)
+      continue;
+    const Eigen::Vector2d middle =
+        (chain.corners[i] + chain.corners[chain.after(i)]) / 2;
+    const Eigen::Vector2d from = chain.links[chain.before(i)].curve.project(middle);
+    const Eigen::Vector2d to = chain.links[chain.after(i)].curve.project(middle);
+    if ((to - from).norm() > 1e-6)
+      link.curve = lineThrough(from, to);
+  }
+}
+
+/** @brief Sine of the angle between a line and the nearest of the directions of the
+ * other lines of a chain. */
+double
+askew(const LoopChain& chain, std::size_t link, const PlanCurve& line)
+{
+  std::vector<DirectedLine> others;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (i != link && !chain.links[i].curve.isCircle() && !chain.links[i].is_bridge)
+      others.push_back({chain.element(i).length(), chain.links[i].curve.direction});
+  double least = 1;
+  for (const auto& direction : mainDirections(std::move(others)))
+    least = std::min(least, std::abs(leftOf(direction).dot(line.direction)));
+  return least;
+}
+
+/** @brief Share of an element's length beside which some of the points lie on a curve,
+ * counted in parts of 5 cm. */
+double
+shareCovered(const PlanElement& element,
+             const PlanCurve& curve,
+             const std::vector<WeightedPoint>& points,
+             double tolerance)
+{
+  constexpr double part = 0.05;
+  const auto parts = static_cast<std::size_t>(std::ceil(element.length() / part));
+  std::vector<std::uint8_t> is_covered(parts, 0);
+  for (const auto& p : points) {
+    const double s = element.project(p.position) / part;
+    if (s >= 0 && s < static_cast<double>(parts) &&
+        curve.distance(p.position) <= tolerance)
+      is_covered[static_cast<std::size_t>(s)] = 1;
+  }
+  return static_cast<double>(std::count(is_covered.begin(), is_covered.end(), 1)) /
+         static_cast<double>(std::max<std::size_t>(1, parts));
+}
+
+/** @brief Whether a fit to little of a line turns it away from where it was and from
+ * all other walls: points in a few places tell little of a direction. */
+bool
+turnsAway(const LoopChain& chain,
+          std::size_t link,
+          const PlanCurve& line,
+          const std::vector<WeightedPoint>& points,
+          double tolerance)
+{
+  constexpr double least_share = 0.4;
+  const PlanElement was = chain.element(link);
+  if (was.isArc() || line.isCircle() ||
+      std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
+    return false;
+  return shareCovered(was, line, points, tolerance) < least_share &&
+         askew(chain, link, line) > askew(chain, link, chain.links[link].curve);
+}
+
+} // namespace
+
+std::vector<WeightedPoint>
+pointsAlong(const LoopChain& chain,
+            std::size_t i,
+            const PlanPoints& evidence,
+            double tolerance)
+{
+  constexpr double step = 0.05;
+  constexpr double corner_zone = 0.3;
+  const PlanElement e = chain.element(i);
+  const PlanCurve& curve = chain.links[i].curve;
+  struct Neighbour {
+    PlanCurve curve;
+    Eigen::Vector2d corner;
+    bool leaves_smoothly;
+  };
+  std::vector<Neighbour> neighbours;
+  for (const bool is_next : {false, true}) {
+    const LoopLink& link = chain.links[is_next ? chain.after(i) : chain.before(i)];
+    const Eigen::Vector2d& corner = is_next ? e.end : e.start;
+    neighbours.push_back(
+        {link.curve, corner, sineBetween(curve, link.curve, corner) < 0.4});
+  }
+  const double smooth_zone = std::min(0.1, e.length() / 4);
+  const auto isAtCorner = [&](const Eigen::Vector2d& p) {
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& n) {
+      const double from_corner = (p - n.corner).norm();
+      return n.leaves_smoothly
+                 ? from_corner < smooth_zone
+                 : from_corner < corner_zone && n.curve.distance(p) < tolerance / 2;
+    });
+  };
+  std::vector<WeightedPoint> points;
+  const double length = e.length();
+  const auto parts = static_cast<std::size_t>(std::ceil(length / step));
+  const double half = length / static_cast<double>(parts) / 2;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const Eigen::Vector2d middle = e.pointAt((2 * static_cast<double>(k) + 1) * half);
+    const Eigen::Vector2d along = curve.tangentAt(middle);
+    evidence.forEachWithin(middle, std::hypot(tolerance, half), [&](const auto& p) {
+      if (std::abs((p - middle).dot(along)) <= half && !isAtCorner(p))
+        points.push_back({p, 1});
+    });
+  }
+  return points;
+}
+
+void
+refitLinks(LoopChain& chain,
+           const PlanPoints& evidence,
+           const LoopParameters& parameters)
+{
+  LoopChain fitted = chain;
+  parallelBlocks(chain.size(), 1, parameters.threads, [&](std::size_t i, std::size_t) {
+    const LoopLink& link = chain.links[i];
+    if (link.is_known)
+      return;
+    const std::vector<WeightedPoint> points =
+        pointsAlong(chain, i, evidence, parameters.tolerance);
+    if (points.size() < (link.is_bridge ? 10 : 5))
+      return;
+    fitted.links[i].is_bridge = false;
+    PlanCurve& curve = fitted.links[i].curve;
+    curve = link.keeps_direction
+                ? fitParallel(points, link.curve, parameters.tolerance)
+                : fitRobustly(points, link.curve, parameters.tolerance,
+                              parameters.minimum_radius, parameters.maximum_radius);
+    if (turnsAway(chain, i, curve, points, parameters.tolerance))
+      curve = fitParallel(points, link.curve, parameters.tolerance);
+    if (curve.direction.dot(link.curve.direction) < 0)
+      curve.direction = -curve.direction;
+  });
+  layBridges(fitted);
+  if (moveCorners(fitted, parameters))
+    chain = fitted;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_recess.h"
+
+#include "niche_fit.h"
+
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_filters/place_table.h>
+#include <pcl/sedr_filters/plane_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Whether a wall may have niches. */
+bool
+mayHaveNiches(const PlanElement& wall, const NicheParameters& parameters)
+{
+  return !wall.isArc() && wall.length() >= parameters.least_size;
+}
+
+/** @brief Of each wall of a room, those of some points that are on it or within reach
+ * behind it, and some others near it. */
+std::vector<std::vector<int>>
+pointsByWall(const PointView& points,
+             const std::vector<int>& indices,
+             const std::vector<PlanElement>& walls,
+             double reach,
+             const NicheParameters& parameters)
+{
+  constexpr double cell = 0.5; // metres
+  PlaceTable walls_near(cell);
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (mayHaveNiches(walls[k], parameters))
+      walls_near.addAlong(walls[k], reach, static_cast<std::uint32_t>(k));
+  walls_near.finish();
+  std::vector<std::vector<int>> near(walls.size());
+  for (const int i : indices)
+    for (const std::uint32_t k :
+         walls_near.at(points[static_cast<std::size_t>(i)].head<2>().cast<double>()))
+      near[k].push_back(i);
+  return near;
+}
+
+/** @brief The points of a wall and of what is behind it. */
+UnrolledWall
+unroll(const PointView& points,
+       const std::vector<int>& around,
+       const PlanRoom& room,
+       const PlanElement& element,
+       double farthest)
+{
+  UnrolledWall wall{element, 0, std::clamp(2.5 * element.residual, 0.03, 0.06), {}};
+  const Eigen::Vector2d inside =
+      element.pointAt(element.length() / 2) + 0.01 * element.normalAt(0);
+  const double floor = room.floorAt(inside);
+  wall.height = room.ceilingAt(inside) - floor;
+  const Eigen::Vector2d way = (element.end - element.start).normalized();
+  const Eigen::Vector2d inwards = element.normalAt(0);
+  const double length = element.length();
+  for (const int i : around) {
+    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+    const Eigen::Vector2d d = p.head<2>() - element.start;
+    const WallPoint seen{d.dot(way), p.z() - floor, -d.dot(inwards)};
+    if (seen.behind >= -wall.tolerance && seen.behind <= farthest && seen.along >= 0 &&
+        seen.along <= length && seen.up >= -0.1 && seen.up <= wall.height)
+      wall.points.push_back(seen);
+  }
+  return wall;
+}
+
+PlanElement
+side(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+{
+  PlanElement e;
+  e.start = start;
+  e.end = end;
+  return e;
+}
+
+PlanNiche
+nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
+{
+  const Eigen::Vector2d out = -recess.depth * wall.element.normalAt(0);
+  const Eigen::Vector2d left = wall.element.pointAt(recess.left);
+  const Eigen::Vector2d right = wall.element.pointAt(recess.right);
+  PlanNiche niche;
+  niche.boundary.elements = {side(left, left + out), side(left + out, right + out),
+                             side(right + out, right), side(right, left)};
+  const Eigen::Vector2d inside = (left + right) / 2 + 0.01 * wall.element.normalAt(0);
+  const double floor = room.floorAt(inside);
+  niche.bottom = recess.low > 0.02 ? horizontalSlab(floor + recess.low)
+                                   : room.floorSlab(room.floorDetailAt(inside));
+  niche.top = recess.high < wall.height ? horizontalSlab(floor + recess.high)
+                                        : room.ceilingSlab(room.detailAt(inside));
+  return niche;
+}
+
+/** @brief Whether a niche reaches into its own room, another wing of which lies behind
+ * the wall. */
+bool
+reachesInto(const PlanRoom& room, const PlanNiche& niche)
+{
+  constexpr double step = 0.05;
+  const auto& sides = niche.boundary.elements;
+  const Eigen::Vector2d back = sides[1].end - sides[1].start;
+  const Eigen::Vector2d out = sides[0].end - sides[0].start;
+  for (double s = step; s < back.norm(); s += step)
+    for (double d = step; d < out.norm() + step; d += step)
+      if (room.boundary.contains(sides[0].start + s * back.normalized() +
+                                 d * out.normalized()))
+        return true;
+  return false;
+}
+
+/** @brief Of recesses one above the other those with the largest mouths: a plan has one
+ * floor and one ceiling at a place. */
+std::vector<Recess>
+largestOf(std::vector<Recess> recesses)
+{
+  std::stable_sort(
+      recesses.begin(), recesses.end(),
+      [](const Recess& a, const Recess& b) { return a.mouth() > b.mouth(); });
+  std::vector<Recess> kept;
+  for (const Recess& recess : recesses)
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const Recess& k) { return k.sharesPlan(recess); }))
+      kept.push_back(recess);
+  std::sort(kept.begin(), kept.end(),
+            [](const Recess& a, const Recess& b) { return a.left < b.left; });
+  return kept;
+}
+
+/** @brief The niches of a straight wall. */
+std::vector<PlanNiche>
+nichesIn(const UnrolledWall& wall,
+         const PlanRoom& room,
+         const NicheParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  const auto least =
+      static_cast<std::size_t>(cellsFor(parameters.least_size, grid.size()) *
+                               cellsFor(parameters.least_size, grid.size()));
+  const CellMask open = openCells(wall, grid);
+  const MaskRegions regions = labelRegions(open, false);
+  std::vector<Recess> recesses;
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    if (regions.sizes[r] < least)
+      continue;
+    Recess recess;
+    if (!findRecess(wall, regionMask(open, regions, static_cast<std::int32_t>(r)), grid,
+                    parameters, recess))
+      continue;
+    const bool is_at_floor = recess.low < 0.15 && !recess.has_bottom;
+    if (is_at_floor && (recess.depth < parameters.least_alcove ||
+                        recess.high == wall.height)) // a part of the room
+      continue;
+    if (is_at_floor)
+      recess.low = 0;
+    recesses.push_back(recess);
+  }
+  std::vector<PlanNiche> niches;
+  for (const Recess& recess : largestOf(std::move(recesses))) {
+    PlanNiche niche = nicheOf(room, wall, recess);
+    if (!reachesInto(room, niche))
+      niches.push_back(std::move(niche));
+  }
+  return niches;
+}
+
+} // namespace
+
+std::vector<PlanNiche>
+fitNiches(const PointView& points,
+          const std::vector<int>& around,
+          const PlanRoom& room,
+          const NicheParameters& parameters)
+{
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  const double reach = parameters.greatest_depth + parameters.view;
+  const std::vector<std::vector<int>> near =
+      pointsByWall(points, around, walls, reach, parameters);
+  std::vector<std::vector<PlanNiche>> niches_of(walls.size());
+  parallelBlocks(walls.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
+    const PlanElement& element = walls[k];
+    if (mayHaveNiches(element, parameters))
+      niches_of[k] =
+          nichesIn(unroll(points, near[k], room, element, reach), room, parameters);
+  });
+  std::vector<PlanNiche> niches;
+  for (auto& own : niches_of)
+    niches.insert(niches.end(), own.begin(), own.end());
+  return niches;
+}
+
+} // namespace sedr
+} // namespace pcl

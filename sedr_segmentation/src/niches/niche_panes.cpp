@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/niche_panes.h>
+
+#include "../profiles/cell_count.h"
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_segmentation/plan_refit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double cell = 0.1;        ///< metres
+constexpr double around = 0.3;      ///< a mouth, where the wall is looked at, metres
+constexpr double reach = 0.05;      ///< of the points of wall and back, metres
+constexpr double margin = 0.05;     ///< from the edges of a mouth, where its sides are
+constexpr double least_share = 0.4; ///< of the wall's density, on a back
+constexpr double best_seen = 0.25;  ///< share of a back that is asked
+constexpr std::size_t least_cells = 20; ///< of the wall in which points were seen
+constexpr std::size_t most_points = 2000000;
+
+/** @brief A niche, the wall around its mouth, and their cells along and up the wall. */
+class NicheView {
+public:
+  /** @brief Points of each cell, row by row. */
+  struct Counts {
+    std::vector<std::size_t> back;
+    std::vector<std::size_t> wall;
+  };
+
+  explicit NicheView(const PlanNiche& niche)
+  {
+    const std::vector<PlanElement>& sides = niche.boundary.elements;
+    mouth_ = sides.back();
+    std::swap(mouth_.start, mouth_.end);
+    way_ = (mouth_.end - mouth_.start).normalized();
+    out_ = {way_.y(), -way_.x()};
+    width_ = mouth_.length();
+    const Eigen::Vector2d middle = (mouth_.start + mouth_.end) / 2;
+    low_ = niche.bottom.heightAt(middle);
+    high_ = niche.top.heightAt(middle);
+    depth_ = out_.dot(sides[1].start - mouth_.start);
+    columns_ = static_cast<std::size_t>(cellsFor(width_ + 2 * around, cell));
+    rows_ = static_cast<std::size_t>(cellsFor(high_ - low_ + 2 * around, cell));
+  }
+
+  Counts noCounts() const
+  {
+    const std::vector<std::size_t> none(columns_ * rows_, 0);
+    return {none, none};
+  }
+
+  /** @brief Counts a point, if it is on the back or on the wall around the mouth. */
+  void count(const Eigen::Vector3f& point, Counts& counts) const
+  {
+    const Eigen::Vector2d to = point.head<2>().cast<double>() - mouth_.start;
+    const double along = way_.dot(to);
+    const double up = point.z() - low_;
+    const double height = high_ - low_;
+    if (!(along >= -around && along < width_ + around && up >= -around &&
+          up < height + around))
+      return;
+    const double behind = out_.dot(to);
+    const double near = std::min(reach, depth_ / 3);
+    const auto column = static_cast<std::size_t>((along + around) / cell);
+    const auto row = static_cast<std::size_t>((up + around) / cell);
+    const std::size_t at =
+        std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
+    if (std::abs(behind - depth_) <= near && along >= margin &&
+        along <= width_ - margin && up >= margin && up <= height - margin)
+      ++counts.back[at];
+    else if (std::abs(behind) <= near &&
+             (along <= -margin || along >= width_ + margin || up <= -margin ||
+              up >= height + margin))
+      ++counts.wall[at];
+  }
+
+  /** @brief Whether the back is hit far less often than the wall. */
+  bool isPane(const Counts& counts) const
+  {
+    std::vector<double> wall;
+    for (const std::size_t points : counts.wall)
+      if (points > 0)
+        wall.push_back(static_cast<double>(points));
+    if (wall.size() < least_cells)
+      return false;
+    std::vector<std::size_t> back = counts.back;
+    std::sort(back.begin(), back.end(), std::greater<>());
+    const double cells = std::max(1.0, best_seen * std::floor(width_ / cell) *
+                                           std::floor((high_ - low_) / cell));
+    const auto best =
+        std::accumulate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(cells),
+                        std::size_t{0});
+    return static_cast<double>(best) <
+           least_share * std::floor(cells) * middleValue(std::move(wall));
+  }
+
+private:
+  PlanElement mouth_;
+  Eigen::Vector2d way_;
+  Eigen::Vector2d out_; ///< of the room
+  double width_ = 0;
+  double depth_ = 0;
+  double low_ = 0;
+  double high_ = 0;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+};
+
+/** @brief Whether a niche is no deeper than half of its mouth's width and height:
+ * further in, its sides hide its back from most places in the room. */
+bool
+isAsked(const PlanNiche& niche)
+{
+  const std::vector<PlanElement>& sides = niche.boundary.elements;
+  if (sides.size() != 4) // left, back, right, mouth
+    return false;
+  const Eigen::Vector2d place = sides[3].start;
+  const double height = niche.top.heightAt(place) - niche.bottom.heightAt(place);
+  return 2 * sides[0].length() <= std::min(height, sides[3].length());
+}
+
+/** @brief The counts of each niche. */
+std::vector<NicheView::Counts>
+countsOf(const std::vector<NicheView>& views,
+         const PointView& raw,
+         const std::vector<int>& indices,
+         unsigned threads)
+{
+  std::vector<NicheView::Counts> sums;
+  for (const NicheView& view : views)
+    sums.push_back(view.noCounts());
+  const std::size_t all = indices.empty() ? raw.size() : indices.size();
+  const std::size_t step = rawStep(all, most_points);
+  const auto add = [](const std::vector<std::size_t>& more,
+                      std::vector<std::size_t>& sum) {
+    std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  };
+  std::mutex adding;
+  constexpr std::size_t points_a_block = 65536;
+  parallelBlocks(
+      all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<NicheView::Counts> counts;
+        for (const NicheView& view : views)
+          counts.push_back(view.noCounts());
+        for (std::size_t k = begin; k < end; ++k) {
+          const std::size_t i = k * step;
+          const Eigen::Vector3f p =
+              raw[indices.empty() ? i : static_cast<std::size_t>(indices[i])];
+          for (std::size_t v = 0; v < views.size(); ++v)
+            views[v].count(p, counts[v]);
+        }
+        const std::lock_guard<std::mutex> lock(adding);
+        for (std::size_t v = 0; v < views.size(); ++v) {
+          add(counts[v].back, sums[v].back);
+          add(counts[v].wall, sums[v].wall);
+        }
+      });
+  return sums;
+}
+
+} // namespace
+
+std::size_t
+leaveOutPanes(Floorplan& plan,
+              const PointView& raw,
+              const std::vector<int>& indices,
+              unsigned threads)
+{
+  std::vector<NicheView> views;
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanNiche& niche : room.niches)
+      if (isAsked(niche))
+        views.emplace_back(niche);
+  if (views.empty())
+    return 0;
+  const std::vector<NicheView::Counts> counts = countsOf(views, raw, indices, threads);
+  std::size_t asked = 0;
+  std::size_t taken_out = 0;
+  for (PlanRoom& room : plan.rooms) {
+    std::vector<PlanNiche> kept;
+    for (PlanNiche& niche : room.niches) {
+      const bool is_pane = isAsked(niche) && views[asked].isPane(counts[asked]);
+      asked += isAsked(niche) ? 1 : 0;
+      if (is_pane)
+        ++taken_out;
+      else
+        kept.push_back(std::move(niche));
+    }
+    room.niches = std::move(kept);
+  }
+  return taken_out;
+}
+
+} // namespace sedr
+} // namespace pcl

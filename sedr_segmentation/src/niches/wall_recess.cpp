@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_recess.h"
+
+#include "../profiles/cell_count.h"
+#include "sedr_filters/src/base/middle_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A lower bottom is the floor, metres; a higher head the ceiling. */
+constexpr double least_sill = 0.05;
+constexpr double least_head = 0.05;
+
+Cell
+cellOf(const CellGrid& grid, const WallPoint& p)
+{
+  return grid.at(p.along, p.up);
+}
+
+/** @brief The depth at which most of the points behind a region lie. */
+double
+depthOfBack(const std::vector<WallPoint>& region, double tolerance)
+{
+  std::vector<double> depths;
+  for (const WallPoint& p : region)
+    if (p.behind > tolerance)
+      depths.push_back(p.behind);
+  std::sort(depths.begin(), depths.end());
+  double best = 0;
+  std::size_t most = 0;
+  for (std::size_t first = 0, last = 0; last < depths.size(); ++last) {
+    while (depths[last] - depths[first] > 2 * tolerance)
+      ++first;
+    if (last - first + 1 <= most)
+      continue;
+    most = last - first + 1;
+    best = depths[(first + last) / 2];
+  }
+  return best;
+}
+
+/** @brief Moves the edges of a recess onto the points seen on its sides. */
+void
+fitEdges(const UnrolledWall& wall, Recess& recess)
+{
+  constexpr double reach = 0.1;
+  const auto fit = [&](double& edge, double WallPoint::*across,
+                       double WallPoint::*beside, double low, double high) {
+    std::vector<double> places;
+    for (const WallPoint& p : wall.points)
+      if (std::abs(p.*across - edge) <= reach && p.*beside > low + reach &&
+          p.*beside < high - reach && p.behind > wall.tolerance &&
+          p.behind < recess.depth - wall.tolerance)
+        places.push_back(p.*across);
+    if (places.size() < 5)
+      return false;
+    edge = middleValue(std::move(places));
+    return true;
+  };
+  fit(recess.left, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
+  fit(recess.right, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
+  recess.has_bottom =
+      fit(recess.low, &WallPoint::up, &WallPoint::along, recess.left, recess.right) &&
+      recess.low >= least_sill;
+  fit(recess.high, &WallPoint::up, &WallPoint::along, recess.left, recess.right);
+  std::vector<double> depths;
+  for (const WallPoint& p : wall.points)
+    if (p.along > recess.left + wall.tolerance &&
+        p.along < recess.right - wall.tolerance && p.up > recess.low + wall.tolerance &&
+        p.up < recess.high - wall.tolerance &&
+        std::abs(p.behind - recess.depth) <= wall.tolerance)
+      depths.push_back(p.behind);
+  if (!depths.empty())
+    recess.depth = middleValue(std::move(depths));
+}
+
+/** @brief Whether the back of a region is closed and nothing is seen beyond it, neither
+ * through it nor along its sides: the reveal of a window goes on behind the pane. */
+bool
+isClosed(const CellMask& region,
+         const std::vector<WallPoint>& behind,
+         const CellGrid& grid,
+         double depth,
+         double tolerance,
+         const NicheParameters& parameters)
+{
+  const CellMask inside = eroded(region, 1);
+  const CellMask rim = subtract(dilated(region, 1), inside);
+  CellMask back(region.box());
+  CellMask beyond(region.box());
+  for (const WallPoint& p : behind) {
+    const Cell cell = cellOf(grid, p);
+    if (std::abs(p.behind - depth) <= 1.5 * tolerance)
+      back.set(cell, 1);
+    else if (p.behind > depth)
+      beyond.set(cell, 1);
+  }
+  const auto share = [](const CellMask& seen, const CellMask& of) {
+    return static_cast<double>(intersect(seen, of).count()) /
+           static_cast<double>(std::max<std::size_t>(1, of.count()));
+  };
+  return share(back, inside) >= parameters.minimum_coverage &&
+         share(beyond, inside) <= parameters.greatest_view &&
+         share(beyond, rim) <= parameters.greatest_view;
+}
+
+} // namespace
+
+CellMask
+openCells(const UnrolledWall& wall, const CellGrid& grid)
+{
+  const CellBox box{{-2, -3},
+                    {cellsFor(wall.element.length(), grid.size()) + 2,
+                     cellsFor(wall.height, grid.size()) + 2}};
+  CellMask on(box);
+  CellMask behind(box);
+  for (const WallPoint& p : wall.points)
+    (p.behind <= wall.tolerance ? on : behind).set(cellOf(grid, p), 1);
+  const CellMask open = subtract(behind, on);
+  return eroded(dilated(open, 1), 1);
+}
+
+bool
+findRecess(const UnrolledWall& wall,
+           const CellMask& region,
+           const CellGrid& grid,
+           const NicheParameters& parameters,
+           Recess& recess)
+{
+  const CellMask around = dilated(region, 1);
+  std::vector<WallPoint> behind;
+  for (const WallPoint& p : wall.points)
+    if (around.at(cellOf(grid, p)))
+      behind.push_back(p);
+  recess.depth = depthOfBack(behind, wall.tolerance);
+  if (recess.depth < parameters.least_depth ||
+      recess.depth > parameters.greatest_depth ||
+      !isClosed(region, behind, grid, recess.depth, wall.tolerance, parameters))
+    return false;
+  const CellBox box = boxOf(region.toSet());
+  const double size = grid.size();
+  recess.left = box.low.x * size;
+  recess.right = (box.high.x + 1) * size;
+  recess.low = box.low.y * size;
+  recess.high = (box.high.y + 1) * size;
+  const double area = (recess.right - recess.left) * (recess.high - recess.low);
+  if (static_cast<double>(region.count()) * size * size < 0.7 * area)
+    return false;
+  fitEdges(wall, recess);
+  if (recess.high > wall.height - least_head)
+    recess.high = wall.height;
+  return recess.right - recess.left >= parameters.least_size &&
+         recess.high - recess.low >= parameters.least_size;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "niche_fit.h"
+#include <pcl/sedr_filters/cell_mask.h>
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A point as seen from a wall: metres along it, above its floor, behind it. */
+struct WallPoint {
+  double along;
+  double up;
+  double behind;
+};
+
+/** @brief A straight wall of a room, unrolled. */
+struct UnrolledWall {
+  const PlanElement& element;
+  double height = 0;
+  double tolerance = 0; ///< distance within which a point is on the wall
+  std::vector<WallPoint> points;
+};
+
+/** @brief A recess in a wall: along [left, right], up [low, high]. */
+struct Recess {
+  double left = 0;
+  double right = 0;
+  double low = 0;
+  double high = 0;
+  double depth = 0;
+  bool has_bottom = false; ///< seen above the floor
+
+  double mouth() const { return (right - left) * (high - low); }
+
+  /** @brief Whether one is above the other one. */
+  bool sharesPlan(const Recess& other) const
+  {
+    return left < other.right && other.left < right;
+  }
+};
+
+/** @brief The cells behind which something is seen while nothing is on the wall. */
+CellMask openCells(const UnrolledWall& wall, const CellGrid& grid);
+
+/** @brief The recess of one region of open cells, if it is a niche. */
+bool findRecess(const UnrolledWall& wall,
+                const CellMask& region,
+                const CellGrid& grid,
+                const NicheParameters& parameters,
+                Recess& recess);
+
+} // namespace sedr
+} // namespace pcl

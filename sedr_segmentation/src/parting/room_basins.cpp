@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_basins.h"
+
+#include "gap_distance.h"
+#include "room_labels.h"
+
+#include "sedr_filters/src/grids/disjoint_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::uint32_t none = AirGaps::none;
+constexpr std::int32_t no_room = RoomLabels::no_room;
+
+/** @brief Whether the floors below two gaps in which one can stand are those of
+ * different levels. */
+bool
+isLevelApart(const AirGaps& air, std::uint32_t g, std::uint32_t o)
+{
+  const double headroom = air.parameters().headroom;
+  return air.height(g) >= headroom && air.height(o) >= headroom &&
+         std::abs(air[g].low - air[o].low) * air.columns().voxelHeight() >
+             air.parameters().highest_step;
+}
+
+/** @brief Basins of the distance from the rim, from their middles outwards. */
+std::vector<std::int32_t>
+basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_basin)
+{
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (distance[g] > 0)
+      order.push_back(g);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return distance[a] > distance[b];
+  });
+  std::vector<std::int32_t> basin(air.size(), no_room);
+  std::vector<float> peak; // falls: of several basins the first is the highest
+  DisjointSets<> sets(order.size());
+  for (const std::uint32_t g : order) {
+    std::vector<std::uint32_t> met;
+    std::uint32_t uphill = none; // towards its own middle, not into what is larger
+    for (int d = 0; d < 4; ++d)
+      for (const std::uint32_t o :
+           {air.isDrop(g, d) ? none : air.link(g, d), air.diagonal(g, d)})
+        if (o != none && basin[o] != no_room && !isLevelApart(air, g, o)) {
+          met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
+          if (uphill == none || distance[o] > distance[uphill])
+            uphill = o;
+        }
+    if (met.empty()) {
+      basin[g] = static_cast<std::int32_t>(peak.size());
+      peak.push_back(distance[g]);
+      continue;
+    }
+    basin[g] = basin[uphill];
+    const std::uint32_t highest = *std::min_element(met.begin(), met.end());
+    for (const std::uint32_t other : met)
+      if (distance[g] >= same_basin * peak[other])
+        sets.join(highest, other);
+  }
+  for (std::int32_t& b : basin)
+    if (b != no_room)
+      b = static_cast<std::int32_t>(sets.find(static_cast<std::uint32_t>(b)));
+  return basin;
+}
+
+/** @brief Takes labels outwards, step by step, to gaps that have none. */
+void
+growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
+{
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (label[g] != no_room)
+      front.push_back(g);
+  while (!front.empty()) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t g : front)
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air.link(g, d);
+        if (o != none && label[o] == no_room && !air.isDrop(g, d)) {
+          label[o] = label[g];
+          next.push_back(o);
+        }
+      }
+    front = std::move(next);
+  }
+}
+
+} // namespace
+
+std::vector<std::int32_t>
+roomBasins(const AirGaps& air,
+           const std::vector<float>& dip,
+           const PartingParameters& parameters)
+{
+  std::vector<std::uint8_t> is_level(air.size());
+  for (std::size_t g = 0; g < air.size(); ++g)
+    is_level[g] = dip[g] < parameters.lintel ? 1 : 0;
+  std::vector<std::int32_t> label =
+      basinsOf(air, distanceToRim(air, is_level), parameters.same_basin);
+  growLabels(air, label);
+  return label;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frontier_points.h"
+#include "shared_faces.h"
+
+#include <pcl/sedr_segmentation/plan_fit.h>
+
+#include "../niches/niche_fit.h"
+#include "../rooms/room_planes.h"
+#include "../sheets/sheet_fit.h"
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_segmentation/plan_regularisation.h>
+#include <pcl/sedr_segmentation/room_territory.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Number of each room, 0 left out; the rooms of their index. */
+std::vector<std::uint32_t>
+roomNumbers(const PlanEvidence& evidence)
+{
+  if (evidence.room.empty())
+    return {1};
+  std::vector<std::uint32_t> numbers;
+  for (const int i : evidence.ceiling)
+    if (evidence.room[static_cast<std::size_t>(i)] != 0)
+      numbers.push_back(evidence.room[static_cast<std::size_t>(i)]);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/** @brief The room of each index that `roomOf(index)` gives, -1 for none; asked on
+ * several threads. */
+template <typename RoomOf>
+std::vector<std::int32_t>
+roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
+{
+  constexpr std::size_t indices_a_block = 16384;
+  std::vector<std::int32_t> rooms(indices.size());
+  parallelBlocks(indices.size(), indices_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t k = begin; k < end; ++k)
+                     rooms[k] = roomOf(indices[k]);
+                 });
+  return rooms;
+}
+
+/** @brief The indices of each room. */
+std::vector<std::vector<int>>
+sharesOf(const std::vector<int>& indices,
+         const std::vector<std::int32_t>& room_of,
+         std::size_t rooms)
+{
+  std::vector<std::vector<int>> shares(rooms);
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (room_of[k] >= 0)
+      shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
+  return shares;
+}
+
+/** @brief The heights that each room takes up, of points that are shared out to the
+ * rooms; none where a room has no points of its floor. */
+std::vector<RoomHeights>
+heightsOfRooms(const PointView& points,
+               const std::vector<std::vector<int>>& floors,
+               const std::vector<std::vector<int>>& ceilings,
+               const std::vector<std::vector<int>>& details)
+{
+  std::vector<RoomHeights> heights;
+  for (std::size_t r = 0; r < floors.size(); ++r) {
+    if (floors[r].empty())
+      return {};
+    std::vector<float> above;
+    for (const auto* part : {&ceilings[r], &details[r]})
+      for (const int i : *part)
+        above.push_back(points[static_cast<std::size_t>(i)].z());
+    heights.push_back(heightsFrom(floorLevel(points, floors[r]), std::move(above)));
+  }
+  return heights;
+}
+
+/** @brief What a room was fitted to. */
+struct RoomWork {
+  RoomEvidence evidence;
+  RoomRecord record;
+};
+
+/** @brief A part of a room that is worth a word when it is left out, square metres. */
+constexpr double least_loss = 0.25;
+
+/** @brief Fits every room for itself; what is wrong with those of which there is a
+ * problem. */
+std::vector<std::string>
+fitRooms(const PointView& points,
+         const RoomFitParameters& parameters,
+         std::vector<RoomWork>& work,
+         std::vector<PlanRoom>& rooms)
+{
+  std::vector<std::string> problems(work.size());
+  rooms.assign(work.size(), {});
+  parallelBlocks(work.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+    const RoomEvidence& evidence = work[r].evidence;
+    if (evidence.ceiling.size() < 3 || evidence.floor.size() < 3)
+      problems[r] = std::to_string(evidence.ceiling.size()) + " ceiling points and " +
+                    std::to_string(evidence.floor.size()) +
+                    " floor points are too few, 3 are needed of each";
+    else
+      rooms[r] = fitRoom(points, evidence, parameters, problems[r], &work[r].record);
+  });
+  return problems;
+}
+
+/** @brief Fits rooms again without the points of their neighbours' walls where they run
+ * along them; one stays where that makes it no simpler.
+ * @return whether any changed */
+bool
+leaveToOthers(const PointView& points,
+              const RoomFitParameters& parameters,
+              std::vector<RoomWork>& work,
+              Floorplan& plan)
+{
+  std::vector<PlanRoom> rooms = plan.rooms;
+  std::vector<std::uint8_t> has_changed(rooms.size(), 0);
+  std::vector<std::vector<PlanElement>> faces;
+  std::vector<std::size_t> among_others;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    faces.push_back(facesOfOthers(plan, r));
+    if (!faces.back().empty())
+      among_others.push_back(r);
+  }
+  // The threads that no other room keeps busy share the work on one.
+  parallelBlocks(
+      among_others.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
+        const std::size_t r = among_others[k];
+        RoomWork again{work[r].evidence, {}};
+        again.evidence.faces_of_others.insert(again.evidence.faces_of_others.end(),
+                                              faces[r].begin(), faces[r].end());
+        std::string problem;
+        PlanRoom room = fitRoom(points, again.evidence, parameters, problem,
+                                &again.record, rooms[r].boundary.elements.size());
+        room.id = rooms[r].id;
+        if (!problem.empty())
+          return;
+        rooms[r] = std::move(room);
+        work[r] = std::move(again);
+        has_changed[r] = 1;
+      });
+  plan.rooms = std::move(rooms);
+  return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
+}
+
+/** @brief The ceiling of a room as it is known before its walls are: a relief of its
+ * facets; null where there are none, or they explain too little of it. */
+std::shared_ptr<const PlanSlab>
+seenSheet(const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double least_explained = 0.6;
+  SheetParameters parameters; // coarse: only the tops of walls are asked for
+  parameters.cell_size = 0.15;
+  parameters.most_cells = 6000;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p.head<2>());
+  if (box.isEmpty())
+    return nullptr;
+  const SheetGrid grid = sheetGrid(box, parameters);
+  std::vector<std::uint8_t> domain(grid.count(), 0);
+  for (const Eigen::Vector3d& p : points)
+    domain[grid.at(p.head<2>())] = 1;
+  const Sheet sheet = fitSheet(points, grid, domain, {}, parameters);
+  if (sheet.facets.empty() || sheet.explained < least_explained)
+    return nullptr;
+  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
+}
+
+std::vector<Eigen::Vector3d>
+placesOf(const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(indices.size());
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
+  return places;
+}
+
+} // namespace
+
+Floorplan
+fitPlan(const PointView& points,
+        const PlanEvidence& evidence,
+        const RoomFitParameters& parameters,
+        std::string& problem,
+        std::vector<std::string>& warnings,
+        std::vector<FittedBoundary>* boundaries,
+        std::vector<RoomSheet>* sheets)
+{
+  Floorplan plan;
+  problem.clear();
+  warnings.clear();
+  const CellGrid grid(parameters.cell_size);
+  const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
+  const auto labelled = [&](int i) -> std::int32_t {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!points.isFinite(static_cast<std::size_t>(i)) || !grid.holds(p.x(), p.y()))
+      return -1;
+    if (evidence.room.empty())
+      return 0;
+    const auto number = evidence.room[static_cast<std::size_t>(i)];
+    const auto it = std::lower_bound(numbers.begin(), numbers.end(), number);
+    return it != numbers.end() && *it == number
+               ? static_cast<std::int32_t>(it - numbers.begin())
+               : -1;
+  };
+  const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
+    return sharesOf(indices, roomsOf(indices, parameters.threads, roomOf),
+                    numbers.size());
+  };
+  auto ceilings = shareBy(evidence.ceiling, labelled);
+  auto details = shareBy(evidence.details, labelled);
+  const auto of_sheets = shareBy(evidence.sheets, labelled);
+  std::vector<CellSet> scopes;
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    scopes.push_back(
+        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
+  const std::vector<RoomHeights> heights =
+      heightsOfRooms(points, shareBy(evidence.floor, labelled), ceilings, details);
+  std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
+  parallelBlocks(territories.size(), 1, parameters.threads,
+                 [&](std::size_t k, std::size_t) {
+                   territories[k] = std::make_unique<RoomTerritory>(
+                       grid, scopes, heights,
+                       k == 0 ? RoomTerritory::farthest_wall : nicheReach());
+                 });
+  const RoomTerritory& territory = *territories[0];
+  const RoomTerritory& wide = *territories[1];
+  problem = territory.problem().empty() ? wide.problem() : territory.problem();
+  if (!problem.empty())
+    return plan;
+  const std::vector<std::int32_t> room_of =
+      roomsOfPoints(points, territory, parameters.threads);
+  const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
+  auto floors = shareBy(evidence.floor, [&](int i) {
+    const std::int32_t room = labelled(i);
+    return room < 0 ? nearest(i) : room;
+  });
+  auto around = shareBy(evidence.all, nearest);
+  auto behind = shareBy(evidence.all, [&](int i) {
+    return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;
+  });
+  auto walls = evidence.walls.empty() ? around : shareBy(evidence.walls, nearest);
+
+  std::vector<RoomWork> all_work;
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    all_work.push_back({{std::move(around[r]),
+                         std::move(ceilings[r]),
+                         std::move(details[r]),
+                         std::move(floors[r]),
+                         std::move(walls[r]),
+                         {},
+                         std::move(behind[r])},
+                        {}});
+  if (sheets)
+    parallelBlocks(
+        numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+          all_work[r].evidence.sheet = seenSheet(placesOf(points, of_sheets[r]));
+        });
+  std::vector<PlanRoom> rooms;
+  const std::vector<std::string> problems =
+      fitRooms(points, parameters, all_work, rooms);
+  std::vector<RoomWork> work;
+  for (std::size_t r = 0; r < numbers.size(); ++r) {
+    rooms[r].id = numbers[r];
+    if (!problems[r].empty()) {
+      warnings.push_back("room " + std::to_string(numbers[r]) + ": " + problems[r]);
+      continue;
+    }
+    plan.rooms.push_back(std::move(rooms[r]));
+    if (all_work[r].evidence.sheet)
+      sheets->push_back({numbers[r], placesOf(points, of_sheets[r])});
+    work.push_back(std::move(all_work[r]));
+  }
+  // What a room leaves may show it a further wall of its neighbours.
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds; ++round)
+    if (!leaveToOthers(points, parameters, work, plan))
+      break;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    if (work[r].record.lost_area >= least_loss) {
+      char text[96];
+      std::snprintf(text, sizeof text,
+                    "room %u: %.2f m2 of its ceiling lie apart and are left out",
+                    plan.rooms[r].id, work[r].record.lost_area);
+      warnings.push_back(text);
+    }
+    for (auto& boundary : work[r].record.boundaries) {
+      boundary.room = plan.rooms[r].id;
+      if (boundaries)
+        boundaries->push_back(std::move(boundary));
+    }
+  }
+  regularisePlan(plan);
+  if (plan.rooms.empty())
+    problem =
+        warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
+  return plan;
+}
+
+void
+giveCeilings(const std::vector<RoomSheet>& sheets,
+             const PointView* scan,
+             const std::vector<int>& indices,
+             unsigned threads,
+             Floorplan& plan)
+{
+  parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    const auto room =
+        std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                     [&](const PlanRoom& other) { return other.id == sheets[k].room; });
+    if (room == plan.rooms.end())
+      return;
+    const SheetParameters parameters;
+    Eigen::AlignedBox2d box;
+    for (const PlanElement& element : room->boundary.elements)
+      box.extend(boxAround(element));
+    const SheetGrid grid = sheetGrid(box, parameters);
+    Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
+                           wallDirections(room->boundary), parameters);
+    if (sheet.facets.empty())
+      return;
+    if (scan)
+      refitToScan(sheet, *scan, indices, parameters);
+    giveCeiling(sheet, sheets[k].points, *room);
+  });
+}
+
+} // namespace sedr
+} // namespace pcl

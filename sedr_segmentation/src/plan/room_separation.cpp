@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../details/detail_trim.h"
+
+#include <pcl/sedr_segmentation/room_separation.h>
+
+#include "../curves/loop_difference.h"
+#include "../loop/loop_lobes.h"
+#include "../loop/loop_necks.h"
+#include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_segmentation/contour.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Thickness of a partition of which nothing is known, metres. */
+constexpr double least_partition = 0.01;
+
+/** @brief A cut that is worth a word, square metres. */
+constexpr double worth_a_word = 0.1;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/** @brief Smallest box around loops; one around none meets nothing. */
+struct Bounds {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(infinite);
+  Eigen::Vector2d high = Eigen::Vector2d::Constant(-infinite);
+
+  explicit Bounds(const PlanLoop& loop) { extend(loop); }
+
+  void extend(const PlanLoop& loop)
+  {
+    for (const auto& p : loop.polygon(0.01)) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+
+  bool meets(const Bounds& other) const
+  {
+    constexpr double slack = 0.01; // the polygon is within its arcs
+    return (low.array() <= other.high.array() + slack).all() &&
+           (other.low.array() <= high.array() + slack).all();
+  }
+};
+
+bool
+overlap(const PlanLoop& a, const PlanLoop& b)
+{
+  if (!Bounds(a).meets(Bounds(b)))
+    return false;
+  const auto [of_a, of_b] = partsInside(a, b);
+  return !of_a.empty() || !of_b.empty();
+}
+
+/** @brief The hole of another room in which most of a room lies, or none: it stands in
+ * a core of that, or was cut out of it. */
+const PlanLoop*
+holeAround(const PlanRoom& room, const PlanRoom& other)
+{
+  for (const PlanLoop& hole : other.columns) {
+    double area = 0;
+    for (const PlanLoop& part : intersection(room.boundary, reversed(hole)))
+      area += part.area();
+    if (2 * area > room.boundary.area())
+      return &hole;
+  }
+  return nullptr;
+}
+
+/** @brief Length of those walls of a room that were seen inside of another one. */
+double
+seenInside(const PlanRoom& room,
+           const PlanLoop& other,
+           const PointView& points,
+           const std::vector<int>& indices)
+{
+  Floorplan plan;
+  plan.rooms.push_back(room);
+  plan.rooms.front().boundary.elements = partsInside(room.boundary, other).first;
+  measureEvidence(plan, points, indices);
+  double length = 0;
+  for (const auto& e : plan.rooms.front().boundary.elements)
+    length += e.evidence.seen * e.length();
+  return length;
+}
+
+/** @brief What is left of a loop within a room without `cutter`: its largest part. */
+PlanLoop
+largestPart(const PlanLoop& loop, const PlanLoop& cutter)
+{
+  const bool is_clockwise = loop.area() < 0;
+  const std::vector<PlanLoop> parts =
+      difference(is_clockwise ? reversed(loop) : loop, cutter);
+  if (parts.empty() || !(parts.front().area() > 0))
+    return {};
+  return is_clockwise ? reversed(parts.front()) : parts.front();
+}
+
+void
+cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
+{
+  for (auto& detail : details) {
+    if (!overlap(detail.boundary, cutter))
+      continue;
+    detail.boundary = largestPart(detail.boundary, cutter);
+    for (auto& hole : detail.holes)
+      hole = largestPart(hole, cutter);
+    detail.holes.erase(
+        std::remove_if(detail.holes.begin(), detail.holes.end(),
+                       [](const PlanLoop& h) { return h.elements.empty(); }),
+        detail.holes.end());
+  }
+  details.erase(
+      std::remove_if(details.begin(), details.end(),
+                     [](const PlanDetail& d) { return d.boundary.elements.empty(); }),
+      details.end());
+}
+
+/** @brief Takes the inside of `cutter` from a room.
+ * @param parts what that leaves of its boundary */
+void
+cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& parts)
+{
+  room.boundary = parts.front();
+  const auto isOutside = [&](const PlanLoop& column) {
+    return overlap(column, cutter) ||
+           !room.boundary.contains(column.elements.front().start);
+  };
+  room.columns.erase(
+      std::remove_if(room.columns.begin(), room.columns.end(), isOutside),
+      room.columns.end());
+  // The other room may stand free within this one.
+  for (std::size_t p = 1; p < parts.size(); ++p)
+    if (parts[p].area() < 0 && room.boundary.contains(parts[p].elements[0].start))
+      room.columns.push_back(parts[p]);
+  cutDetails(room.details, cutter);
+  cutDetails(room.floor_details, cutter);
+  const auto isLost = [&](const PlanNiche& niche) {
+    return std::none_of(niche.boundary.elements.begin(), niche.boundary.elements.end(),
+                        [&](const PlanElement& e) {
+                          return room.boundary.distance(e.pointAt(e.length() / 2)) <
+                                 1e-5;
+                        });
+  };
+  room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isLost),
+                    room.niches.end());
+}
+
+/** @brief Whether a niche reaches into a room or into one of its niches. */
+bool
+reachesInto(const PlanNiche& niche, const PlanRoom& room)
+{
+  return overlap(niche.boundary, room.boundary) ||
+         std::any_of(room.niches.begin(), room.niches.end(), [&](const PlanNiche& n) {
+           return overlap(niche.boundary, n.boundary);
+         });
+}
+
+void
+dropNiches(Floorplan& plan)
+{
+  std::vector<Bounds> bounds; // of rooms with their niches
+  for (const auto& room : plan.rooms) {
+    bounds.emplace_back(room.boundary);
+    for (const auto& niche : room.niches)
+      bounds.back().extend(niche.boundary);
+  }
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    PlanRoom& room = plan.rooms[r];
+    const auto isInOther = [&](const PlanNiche& niche) {
+      const Bounds own(niche.boundary);
+      for (std::size_t o = 0; o < plan.rooms.size(); ++o)
+        if (const PlanRoom& other = plan.rooms[o]; o != r && own.meets(bounds[o]) &&
+                                                   shareHeights(room, other) &&
+                                                   reachesInto(niche, other))
+          return true;
+      return false;
+    };
+    room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isInOther),
+                      room.niches.end());
+  }
+}
+
+std::string
+sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
+{
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "room %u: %.2f m2 of it ran into room %u and are left to that", room.id,
+                area, other.id);
+  return text;
+}
+
+/** @brief Cuts a room back from another one. Where curves of both coincide, what is
+ * left may be broken or missing; a millimetre more is tried then.
+ * @return false where nothing is left of it */
+bool
+cutBack(PlanRoom& room, const PlanRoom& from)
+{
+  constexpr double chord = 0.002;
+  constexpr double slack = 0.01; // square metres
+  constexpr int tries = 5;
+  std::optional<PlanRoom> left;
+  for (int k = 0; k < tries; ++k) {
+    const PlanLoop cutter = widened(from.boundary, least_partition + 0.0013 * k);
+    const std::vector<PlanLoop> parts = difference(room.boundary, cutter);
+    if (parts.empty() || !(parts.front().area() > 0))
+      continue;
+    left = room;
+    cutRoom(*left, cutter, parts);
+    double lost = room.boundary.area();
+    for (const auto& part : parts)
+      lost -= part.area();
+    if (lost < cutter.area() + slack && !crossesItself(left->boundary.polygon(chord)) &&
+        (holeAround(from, *left) || !overlap(left->boundary, from.boundary)))
+      break;
+  }
+  if (!left)
+    return false;
+  room = std::move(*left);
+  return true;
+}
+
+/** @brief Ends a room that lies mostly in a hole of another one at that hole.
+ * @return whether it lies there */
+bool
+keepInHole(PlanRoom& room, const PlanRoom& other)
+{
+  const PlanLoop* const hole = holeAround(room, other);
+  if (!hole)
+    return false;
+  if (!partsInside(room.boundary, reversed(*hole)).second.empty()) {
+    const std::vector<PlanLoop> parts =
+        intersection(room.boundary, widened(reversed(*hole), -least_partition));
+    if (!parts.empty())
+      room.boundary = parts.front();
+  }
+  return true;
+}
+
+/** @brief Parts the rooms once.
+ * @param[in,out] gone of which nothing was left
+ * @return whether any two overlapped */
+bool
+separateOnce(Floorplan& plan,
+             const PointView& points,
+             const std::vector<int>& indices,
+             std::set<std::size_t>& gone,
+             std::vector<std::string>& sentences)
+{
+  bool has_changed = false;
+  std::vector<Bounds> bounds; // a cut makes a room smaller only
+  for (const auto& room : plan.rooms)
+    bounds.emplace_back(room.boundary);
+  for (std::size_t a = 0; a < plan.rooms.size(); ++a)
+    for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
+      PlanRoom& first = plan.rooms[a];
+      PlanRoom& second = plan.rooms[b];
+      if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
+          !shareHeights(first, second) || keepInHole(first, second) ||
+          keepInHole(second, first) || !overlap(first.boundary, second.boundary))
+        continue;
+      has_changed = true;
+      const double seen_first = seenInside(first, second.boundary, points, indices);
+      const double seen_second = seenInside(second, first.boundary, points, indices);
+      const bool is_first_cut = seen_first == seen_second ? first.area() > second.area()
+                                                          : seen_first < seen_second;
+      PlanRoom& loser = is_first_cut ? first : second;
+      const PlanRoom& winner = is_first_cut ? second : first;
+      double lost = loser.area();
+      if (cutBack(loser, winner))
+        lost -= loser.area();
+      else
+        gone.insert(is_first_cut ? a : b);
+      if (lost > worth_a_word)
+        sentences.push_back(sentenceOf(loser, winner, lost));
+    }
+  return has_changed;
+}
+
+/** @brief Cuts off slits and spikes of a room, and what of its details is in them. */
+void
+cutNecksOf(PlanRoom& room)
+{
+  if (cutNecks(room.boundary) == 0)
+    return;
+  for (auto* details : {&room.details, &room.floor_details})
+    for (PlanDetail& detail : *details)
+      cutNecks(detail.boundary);
+}
+
+} // namespace
+
+std::vector<std::string>
+separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& indices)
+{
+  constexpr int most_rounds = 4; // what is cut back from one room may touch a third
+  std::vector<std::string> sentences;
+  std::set<std::size_t> gone;
+  for (int round = 0; round < most_rounds; ++round)
+    if (!separateOnce(plan, points, indices, gone, sentences))
+      break;
+  for (auto it = gone.rbegin(); it != gone.rend(); ++it)
+    plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
+  for (PlanRoom& room : plan.rooms) {
+    cutNecksOf(room);
+    dropPoints(room.boundary);
+    trimDetails(room);
+  }
+  dropNiches(plan);
+  return sentences;
+}
+
+} // namespace sedr
+} // namespace pcl

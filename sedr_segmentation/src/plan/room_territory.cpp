@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/room_territory.h>
+
+#include "../profiles/box_clusters.h"
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Rooms by layers, lowest first: a room that would lie above one of a layer
+ * starts the next. A room beside several layers, a hall of two storeys, is in each of
+ * them, so that it ends where its neighbours begin. */
+std::vector<std::vector<std::size_t>>
+layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
+{
+  std::vector<std::size_t> order(rooms);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (heights.empty())
+    return {order};
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return heights[a].low < heights[b].low;
+  });
+  std::vector<std::vector<std::size_t>> layers;
+  const auto fits = [&](const std::vector<std::size_t>& layer, std::size_t r) {
+    return std::all_of(layer.begin(), layer.end(), [&](std::size_t member) {
+      return shareHeights(heights[member], heights[r]);
+    });
+  };
+  for (const std::size_t r : order) {
+    if (layers.empty() || !fits(layers.back(), r))
+      layers.emplace_back();
+    layers.back().push_back(r);
+  }
+  for (auto& layer : layers) {
+    for (const std::size_t r : order)
+      if (std::find(layer.begin(), layer.end(), r) == layer.end() && fits(layer, r))
+        layer.push_back(r);
+    std::sort(layer.begin(), layer.end());
+  }
+  return layers;
+}
+
+/** @brief How far a height is from those of a room, 0 within. */
+double
+awayFrom(const RoomHeights& range, double z)
+{
+  return std::max({0.0, range.low - z, z - range.high});
+}
+
+} // namespace
+
+RoomHeights
+heightsFrom(double floor, std::vector<float> ceilings)
+{
+  constexpr double elsewhere = 0.05; // share
+  if (ceilings.empty())
+    return {floor, floor};
+  const auto top = ceilings.begin() +
+                   static_cast<std::ptrdiff_t>(
+                       (1 - elsewhere) * static_cast<double>(ceilings.size() - 1));
+  std::nth_element(ceilings.begin(), top, ceilings.end());
+  return {floor, *top};
+}
+
+RoomTerritory::RoomTerritory(const CellGrid& grid,
+                             const std::vector<CellSet>& scopes,
+                             const std::vector<RoomHeights>& heights,
+                             double reach)
+    : grid_(grid)
+{
+  const int steps = cellsFor(reach, grid.size(), 3);
+  for (const auto& layer : layersOf(scopes.size(), heights))
+    if (!addLayer(scopes, layer, steps))
+      return;
+  heights_ = heights;
+  if (layers_.size() > 1)
+    scopes_ = scopes;
+}
+
+bool
+RoomTerritory::addLayer(const std::vector<CellSet>& scopes,
+                        const std::vector<std::size_t>& rooms,
+                        int steps)
+{
+  std::vector<CellBox> boxes;
+  for (const std::size_t r : rooms)
+    boxes.push_back(boxOf(scopes[r]));
+  Layer layer;
+  for (const CellBox& box : clusterBoxes(boxes, steps + 1)) {
+    problem_ = maskProblem(box);
+    if (!problem_.empty())
+      return false;
+    Quarter quarter{inverted(CellMask(box)), {}};
+    quarter.room.assign(quarter.frame.values().size(), -1);
+    for (const std::size_t r : rooms)
+      for (std::size_t i = 0; i < scopes[r].size(); ++i) {
+        if (!quarter.frame.isInside(scopes[r][i]))
+          break; // a room lies in one quarter wholly
+        auto& room = quarter.room[quarter.frame.indexOf(scopes[r][i])];
+        room = room < 0 ? static_cast<std::int32_t>(r) : room;
+      }
+    growLabels(quarter.frame, steps, quarter.room);
+    layer.push_back(std::move(quarter));
+  }
+  layers_.push_back(std::move(layer));
+  return true;
+}
+
+std::int32_t
+RoomTerritory::roomIn(const Layer& layer, Cell cell) const
+{
+  for (const auto& quarter : layer)
+    if (quarter.frame.isInside(cell))
+      return quarter.room[quarter.frame.indexOf(cell)];
+  return -1;
+}
+
+std::int32_t
+RoomTerritory::roomAt(const Eigen::Vector3f& p) const
+{
+  constexpr double reach = 0.3;   // metres: a surface's noise, half of a slab
+  constexpr double outside = 0.1; // metres that count for a place beside the room
+  if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
+    return -1;
+  const Cell cell = grid_.at(p.x(), p.y());
+  if (layers_.size() == 1) {
+    constexpr double deepest =
+        0.5; // metres below a floor: steps; a mirror image is not
+    const std::int32_t room = roomIn(layers_.front(), cell);
+    const bool is_below =
+        room >= 0 && !heights_.empty() &&
+        p.z() < heights_[static_cast<std::size_t>(room)].low - deepest;
+    return is_below ? -1 : room;
+  }
+  std::int32_t best = -1;
+  double least = reach + outside;
+  for (const Layer& layer : layers_) {
+    const std::int32_t room = roomIn(layer, cell);
+    if (room < 0)
+      continue;
+    const auto r = static_cast<std::size_t>(room);
+    const double away = awayFrom(heights_[r], p.z());
+    const double cost = away + (scopes_[r].contains(cell) ? 0 : outside);
+    if (away <= reach && cost < least) {
+      least = cost;
+      best = room;
+    }
+  }
+  return best;
+}
+
+std::vector<std::int32_t>
+RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
+{
+  constexpr std::size_t points_a_block = 32768;
+  std::vector<std::int32_t> rooms(points.size());
+  parallelBlocks(points.size(), points_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     rooms[i] = roomAt(points[i]);
+                 });
+  return rooms;
+}
+
+CellSet
+RoomTerritory::frontier() const
+{
+  std::vector<CellKey> keys;
+  for (const Layer& layer : layers_)
+    for (const auto& quarter : layer) {
+      const auto meets = [&](std::int32_t room, Cell near) {
+        const std::int32_t other = quarter.frame.isInside(near)
+                                       ? quarter.room[quarter.frame.indexOf(near)]
+                                       : -1;
+        return other >= 0 && other != room;
+      };
+      for (std::size_t i = 0; i < quarter.room.size(); ++i) {
+        if (quarter.room[i] < 0)
+          continue;
+        const Cell cell = quarter.frame.cellAt(i);
+        for (const Cell d : {Cell{1, -1}, Cell{1, 0}, Cell{1, 1}, Cell{0, 1}})
+          if (const Cell near{cell.x + d.x, cell.y + d.y};
+              meets(quarter.room[i], near)) {
+            keys.push_back(keyOf(cell));
+            keys.push_back(keyOf(near));
+          }
+      }
+    }
+  return CellSet(std::move(keys));
+}
+
+} // namespace sedr
+} // namespace pcl

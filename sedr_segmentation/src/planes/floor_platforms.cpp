@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "platform_rim.h"
+
+#include <pcl/sedr_segmentation/floor_platforms.h>
+
+#include "../profiles/cell_count.h"
+#include <pcl/sedr_filters/cell_mask.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Whether the floor is seen below a tenth of the region, its rim left out. */
+bool
+hasFloorBelow(const Level& floor, const CellMask& region)
+{
+  const CellMask inside = eroded(region, 2);
+  return 10 * intersect(CellMask(floor.cells, region.box()), inside).count() >
+         inside.count();
+}
+
+/** @brief The part of a region that is as wide as asked for. */
+CellMask
+widePart(const CellMask& region, double width, double cell_size)
+{
+  const double radius = cellsFor(width / 2, cell_size);
+  return intersect(region, dilated(eroded(region, radius), radius));
+}
+
+/** @brief The lower floor that goes on most beside a region, or null if that is at none
+ * of the heights of platforms. */
+const Level*
+floorBeside(const CellMask& region,
+            const Level& level,
+            const std::vector<const Level*>& floors,
+            const CellGrid& grid,
+            const PlatformParameters& platform)
+{
+  const CellMask beside = subtract(dilated(region, cellsFor(0.6, grid.size())), region);
+  const CellBox& box = region.box();
+  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
+  const auto stepUpFrom = [&](const Level& floor) {
+    return level.slab.heightAt(middle) - floor.slab.heightAt(middle);
+  };
+  const Level* best = nullptr;
+  std::size_t most = 0;
+  for (const Level* floor : floors) {
+    const std::size_t cells = intersect(CellMask(floor->cells, box), beside).count();
+    if (cells <= most || stepUpFrom(*floor) <= 0)
+      continue;
+    most = cells;
+    best = floor;
+  }
+  const bool is_platform = best != nullptr &&
+                           stepUpFrom(*best) >= platform.least_height &&
+                           stepUpFrom(*best) <= platform.greatest_height;
+  return is_platform ? best : nullptr;
+}
+
+/** @brief Whether one can step onto a region, from the floor or from a tread between
+ * that and the region: one at least half as wide as a door along its rim. A stage that
+ * is larger than furniture has its steps somewhere, be they too small for a level. */
+bool
+isWithinAStep(const CellMask& region,
+              const Level& level,
+              const Level& floor,
+              const std::vector<Level>& levels,
+              const CellGrid& grid,
+              const PlatformParameters& platform)
+{
+  const CellBox& box = region.box();
+  const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
+  const double top = level.slab.heightAt(middle);
+  const double bottom = floor.slab.heightAt(middle);
+  if (top - bottom <= platform.greatest_step ||
+      isLargerThanFurniture(region, grid.size()))
+    return true;
+  const CellMask rim = subtract(dilated(region, 2), region);
+  const auto least = static_cast<std::size_t>(cellsFor(0.4, grid.size()));
+  return std::any_of(levels.begin(), levels.end(), [&](const Level& tread) {
+    const double height = tread.slab.heightAt(middle);
+    return top - height <= platform.greatest_step &&
+           top - height >= platform.least_height &&
+           height - bottom >= platform.least_height &&
+           height - bottom <= platform.greatest_step &&
+           intersect(CellMask(tread.cells, box), rim).count() >= least;
+  });
+}
+
+/** @brief Whether a level may be as high above a floor as a platform anywhere within a
+ * box: each of two planes is highest above the other one in a corner. */
+bool
+mayStepUp(const Level& level,
+          const Level& floor,
+          const CellBox& box,
+          const CellGrid& grid,
+          const PlatformParameters& platform)
+{
+  constexpr double rounding = 1e-6; // metres
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const std::int32_t x : {box.low.x, box.high.x})
+    for (const std::int32_t y : {box.low.y, box.high.y}) {
+      const Eigen::Vector2d corner = grid.centre({x, y});
+      const double step = level.slab.heightAt(corner) - floor.slab.heightAt(corner);
+      lowest = std::min(lowest, step);
+      highest = std::max(highest, step);
+    }
+  return lowest <= platform.greatest_height + rounding &&
+         highest >= platform.least_height - rounding;
+}
+
+/** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
+ * those found already, `steps_up` tells what else one may step up to from it: few
+ * levels come so far that it is asked. */
+CellSet
+platformCells(const Level& level,
+              const std::vector<Level>& levels,
+              const std::vector<const Level*>& floors,
+              const CellSet& higher,
+              const std::function<CellSet()>& steps_up,
+              const PointView& points,
+              const std::vector<int>& indices,
+              const LevelParameters& parameters,
+              const PlatformParameters& platform)
+{
+  const double cell_size = parameters.cell_size;
+  const CellGrid grid(cell_size);
+  const auto least =
+      static_cast<std::size_t>(cellsFor(platform.minimum_area / cell_size, cell_size));
+  const int margin = cellsFor(0.7, cell_size);
+  const CellBox all = grown(boxOf(level.cells), margin);
+  if (std::none_of(floors.begin(), floors.end(), [&](const Level* floor) {
+        return mayStepUp(level, *floor, all, grid, platform);
+      }))
+    return {};
+  CellSet found;
+  for (const CellSet& cells : connectedRegions(level.cells)) {
+    if (cells.size() < least / 2)
+      continue;
+    const CellBox box = grown(boxOf(cells), margin);
+    if (!maskProblem(box).empty())
+      continue;
+    // What stands on a platform hides parts of it.
+    const CellMask closed = eroded(dilated(CellMask(cells, box), 2), 2);
+    const CellMask above = intersect(dilated(CellMask(higher, box), 3), closed);
+    const CellMask whole = unite(closed, enclosedCells(closed));
+    if (whole.count() < least)
+      continue;
+    const CellMask region = widePart(
+        whole, above.count() > 0 ? platform.minimum_tread : platform.minimum_width,
+        cell_size);
+    const Level* floor = region.count() < least
+                             ? nullptr
+                             : floorBeside(region, level, floors, grid, platform);
+    const bool is_table =
+        floor != nullptr &&
+        std::any_of(floors.begin(), floors.end(), [&](const Level* f) {
+          return f->height < level.height && hasFloorBelow(*f, region);
+        });
+    if (floor == nullptr || is_table ||
+        !isWithinAStep(region, level, *floor, levels, grid, platform))
+      continue;
+    const PlatformStep step{level,
+                            *floor,
+                            grid,
+                            ColumnTable(grid, box, points, indices, parameters.threads),
+                            unite(CellMask(higher, box), CellMask(steps_up(), box)),
+                            levels};
+    if (isClosed(step, region))
+      found = unite(found, region.toSet());
+  }
+  return found;
+}
+
+std::vector<const Level*>
+floorsOf(const std::vector<Level>& levels)
+{
+  std::vector<const Level*> floors;
+  for (const Level& level : levels)
+    if (level.kind == LevelKind::Floor)
+      floors.push_back(&level);
+  return floors;
+}
+
+/** @brief The wide parts of levels that one may step up to from another one. */
+CellSet
+stepsUpFrom(const Level& level,
+            const std::vector<Level>& levels,
+            double cell_size,
+            const PlatformParameters& platform)
+{
+  CellSet steps;
+  for (const Level& other : levels) {
+    const double rise = other.height - level.height;
+    if (other.kind == LevelKind::Ceiling || other.cells.empty() ||
+        rise < platform.least_height || rise > platform.greatest_step)
+      continue;
+    const CellBox box = grown(boxOf(other.cells), cellsFor(0.2, cell_size));
+    if (maskProblem(box).empty())
+      steps = unite(
+          steps, widePart(CellMask(other.cells, box), platform.minimum_width, cell_size)
+                     .toSet());
+  }
+  return steps;
+}
+
+} // namespace
+
+void
+markPlatforms(std::vector<Level>& levels,
+              const PointView& points,
+              const std::vector<int>& indices,
+              const LevelParameters& parameters,
+              const PlatformParameters& platform)
+{
+  CellSet found;
+  const auto tryLevel = [&](Level& level, const std::function<CellSet()>& steps_up) {
+    const CellSet cells =
+        platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
+                      parameters, platform);
+    if (cells.empty())
+      return;
+    found = unite(found, cells);
+    level.kind = LevelKind::Floor;
+    level.within = cells;
+  };
+  // From the highest to the lowest: a step is told by the platform that it leads to.
+  for (std::size_t l = levels.size(); l-- > 0;)
+    if (levels[l].kind == LevelKind::Other)
+      tryLevel(levels[l], [] { return CellSet(); });
+  // From the lowest to the highest: rows of seats stand on each other, and only the
+  // first on the floor.
+  for (auto& level : levels)
+    if (level.kind == LevelKind::Other)
+      tryLevel(level, [&] {
+        return stepsUpFrom(level, levels, parameters.cell_size, platform);
+      });
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../refit/weighted_values.h"
+
+#include "cell_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr std::int32_t square_size = 20;
+constexpr std::size_t least_of_square = 10;
+constexpr double fill_wanted = 0.97;
+
+/** @brief A scan that fills so much of its middle square is sparse at most in places;
+ * below, it is in too many. */
+constexpr double fill_enough = 0.98;
+constexpr double most_enlargement = 2.5;
+
+/** @brief Cells between two occupied ones. */
+struct Between {
+  std::size_t all = 0;
+  std::size_t occupied = 0;
+};
+
+CellKey
+squareOf(Cell cell)
+{
+  const auto down = [](std::int32_t v) {
+    return (v >= 0 ? v : v - square_size + 1) / square_size;
+  };
+  return keyOf({down(cell.x), down(cell.y)});
+}
+
+/** @brief Counts the cells that follow an occupied one in `way` and precede another. */
+void
+countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares)
+{
+  auto last = squares.end(); // where the next one in a row mostly is, too
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell middle{cells[i].x + way.x, cells[i].y + way.y};
+    if (!cells.contains({middle.x + way.x, middle.y + way.y}))
+      continue;
+    const CellKey square = squareOf(middle);
+    if (last == squares.end() || last->first != square)
+      last = squares.try_emplace(square).first;
+    ++last->second.all;
+    last->second.occupied += cells.contains(middle) ? 1 : 0;
+  }
+}
+
+/** @brief The share of each square that is occupied; its occupied cells are the weight.
+ */
+std::vector<Weighted>
+sharesOf(const std::vector<CellSet>& ceilings)
+{
+  std::vector<Weighted> shares;
+  for (const CellSet& cells : ceilings) {
+    std::map<CellKey, Between> squares;
+    countBetween(cells, {1, 0}, squares);
+    countBetween(cells, {0, 1}, squares);
+    for (const auto& [key, square] : squares)
+      if (square.all >= least_of_square) {
+        const auto occupied = static_cast<double>(square.occupied);
+        shares.push_back({occupied / static_cast<double>(square.all), occupied});
+      }
+  }
+  return shares;
+}
+
+} // namespace
+
+double
+cellSizeFor(const std::vector<CellSet>& ceilings, double size)
+{
+  const std::vector<Weighted> shares = sharesOf(ceilings);
+  if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
+    return size;
+  const double fill = std::max(quantileOf(shares, 0.1), 0.01);
+  const double enlargement = std::sqrt(std::log(1 - fill_wanted) / std::log(1 - fill));
+  const double wanted = size * std::clamp(enlargement, 1.0, most_enlargement);
+  return std::max(size, std::round(wanted * 100) / 100);
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../planes/plane_pair.h"
+
+#include <pcl/sedr_segmentation/scan_check.h>
+
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+std::string
+text(const char* format, double a, double b = 0, double c = 0, double d = 0)
+{
+  std::array<char, 400> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, a, b, c, d);
+  return buffer.data();
+}
+
+// No building, nor a scan of one, is larger, metres.
+constexpr double highest = 200;
+constexpr double longest = 20000;
+
+/** @brief Extent along one axis of all but the outermost hundredth of the points at
+ * each end. */
+double
+extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
+{
+  std::vector<float> values;
+  for (const auto& p : points)
+    values.push_back(p[axis]);
+  const std::size_t cut = values.size() / 100;
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(cut);
+  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+  std::nth_element(values.begin(), low, values.end());
+  const double from = *low;
+  std::nth_element(values.begin(), high, values.end());
+  return *high - from;
+}
+
+Eigen::Vector3d
+extentsOf(const std::vector<Eigen::Vector3f>& points)
+{
+  return {extentAlong(points, 0), extentAlong(points, 1), extentAlong(points, 2)};
+}
+
+bool
+exceedsBuildings(const Eigen::Vector3d& extents)
+{
+  return extents.z() > highest || std::min(extents.x(), extents.y()) > longest;
+}
+
+/** @brief Points that are counted together. */
+constexpr std::size_t block = std::size_t{1} << 16;
+
+/** @brief Number of the finite points from `begin` to `end`. */
+std::size_t
+countFinite(const PointView& points, std::size_t begin, std::size_t end)
+{
+  // Mostly all are: then each adds 0 to a sum that any other makes NaN. Four sums do
+  // not wait for each other.
+  std::array<float, 4> zero{};
+  for (std::size_t i = begin; i < end; ++i)
+    zero[i % 4] += 0 * points[i].sum();
+  if (zero[0] + zero[1] + zero[2] + zero[3] == 0)
+    return end - begin;
+  std::size_t finite = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    finite += points.isFinite(i) ? 1 : 0;
+  return finite;
+}
+
+} // namespace
+
+void
+ScanSample::add(const PointView& points, unsigned threads)
+{
+  add(points, [&](const RowSource::SeeRun& see_run) {
+    parallelBlocks(points.size(), block, threads, see_run);
+  });
+}
+
+void
+ScanSample::add(const PointView& points, const Read& read)
+{
+  const std::size_t blocks = (points.size() + block - 1) / block;
+  std::vector<std::atomic<std::size_t>> finite(blocks);
+  for (auto& count : finite)
+    count = 0;
+  read([&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin / block; b * block < end; ++b)
+      finite[b] += countFinite(points, std::max(begin, b * block),
+                               std::min(end, (b + 1) * block));
+  });
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t begin = b * block;
+    const std::size_t end = std::min(begin + block, points.size());
+    if (finite[b] < end - begin) {
+      for (std::size_t i = begin; i < end; ++i)
+        add(points[i]);
+      continue;
+    }
+    for (std::size_t k = (step_ - finite_ % step_) % step_; k < finite[b]; k += step_)
+      sample_.push_back(points[begin + k]);
+    finite_ += finite[b];
+  }
+}
+
+bool
+ScanSample::isTooLarge() const
+{
+  return !sample_.empty() && exceedsBuildings(extentsOf(sample_));
+}
+
+std::string
+ScanSample::problem() const
+{
+  constexpr std::size_t fewest = 1000;
+  if (finite_ < fewest)
+    return text("%.0f of %.0f points are finite, a room needs at least %.0f",
+                static_cast<double>(finite_), static_cast<double>(size_),
+                static_cast<double>(fewest));
+  const Eigen::Vector3d extents = extentsOf(sample_);
+  const double x = extents.x();
+  const double y = extents.y();
+  const double z = extents.z();
+  if (exceedsBuildings(extents)) {
+    // The unit in which the scan would be up to a few storeys high.
+    const bool is_centimetre = z < 10 * highest && std::min(x, y) < longest;
+    return text(is_centimetre
+                    ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                      "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
+                    : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                      "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
+                x, y, z);
+  }
+  if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
+    return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
+                "unit must be "
+                "the metre",
+                x, y, z);
+  return {};
+}
+
+std::string
+scanProblem(const PointView& points, const std::vector<int>& indices)
+{
+  ScanSample sample(indices.size());
+  for (const int i : indices)
+    sample.add(points[static_cast<std::size_t>(i)]);
+  return sample.problem();
+}
+
+std::string
+upProblem(const PointView& points,
+          const std::vector<int>& indices,
+          RoomsAlongZ rooms,
+          double found_area,
+          unsigned threads)
+{
+  constexpr double times = 1.5;
+  constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  if (rooms == RoomsAlongZ::Found &&
+      !bestSidePair(points, indices, z, times_of_rooms * found_area, threads).axis)
+    return {}; // whatever there is along z, as is so with most scans
+  const PlanePair up = bestPair(points, indices, Eigen::Matrix3d::Identity(),
+                                lowest_room, highest_room, 0, threads);
+  const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
+  if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
+    return {};
+  const double least = rooms == RoomsAlongZ::Found
+                           ? std::max(times_of_rooms * std::max(up.area(), found_area),
+                                      times * std::max(up.largestArea(), found_area))
+                           : times * up.area();
+  const SidePair side = bestSidePair(points, indices, z, least, threads);
+  return side.axis ? sideProblem(side, z, up) : std::string();
+}
+
+namespace {
+
+/** @brief Whether the middle one of the doorways is as high as a door is in feet. */
+bool
+hasDoorsAsHighAsInFeet(const Floorplan& plan)
+{
+  constexpr double lowest_door = 5.9;
+  constexpr double highest_door = 8.5;
+  std::vector<double> heights;
+  for (const PlanDoorway& doorway : plan.doorways)
+    heights.push_back(doorway.top - doorway.bottom);
+  if (heights.empty())
+    return false;
+  const double height = middleValue(heights);
+  return height >= lowest_door && height <= highest_door;
+}
+
+} // namespace
+
+std::string
+footProblem(const Floorplan& plan)
+{
+  constexpr double lowest = 7;
+  constexpr double highest = 12;
+  constexpr double largest = 300;
+  constexpr double least_share = 0.8; // slivers beside the rooms tell nothing
+  std::vector<double> heights;
+  std::vector<double> areas;
+  double whole_area = 0;
+  for (const PlanRoom& room : plan.rooms) {
+    if (room.boundary.elements.empty())
+      continue;
+    const Eigen::Vector2d& corner = room.boundary.elements.front().start;
+    const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
+    whole_area += room.area();
+    if (height < lowest || height > highest)
+      continue;
+    heights.push_back(height);
+    areas.push_back(room.area());
+  }
+  if (heights.empty() || middleValue(areas) > largest ||
+      std::accumulate(areas.begin(), areas.end(), 0.0) < least_share * whole_area)
+    return {};
+  constexpr std::size_t pair = 2;
+  if (heights.size() == pair && !hasDoorsAsHighAsInFeet(plan))
+    return {};
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const std::string which =
+      heights.size() == 1 ? text("the room is %.1f m high", *low)
+                          : (heights.size() == plan.rooms.size() ? "all " : "") +
+                                text("%.0f rooms are %.1f to %.1f m high",
+                                     static_cast<double>(heights.size()), *low, *high);
+  return which + ", as rooms of homes and offices are in feet: if the foot is the unit "
+                 "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../planes/plane_pair.h"
+#include "../refit/patch_normals.h"
+
+#include "scan_lean.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Edge of a patch, metres; twice that once the scan is put right, as thinning
+ * makes a plane that leans uneven over half a metre. */
+constexpr double patch_size = 0.5;
+
+/** @brief Directions that are nearer to each other agree, radians. */
+constexpr double agreement = 0.026;
+
+/** @brief How many normals stand along a direction. */
+double
+countAlong(const Eigen::Vector3d& direction,
+           const std::vector<Eigen::Vector3d>& normals)
+{
+  return static_cast<double>(
+      std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
+        return std::abs(n.dot(direction)) > std::cos(agreement);
+      }));
+}
+
+/** @brief How many normals are square to one direction but not to another one. */
+double
+countSquareTo(const Eigen::Vector3d& direction,
+              const Eigen::Vector3d& other,
+              const std::vector<Eigen::Vector3d>& normals)
+{
+  return static_cast<double>(
+      std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
+        return std::abs(n.dot(direction)) < std::sin(agreement) &&
+               std::abs(n.dot(other)) >= std::sin(agreement);
+      }));
+}
+
+/** @brief The direction, more upright than level, along which most normals stand. */
+Eigen::Vector3d
+commonUp(const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr std::size_t most_tried = 400;
+  constexpr double least_cosine = 0.7071;
+  std::vector<Eigen::Vector3d> level;
+  for (const auto& n : normals)
+    if (n.z() > least_cosine)
+      level.push_back(n);
+  Eigen::Vector3d best = Eigen::Vector3d::UnitZ();
+  double most = 0;
+  const std::size_t step = level.size() / most_tried + 1;
+  for (std::size_t k = 0; k < level.size(); k += step)
+    if (const double along = countAlong(level[k], level); along > most) {
+      most = along;
+      best = level[k];
+    }
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& n : level)
+      if (n.dot(best) > std::cos(agreement))
+        sum += n;
+    if (sum.norm() > 0)
+      best = sum.normalized();
+  }
+  return best;
+}
+
+} // namespace
+
+ScanLean
+leanOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
+{
+  constexpr double least_area = 4; // square metres
+  constexpr double times_more_level = 3;
+  constexpr double times_more_upright = 2;
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  std::vector<Eigen::Vector3d> normals;
+  const auto turnUp = [&](double patch) {
+    normals = normalsOf(points, indices, turn, patch, threads);
+    turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals), z) * turn;
+  };
+  const auto isUpright = [&] {
+    return std::acos(std::clamp(turn(2, 2), -1.0, 1.0)) < 2 * agreement;
+  };
+  ScanLean lean;
+  turnUp(patch_size);
+  if (isUpright())
+    return lean; // what agrees with it agrees with z
+  turnUp(patch_size);
+  const double level = countAlong(z, normals);
+  const Eigen::Vector3d was_z = turn * z;
+  if (level * patch_size * patch_size < least_area ||
+      level < times_more_level * countAlong(was_z, normals) ||
+      countSquareTo(z, was_z, normals) <
+          times_more_upright * countSquareTo(was_z, z, normals))
+    return lean;
+  turnUp(2 * patch_size);
+  if (isUpright())
+    return lean;
+  lean.up = turn.transpose() * z;
+  lean.angle = std::acos(std::clamp(lean.up.z(), -1.0, 1.0));
+  lean.area = level * patch_size * patch_size;
+  return lean;
+}
+
+std::string
+leanProblem(const PointView& points, const std::vector<int>& indices, unsigned threads)
+{
+  const ScanLean lean = leanOf(points, indices, threads);
+  if (!(lean.angle > 0))
+    return {};
+  // A scan whose y is up, turned about it: what stands at an angle to z are walls. But
+  // those of a corridor are larger than its floor, too.
+  constexpr double times = 1.5;
+  constexpr double times_of_rooms = 4;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
+  const SidePair side = bestSidePair(points, indices, lean.up, pair.area() / times);
+  const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const double degrees = lean.angle * 180 / M_PI;
+  std::array<char, 120> upright{};
+  std::snprintf(upright.data(), upright.size(), "%.4f,%.4f,0,%.4f", axis.x(), axis.y(),
+                lean.angle);
+  std::array<char, 400> text{};
+  if (side.area() > times * pair.area()) {
+    std::string problem = sideProblem(side, lean.up, pair);
+    std::snprintf(text.data(), text.size(),
+                  "; or, if z is up and leans by %.1f degrees, %s", degrees,
+                  upright.data());
+    return side.area() > times_of_rooms * pair.area() ? problem : problem + text.data();
+  }
+  std::snprintf(
+      text.data(), text.size(),
+      "the scan leans: its floors and ceilings, %.0f square metres of planes, "
+      "stand at %.1f degrees to z, and its walls with them; turn it, for "
+      "instance by pcl_transform_point_cloud IN OUT -axisangle %s",
+      lean.area, degrees, upright.data());
+  std::string problem = text.data();
+  if (side.axis)
+    problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
+  return problem;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../refit/patch_normals.h"
+
+#include "scan_tilt.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double degree = M_PI / 180;
+constexpr double least_tilt = 0.3 * degree;
+
+/** @brief Limits of what agrees with a direction, one round of the fit after another:
+ * first what may be tilted at all and unevenly scanned besides. */
+constexpr double limits[] = {5 * degree, 2.5 * degree, 1.5 * degree, 1 * degree,
+                             1 * degree};
+
+/** @brief Patches that a direction is taken from, at least: 4 square metres. */
+constexpr std::size_t fewest = 16;
+
+/** @brief The direction that vertical patches are square to; z where they do not tell:
+ * too few, or all along one direction in plan. */
+Eigen::Vector3d
+upOfWalls(const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr double least_share = 0.05; // of squared normals, across the main direction
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  for (const double limit : limits) {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    std::size_t count = 0;
+    for (const auto& n : normals)
+      if (std::abs(n.dot(up)) < std::sin(limit)) {
+        squares.noalias() += n * n.transpose();
+        ++count;
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+    if (count < fewest ||
+        solver.eigenvalues()[1] < least_share * static_cast<double>(count))
+      return Eigen::Vector3d::UnitZ();
+    up = solver.eigenvectors().col(0);
+    up *= up.z() < 0 ? -1 : 1;
+  }
+  return up;
+}
+
+/** @brief The mean normal of level patches, about a direction; that itself where there
+ * are few. */
+Eigen::Vector3d
+upOfSlabs(const std::vector<Eigen::Vector3d>& normals)
+{
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  for (const double limit : limits) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    std::size_t count = 0;
+    for (const auto& n : normals)
+      if (n.dot(up) > std::cos(limit)) {
+        sum += n;
+        ++count;
+      }
+    if (count < fewest)
+      return Eigen::Vector3d::UnitZ();
+    up = sum.normalized();
+  }
+  return up;
+}
+
+double
+angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/** @brief What the patches of a turned scan tell. */
+struct PatchView {
+  Eigen::Vector3d up_of_walls = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d up_of_slabs = Eigen::Vector3d::UnitZ();
+};
+
+/** @brief A face of the patches that runs within the noise of a plane slices it askew,
+ * into twice as many patches: of two places of the patches that one tells which gives
+ * fewer of them. */
+PatchView
+look(const PointView& points,
+     const std::vector<int>& indices,
+     const Eigen::Matrix3d& turn,
+     double patch,
+     unsigned threads)
+{
+  const std::vector<Eigen::Vector3d> here =
+      normalsOf(points, indices, turn, patch, threads);
+  const std::vector<Eigen::Vector3d> beside =
+      normalsOf(points, indices, turn, patch, threads, 0.5);
+  const auto& normals = beside.size() < here.size() ? beside : here;
+  return {upOfWalls(normals), upOfSlabs(normals)};
+}
+
+} // namespace
+
+ScanTilt
+tiltOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
+{
+  constexpr double patch = 0.5; // metres
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const PatchView scan =
+      look(points, indices, Eigen::Matrix3d::Identity(), patch, threads);
+  const double angle = angleBetween(scan.up_of_walls, z);
+  // Nearer to what the slabs say than to z.
+  if (angle < least_tilt ||
+      2 * angleBetween(scan.up_of_walls, scan.up_of_slabs) > angle)
+    return {};
+  // Once it is level, larger patches tell the rest: thinning makes smaller ones uneven.
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(scan.up_of_walls, z).toRotationMatrix();
+  ScanTilt tilt;
+  tilt.up =
+      turn.transpose() * look(points, indices, turn, 2 * patch, threads).up_of_walls;
+  tilt.angle = angleBetween(tilt.up, z);
+  return tilt;
+}
+
+} // namespace sedr
+} // namespace pcl

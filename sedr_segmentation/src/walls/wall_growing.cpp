@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/detail/wall_growing.h>
+
+#include "../profiles/rim_support.h"
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/number_text.h>
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_segmentation/detail/boundary_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+Eigen::Vector3d
+at(const PointView& points, pcl::index_t index)
+{
+  return points[static_cast<std::size_t>(index)].cast<double>();
+}
+
+pcl::Indices
+without(const pcl::Indices& a, const pcl::Indices& b)
+{
+  pcl::Indices rest;
+  rest.reserve(a.size());
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/** @brief Median height of the floor, unless one was given. */
+double
+floorHeight(const PointView& points,
+            const pcl::Indices& floor,
+            const WallGrowingOptions& options)
+{
+  if (!std::isnan(options.floor_height))
+    return options.floor_height;
+  std::vector<double> heights;
+  for (const auto i : floor)
+    heights.push_back(at(points, i).z());
+  return middleValue(std::move(heights));
+}
+
+} // namespace
+
+std::string
+problemOf(const WallGrowingOptions& options)
+{
+  const auto mustBe = [](const char* what, const char* range, double value) {
+    return std::string(what) + " must be " + range + ", it is " + numberText(value);
+  };
+  if (!(options.distance > 0) || !std::isfinite(options.distance))
+    return mustBe("the distance threshold", "above 0 m", options.distance);
+  if (!(options.minimum_support >= 0 && options.minimum_support <= 1))
+    return mustBe("the minimum support", "within 0 and 1", options.minimum_support);
+  if (std::isinf(options.slice_height))
+    return mustBe("the slice height", "finite", options.slice_height);
+  if (std::isinf(options.floor_height))
+    return mustBe("the floor height", "finite", options.floor_height);
+  return {};
+}
+
+WallParts
+wallParts(const PointView& points,
+          const pcl::Indices& candidates,
+          const pcl::Indices* ceiling,
+          const pcl::Indices* floor,
+          const pcl::Indices* details,
+          const WallGrowingOptions& options)
+{
+  const auto finite = [&](const pcl::Indices* indices) {
+    return indices ? finiteIndices(points, *indices) : pcl::Indices();
+  };
+  WallParts parts;
+  parts.ceiling = finite(ceiling);
+  parts.floor = without(finite(floor), parts.ceiling);
+  const pcl::Indices slabs = unite(parts.ceiling, parts.floor);
+  if (options.hasSlice())
+    parts.details = without(finite(details), slabs);
+  parts.candidates = without(finite(&candidates), unite(slabs, parts.details));
+  return parts;
+}
+
+std::string
+problemOf(const WallParts& parts, const WallGrowingOptions& options)
+{
+  if (parts.ceiling.size() < 3)
+    return "at least 3 finite ceiling points are needed, there are " +
+           std::to_string(parts.ceiling.size());
+  if (options.hasSlice() && parts.floor.empty())
+    return "below the slice at " + numberText(options.slice_height) +
+           " m the boundary of the floor seeds the walls, but no floor points were set";
+  if (options.minimum_support > 0 && !options.hasSlice() && parts.floor.empty() &&
+      std::isnan(options.floor_height))
+    return "the minimum support needs the height of the floor: set it or the floor "
+           "points";
+  return {};
+}
+
+pcl::Indices
+unite(const pcl::Indices& a, const pcl::Indices& b)
+{
+  pcl::Indices all;
+  all.reserve(a.size() + b.size());
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+WallSeeds
+seedsWithSupport(const PointView& points,
+                 const WallParts& parts,
+                 const WallSeeds& seeds,
+                 const WallGrowingOptions& options)
+{
+  if (options.minimum_support <= 0)
+    return seeds;
+  const CellGrid grid = gridOver(points, parts, options.distance);
+  const ColumnOccupancy occupancy(points, grid, unite(parts.candidates, parts.details));
+  const double end = options.hasSlice() ? options.slice_height
+                                        : floorHeight(points, parts.floor, options);
+  const double share = options.minimum_support;
+  return {supportedSeeds(points, seeds.above, occupancy, end, share),
+          supportedSeeds(points, seeds.below, occupancy, end, share)};
+}
+
+pcl::Indices
+growWalls(const PointView& points,
+          const WallParts& parts,
+          const WallSeeds& seeds,
+          const WallGrowingOptions& options)
+{
+  const CellGrid grid = gridOver(points, parts, options.distance);
+  const SeedPlan above(points, grid, seeds.above, options.distance);
+  const SeedPlan below(points, grid, seeds.below, options.distance);
+
+  const pcl::Indices& candidates = parts.candidates;
+  std::vector<std::uint8_t> is_wall(candidates.size());
+  const auto growBlock = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d p = at(points, candidates[i]);
+      const bool is_below = options.hasSlice() && p.z() < options.slice_height;
+      is_wall[i] = (is_below ? below : above).isNear(p.x(), p.y());
+    }
+  };
+  parallelBlocks(candidates.size(), 4096, options.threads, growBlock);
+
+  pcl::Indices walls;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (is_wall[i])
+      walls.push_back(candidates[i]);
+  return walls;
+}
+
+CellGrid
+gridOver(const PointView& points, const WallParts& parts, double size)
+{
+  double reach = 0;
+  for (const pcl::Indices* part :
+       {&parts.candidates, &parts.ceiling, &parts.floor, &parts.details})
+    for (const auto i : *part)
+      reach = std::max(reach, at(points, i).head<2>().cwiseAbs().maxCoeff());
+  return CellGrid(std::max(size, reach / 1e9));
+}
+
+SeedPlan::SeedPlan(const PointView& points,
+                   const CellGrid& grid,
+                   const pcl::Indices& seeds,
+                   double distance)
+    : grid_(grid)
+    , square_distance_(distance * distance)
+{
+  std::vector<std::pair<CellKey, pcl::index_t>> order;
+  order.reserve(seeds.size());
+  for (const auto i : seeds) {
+    const Eigen::Vector3d p = at(points, i);
+    order.emplace_back(keyOf(grid_.at(p.x(), p.y())), i);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [key, i] : order) {
+    keys_.push_back(key);
+    seeds_.emplace_back(at(points, i).head<2>());
+  }
+}
+
+bool
+SeedPlan::isNear(double x, double y) const
+{
+  if (seeds_.empty())
+    return false;
+  const Cell cell = grid_.at(x, y);
+  for (std::int32_t row = cell.y - 1; row <= cell.y + 1; ++row)
+    if (isNearInRow({cell.x - 1, row}, {x, y}))
+      return true;
+  return false;
+}
+
+bool
+SeedPlan::isNearInRow(Cell first, const Eigen::Vector2d& point) const
+{
+  // Three cells of a row follow each other in the order of the keys.
+  const CellKey last = keyOf({first.x + 2, first.y});
+  auto it = std::lower_bound(keys_.begin(), keys_.end(), keyOf(first));
+  for (; it != keys_.end() && *it <= last; ++it) {
+    const Eigen::Vector2d& seed = seeds_[static_cast<std::size_t>(it - keys_.begin())];
+    if ((seed - point).squaredNorm() <= square_distance_)
+      return true;
+  }
+  return false;
+}
+
+} // namespace sedr
+} // namespace pcl

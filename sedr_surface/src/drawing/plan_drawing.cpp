@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_drawing.h"
+
+#include "../formats/decimal_text.h"
+#include "height_lines.h"
+
+#include <pcl/sedr_surface/plan_facets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief Where less is above a floor, half of it counts in most rules for areas under
+ * roofs, metres. */
+constexpr double headroom = 1.5;
+
+bool
+liesOn(const PlanElement& element, const PlanRoom& room)
+{
+  const double on_wall = snapTolerance(element, 0);
+  const auto isOn = [&](double share) {
+    const Eigen::Vector2d p = element.pointAt(share * element.length());
+    return room.boundary.distance(p) <= on_wall ||
+           std::any_of(room.columns.begin(), room.columns.end(),
+                       [&](const PlanLoop& c) { return c.distance(p) <= on_wall; });
+  };
+  return isOn(0) && isOn(0.25) && isOn(0.5) && isOn(0.75) && isOn(1);
+}
+
+/** @brief Where, between two distances along an element, it enters or leaves a room. */
+double
+crossingOf(const PlanElement& element, const PlanRoom& room, double from, double to)
+{
+  const bool is_inside = room.contains(element.pointAt(from));
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (from + to) / 2;
+    (room.contains(element.pointAt(middle)) == is_inside ? from : to) = middle;
+  }
+  return (from + to) / 2;
+}
+
+/** @brief The pieces of an edge of a detail that are in the room: a fitted detail may
+ * reach beyond its walls, which nobody draws. Pieces shorter than 2 cm do not show. */
+std::vector<PlanElement>
+piecesInside(const PlanElement& element, const PlanRoom& room)
+{
+  constexpr double step = 0.02;
+  constexpr std::size_t most = 10000;
+  const double length = element.length();
+  const auto steps =
+      std::min(most, static_cast<std::size_t>(std::ceil(length / step)) + 1);
+  const auto at = [&](std::size_t i) {
+    return length * static_cast<double>(i) / static_cast<double>(steps);
+  };
+  // From the middle of each step: the ends may lie on a wall.
+  const auto middleOf = [&](std::size_t i) { return (at(i) + at(i + 1)) / 2; };
+  std::vector<PlanElement> pieces;
+  double from = 0;
+  bool is_inside = room.contains(element.pointAt(middleOf(0)));
+  const auto close = [&](double to) {
+    if (is_inside && (to - from >= step || to - from == length))
+      pieces.push_back(from == 0 && to == length ? element : element.part(from, to));
+    from = to;
+  };
+  for (std::size_t i = 1; i < steps; ++i) {
+    const bool is_next_inside = room.contains(element.pointAt(middleOf(i)));
+    if (is_next_inside == is_inside)
+      continue;
+    close(crossingOf(element, room, middleOf(i - 1), middleOf(i)));
+    is_inside = is_next_inside;
+  }
+  close(length);
+  return pieces;
+}
+
+/** @brief Distance from all edges, negative outside of the loop or in an obstacle. */
+double
+clearanceAt(const Eigen::Vector2d& p,
+            const PlanLoop& loop,
+            const std::vector<PlanLoop>& obstacles)
+{
+  double clearance = loop.distance(p);
+  bool is_free = loop.contains(p);
+  for (const PlanLoop& obstacle : obstacles) {
+    clearance = std::min(clearance, obstacle.distance(p));
+    is_free = is_free && !obstacle.contains(p);
+  }
+  return is_free ? clearance : -clearance;
+}
+
+PlanLoop
+circleAbout(const Eigen::Vector2d& centre, double radius)
+{
+  PlanElement circle;
+  circle.centre = centre;
+  circle.radius = radius;
+  circle.start = circle.end = centre + Eigen::Vector2d(radius, 0);
+  return {{circle}};
+}
+
+Eigen::AlignedBox2d
+boundsOf(const PlanLoop& loop)
+{
+  Eigen::AlignedBox2d box;
+  for (const PlanElement& e : loop.elements) {
+    box.extend(e.start);
+    // An arc reaches farthest at quarters of its circle.
+    for (const Eigen::Vector2d& way :
+         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
+          Eigen::Vector2d(0, -1)}) {
+      const Eigen::Vector2d quarter = e.centre + e.radius * way;
+      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
+        box.extend(quarter);
+    }
+  }
+  return box;
+}
+
+} // namespace
+
+std::vector<DrawnElement>
+drawnElements(const Floorplan& plan)
+{
+  std::vector<DrawnElement> drawn;
+  for (const PlanRoom& room : plan.rooms) {
+    const auto add = [&](const PlanLoop& loop, DrawnLayer layer, bool is_on_top) {
+      for (const PlanElement& element : loop.elements)
+        if (element.length() > 0 && !(is_on_top && liesOn(element, room)))
+          drawn.push_back({element, layer, room.id});
+    };
+    const auto addInside = [&](const PlanLoop& loop, DrawnLayer layer) {
+      for (const PlanElement& element : loop.elements)
+        if (element.length() > 0 && !liesOn(element, room))
+          for (const PlanElement& piece : piecesInside(element, room))
+            drawn.push_back({piece, layer, room.id});
+    };
+    add(room.boundary, DrawnLayer::Wall, false);
+    for (const PlanLoop& column : room.columns)
+      add(column, DrawnLayer::Column, false);
+    for (const auto& [details, layer] :
+         {std::make_pair(&room.details, DrawnLayer::Detail),
+          std::make_pair(&room.floor_details, DrawnLayer::FloorDetail)})
+      for (const PlanDetail& detail : *details) {
+        addInside(detail.boundary, layer);
+        for (const PlanLoop& hole : detail.holes)
+          addInside(hole, layer);
+      }
+    for (const PlanNiche& niche : room.niches)
+      add(niche.boundary, DrawnLayer::Niche, true);
+    for (const PlanElement& line : heightLines(room, headroom))
+      drawn.push_back({line, DrawnLayer::Headroom, room.id});
+  }
+  return drawn;
+}
+
+TextSpot
+textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
+{
+  // A lattice over the loop, then finer ones about the best place so far.
+  constexpr int steps = 24;
+  constexpr double pull = 0.05; // towards the middle, where many places are as good
+  Eigen::AlignedBox2d box = boundsOf(loop);
+  const Eigen::Vector2d middle = box.center();
+  TextSpot best{middle, 0};
+  double best_score = -std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 3 && !box.isEmpty(); ++round) {
+    const Eigen::Vector2d step = box.sizes() / steps;
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) {
+        const Eigen::Vector2d p = box.min() + step.cwiseProduct(Eigen::Vector2d(i, j));
+        const double clearance = clearanceAt(p, loop, obstacles);
+        const double score = clearance - pull * (p - middle).norm();
+        if (score <= best_score)
+          continue;
+        best_score = score;
+        best = {p, clearance};
+      }
+    box = Eigen::AlignedBox2d(best.place - step, best.place + step);
+  }
+  best.radius = std::max(best.radius, 0.0);
+  return best;
+}
+
+Eigen::AlignedBox2d
+boundsOf(const Floorplan& plan)
+{
+  Eigen::AlignedBox2d box;
+  for (const PlanRoom& room : plan.rooms) {
+    box.extend(boundsOf(room.boundary));
+    for (const PlanNiche& niche : room.niches)
+      box.extend(boundsOf(niche.boundary));
+    for (const PlanLoop& column : room.columns)
+      box.extend(boundsOf(column));
+  }
+  return box;
+}
+
+std::string
+sizeText(const PlanElement& element)
+{
+  return element.isArc() ? "R " + decimalText(element.radius, 2)
+                         : decimalText(element.length(), 2);
+}
+
+std::vector<LevelNote>
+levelNotes(const PlanRoom& room, const TextSpot& room_spot)
+{
+  constexpr double level = 0.997;      // cosine of 4.4 degrees
+  constexpr double around_name = 0.35; // of the space that there is
+  std::vector<LevelNote> notes;
+  const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
+                       const std::vector<Eigen::AlignedBox2d>& boxes,
+                       DrawnLayer layer) {
+    const PlanDetail& detail = details[d];
+    std::vector<PlanLoop> others = detail.holes; // and what lies over it
+    for (std::size_t later = d + 1; later < details.size(); ++later)
+      if (boxes[later].intersects(boxes[d]))
+        others.push_back(details[later].boundary);
+    others.push_back(circleAbout(room_spot.place, around_name * room_spot.radius));
+    LevelNote note{textSpotIn(detail.boundary, others), {}, layer};
+    if (!room.contains(note.spot.place))
+      return;
+    const Eigen::Vector2d& p = note.spot.place;
+    const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
+    if (detail.is_facet && (detail.slab.curve || detail.slab.plane[2] < level))
+      return; // it has no one height
+    const bool is_floor = layer == DrawnLayer::FloorDetail;
+    note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
+    notes.push_back(note);
+  };
+  const auto addAll = [&](const std::vector<PlanDetail>& details, DrawnLayer layer) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const PlanDetail& detail : details)
+      boxes.push_back(boundsOf(detail.boundary));
+    for (std::size_t d = 0; d < details.size(); ++d)
+      add(details, d, boxes, layer);
+  };
+  addAll(room.details, DrawnLayer::Detail);
+  addAll(room.floor_details, DrawnLayer::FloorDetail);
+  return notes;
+}
+
+std::vector<std::string>
+roomTexts(const PlanRoom& room, const Eigen::Vector2d& place, const std::string& square)
+{
+  const double height = room.ceiling.heightAt(place) - room.floor.heightAt(place);
+  std::string heights = decimalText(height, 2);
+  if (room.hasFacets()) {
+    const auto [eaves, ridge] = heightRange(room);
+    heights = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
+  }
+  return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " " + square,
+          "h " + heights + " m"};
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dual_surface.h"
+
+#include "../solver/cell_corners.h"
+#include "dual_vertices.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+constexpr std::size_t nodes = BandGrid::nodes;
+constexpr std::size_t blocks_at_once = 16;
+constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+
+// Which cells hold a vertex, and which one.
+struct CellVertices {
+  std::vector<std::uint32_t> table; // of each block with a vertex, for its 512 cells
+  std::vector<std::size_t> row;     // of the table, for each block
+  std::vector<std::size_t> blocks;  // with a vertex
+  std::vector<std::size_t> first;   // vertex of each of those, and the end
+};
+
+CellVertices
+numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned threads)
+{
+  CellVertices cells;
+  std::vector<std::uint16_t> counts(grid.size(), 0);
+  const auto crossed = [](const float* lowest) {
+    int above = 0;
+    for (const auto c : corners)
+      above += lowest[c] > 0;
+    return above > 0 && above < 8;
+  };
+  const auto scan = [&](std::size_t b, auto visit) {
+    float halo[BandGrid::halo_nodes];
+    grid.gatherHalo(values, b, halo);
+    const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
+    if (*range.first > 0 || *range.second <= 0)
+      return;
+    for (int i = 0; i < static_cast<int>(nodes); ++i) {
+      const int n[3] = {i & 7, i >> 3 & 7, i >> 6};
+      // Cells at the rim are of one sign, what lies around the band counted.
+      if (crossed(halo + BandGrid::haloIndex(n[0], n[1], n[2])) &&
+          grid.holdsCell(b, n[0], n[1], n[2]))
+        visit(static_cast<std::size_t>(i));
+    }
+  };
+  parallelBlocks(grid.size(), blocks_at_once, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t b = begin; b < end; ++b)
+                     scan(b, [&](std::size_t) { ++counts[b]; });
+                 });
+  cells.row.assign(grid.size(), grid.size());
+  std::size_t vertices = 0;
+  for (std::size_t b = 0; b < grid.size(); ++b)
+    if (counts[b] > 0) {
+      cells.row[b] = cells.blocks.size();
+      cells.blocks.push_back(b);
+      cells.first.push_back(vertices);
+      vertices += counts[b];
+    }
+  cells.first.push_back(vertices);
+  cells.table.assign(cells.blocks.size() * nodes, none);
+  parallelBlocks(cells.blocks.size(), blocks_at_once, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t s = begin; s < end; ++s) {
+                     auto next = static_cast<std::uint32_t>(cells.first[s]);
+                     scan(cells.blocks[s],
+                          [&](std::size_t i) { cells.table[s * nodes + i] = next++; });
+                   }
+                 });
+  return cells;
+}
+
+std::uint32_t
+vertexOf(const BandGrid& grid,
+         const CellVertices& cells,
+         std::size_t b,
+         const std::array<int, 3>& cell)
+{
+  const std::size_t block = grid.neighbour(b, cell[0] >> 3, cell[1] >> 3, cell[2] >> 3);
+  if (block == grid.size() || cells.row[block] == grid.size())
+    return none;
+  return cells.table[cells.row[block] * nodes +
+                     BandGrid::nodeIndex(cell[0] & 7, cell[1] & 7, cell[2] & 7)];
+}
+
+// Cuts a quad along the diagonal that follows an edge of the surface, or is shorter,
+// unless that would turn a triangle away from `towards`.
+void
+cutQuad(const std::array<std::uint32_t, 4>& quad,
+        const TriangleMesh& mesh,
+        const std::vector<SurfaceVertex>& vertices,
+        std::vector<Triangle>& triangles)
+{
+  const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& {
+    return mesh.vertices[quad[i]];
+  };
+  const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return Eigen::Vector3d((corner(j) - corner(i)).cross(corner(k) - corner(i)));
+  };
+  // How well the two triangles of a cut face the same way, and how thin they are.
+  const auto rate = [&](std::size_t i) {
+    const Eigen::Vector3d a = normal(i, i + 1, (i + 2) % 4);
+    const Eigen::Vector3d b = normal(i, (i + 2) % 4, (i + 3) % 4);
+    const double lengths = a.norm() * b.norm();
+    return lengths > 1e-12 ? a.dot(b) / lengths : -1;
+  };
+  const int sharp[2] = {vertices[quad[0]].sharpness + vertices[quad[2]].sharpness,
+                        vertices[quad[1]].sharpness + vertices[quad[3]].sharpness};
+  const double lengths[2] = {(corner(0) - corner(2)).norm(),
+                             (corner(1) - corner(3)).norm()};
+  const double rates[2] = {rate(0), rate(1)};
+  bool second = lengths[1] < lengths[0];
+  if (std::abs(rates[0] - rates[1]) > 0.2)
+    second = rates[1] > rates[0];
+  if (sharp[0] != sharp[1] && std::min(rates[0], rates[1]) > -0.5)
+    second = sharp[1] > sharp[0];
+  if (second) {
+    triangles.push_back({quad[0], quad[1], quad[3]});
+    triangles.push_back({quad[1], quad[2], quad[3]});
+  }
+  else {
+    triangles.push_back({quad[0], quad[1], quad[2]});
+    triangles.push_back({quad[0], quad[2], quad[3]});
+  }
+}
+
+// The triangles across the grid's edges that begin in block `b`.
+void
+addTriangles(const BandGrid& grid,
+             const std::vector<float>& values,
+             const CellVertices& cells,
+             std::size_t b,
+             const TriangleMesh& mesh,
+             const std::vector<SurfaceVertex>& vertices,
+             std::vector<Triangle>& triangles)
+{
+  constexpr int strides[3] = {1, 10, 100};
+  float halo[BandGrid::halo_nodes];
+  grid.gatherHalo(values, b, halo);
+  const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
+  if (*range.first > 0 || *range.second <= 0)
+    return;
+  for (int i = 0; i < static_cast<int>(nodes); ++i) {
+    const std::array<int, 3> n = {i & 7, i >> 3 & 7, i >> 6};
+    const float* here = halo + BandGrid::haloIndex(n[0], n[1], n[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool from_below = *here <= 0;
+      if (from_below == (here[strides[axis]] <= 0))
+        continue;
+      const std::size_t u = (axis + 1) % 3;
+      const std::size_t v = (axis + 2) % 3;
+      // Counter-clockwise, seen from the edge's end.
+      constexpr int around[4][2] = {{-1, -1}, {0, -1}, {0, 0}, {-1, 0}};
+      std::array<std::uint32_t, 4> quad;
+      for (std::size_t c = 0; c < 4; ++c) {
+        std::array<int, 3> cell = n;
+        cell[u] += around[c][0];
+        cell[v] += around[c][1];
+        quad[from_below ? c : 3 - c] = vertexOf(grid, cells, b, cell);
+      }
+      if (std::find(quad.begin(), quad.end(), none) == quad.end())
+        cutQuad(quad, mesh, vertices, triangles);
+    }
+  }
+}
+
+} // namespace
+
+void
+extractDualSurface(const BandGrid& grid,
+                   const std::vector<float>& values,
+                   const SortedSamples& samples,
+                   float radius,
+                   unsigned threads,
+                   TriangleMesh& mesh,
+                   std::vector<SurfaceVertex>& vertices)
+{
+  mesh = TriangleMesh();
+  const CellVertices cells = numberCells(grid, values, threads);
+  mesh.vertices.resize(cells.first.back());
+  vertices.assign(mesh.vertices.size(), {});
+  parallelBlocks(cells.blocks.size(), blocks_at_once, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   DualVertices placer(grid, values, samples, radius);
+                   for (std::size_t s = begin; s < end; ++s)
+                     placer.place(cells.blocks[s], &cells.table[s * nodes],
+                                  mesh.vertices.data(), vertices.data());
+                 });
+  std::vector<std::vector<Triangle>> parts((grid.size() + blocks_at_once - 1) /
+                                           blocks_at_once);
+  parallelBlocks(grid.size(), blocks_at_once, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t b = begin; b < end; ++b)
+                     addTriangles(grid, values, cells, b, mesh, vertices,
+                                  parts[begin / blocks_at_once]);
+                 });
+  for (const auto& part : parts)
+    mesh.triangles.insert(mesh.triangles.end(), part.begin(), part.end());
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../solver/surface_samples.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A plane that touches the surface. */
+struct SurfacePlane {
+  Eigen::Vector3f point;
+  Eigen::Vector3f normal;
+};
+
+/** @brief The samples in and around one block of the finest grid, to ask how the
+ * surface runs near a place there. Lengths in cells, from the block's first node. */
+class SurfacePlanes {
+public:
+  /** @brief Samples further than `radius` from a place say nothing about it; 8 cells at
+   * most. */
+  explicit SurfacePlanes(float radius)
+      : radius_(std::min(radius, 8.f))
+  {}
+
+  /** @brief Takes the samples around block `b`. */
+  void load(const BandGrid& grid, std::size_t b, const SortedSamples& samples);
+
+  /** @brief The plane through the samples around `place` whose normals agree with that
+   * of the nearest one, of those that face the way of `slope`; where an edge is near,
+   * so that of one of its sides. Follows curved surfaces.
+   * @return false if there are no samples */
+  bool
+  find(const Eigen::Vector3f& place, const Eigen::Vector3f& slope, SurfacePlane& plane);
+
+private:
+  struct Near {
+    std::size_t index;
+    float distance2;
+    float weight;
+  };
+
+  Eigen::Vector3f normalOf(std::size_t i) const { return {nx_[i], ny_[i], nz_[i]}; }
+
+  float radius_;
+  std::vector<float> x_, y_, z_, nx_, ny_, nz_;
+  std::vector<float> distance2_;
+  std::vector<Near> near_;
+};
+
+} // namespace sedr
+} // namespace pcl

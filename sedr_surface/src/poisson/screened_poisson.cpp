@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../isosurface/dual_surface.h"
+#include "../isosurface/sign_repair.h"
+#include "../isosurface/thin_sheets.h"
+#include "../solver/poisson_hierarchy.h"
+
+#include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_surface/screened_poisson.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+// Blocks of 512 nodes that a band takes for one with samples in it.
+constexpr double band_blocks = 2.5;
+
+// Of triangles and of edges that may collapse, in cells.
+constexpr double least_height = 0.02;
+constexpr double longest_collapse = 1;
+
+// Where the grid begins, less than a cell below `low`: so that the faces square to each
+// axis lie as far from its nodes as they can. Values there are near zero, of either
+// sign.
+Eigen::Vector3d
+gridOrigin(const std::vector<OrientedPoint>& points,
+           const Eigen::Vector3d& low,
+           double cell)
+{
+  constexpr int bins = 32; // of a cell
+  Eigen::Vector3d origin = low;
+  for (int k = 0; k < 3; ++k) {
+    std::array<int, bins> counts{};
+    for (const OrientedPoint& p : points)
+      if (std::abs(p.normal[k]) > 0.99f) {
+        const double place = (static_cast<double>(p.position[k]) - low[k]) / cell;
+        ++counts[static_cast<std::size_t>((place - std::floor(place)) * bins) % bins];
+      }
+    double best = -1;
+    for (std::size_t node = 0; node < bins; ++node) {
+      double crowd = 0;
+      for (std::size_t i = 0; i < bins; ++i) {
+        const double apart = std::abs(
+            std::remainder(static_cast<double>(i) + 0.5 - static_cast<double>(node),
+                           static_cast<double>(bins)));
+        crowd += counts[i] * std::pow(0.7, apart);
+      }
+      if (best < 0 || crowd < best) {
+        best = crowd;
+        origin[k] = low[k] + cell * (static_cast<double>(node) / bins - 1);
+      }
+    }
+  }
+  return origin;
+}
+
+std::vector<SurfaceSample>
+toCells(const std::vector<OrientedPoint>& points,
+        const Eigen::Vector3d& origin,
+        double cell)
+{
+  std::vector<SurfaceSample> samples;
+  samples.reserve(points.size());
+  for (const OrientedPoint& p : points)
+    samples.push_back({(p.position.cast<double>() - origin) / cell, p.normal, 1});
+  return samples;
+}
+
+// True if the normals point away from what the points enclose.
+bool
+facesOutwards(const std::vector<SurfaceSample>& samples)
+{
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const SurfaceSample& sample : samples)
+    centre += sample.position / static_cast<double>(samples.size());
+  double volume = 0;
+  for (const SurfaceSample& sample : samples)
+    volume += sample.normal.cast<double>().dot(sample.position - centre);
+  return volume > 0;
+}
+
+} // namespace
+
+std::string
+screenedPoisson(const std::vector<OrientedPoint>& points,
+                const ScreenedPoissonParameters& parameters,
+                TriangleMesh& mesh,
+                ScreenedPoissonReport& report)
+{
+  mesh = TriangleMesh();
+  report = ScreenedPoissonReport();
+  if (points.size() < 3)
+    return "screened Poisson needs at least 3 points, there are " +
+           std::to_string(points.size());
+  Eigen::AlignedBox3d box;
+  for (const OrientedPoint& p : points)
+    box.extend(p.position.cast<double>());
+  double cell = parameters.cell;
+  std::vector<SurfaceSample> samples;
+  Eigen::Vector3d origin;
+  for (;;) {
+    origin = gridOrigin(points, box.min(), cell);
+    samples = toCells(points, origin, cell);
+    setAreas(samples, parameters.spacing / cell);
+    const double expected =
+        band_blocks *
+        static_cast<double>(sortSamples(samples, 1).grid.size() * BandGrid::nodes);
+    const double most = static_cast<double>(parameters.max_nodes);
+    if (expected <= most)
+      break;
+    cell *= 1.05 * std::sqrt(expected / most);
+  }
+  const bool outwards = facesOutwards(samples);
+  if (outwards)
+    for (SurfaceSample& sample : samples)
+      sample.normal = -sample.normal;
+  PoissonHierarchy hierarchy;
+  HierarchyOptions options;
+  options.weight = parameters.point_weight;
+  options.tolerance = parameters.tolerance;
+  options.max_iterations = parameters.max_iterations;
+  options.max_blocks = 2 * parameters.max_nodes / BandGrid::nodes;
+  options.threads = parameters.threads;
+  const std::string problem = hierarchy.solve(samples, options);
+  report.cell = cell;
+  report.levels = static_cast<int>(hierarchy.levels());
+  const BandGrid& grid = hierarchy.finest().grid();
+  report.nodes = grid.size() * BandGrid::nodes;
+  report.iterations = hierarchy.report().iterations;
+  report.residual = hierarchy.report().residual;
+  report.converged = report.residual <= parameters.tolerance;
+  report.iso_value = hierarchy.meanAtSamples();
+  report.widened = hierarchy.widened();
+  if (!problem.empty())
+    return problem;
+  std::vector<float> values = hierarchy.finest().values;
+  const auto iso = static_cast<float>(report.iso_value);
+  for (std::size_t i = 0; i < grid.size() * BandGrid::nodes; ++i) {
+    values[i] -= iso;
+    if (std::abs(values[i]) < 1e-4f)
+      values[i] = values[i] > 0 ? 1e-4f : -1e-4f;
+  }
+  const SortedSamples& placed = hierarchy.finest().samples();
+  report.turned_signs = keepThinSheets(grid, placed, parameters.spacing / cell,
+                                       parameters.threads, values);
+  report.turned_signs += makeWellComposed(grid, values, parameters.threads);
+  std::vector<SurfaceVertex> vertices;
+  extractDualSurface(grid, values, placed,
+                     static_cast<float>(1.5 * parameters.spacing / cell),
+                     parameters.threads, mesh, vertices);
+  report.collapsed_edges = mendSurface(mesh, vertices, least_height, longest_collapse);
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v = origin + cell * v;
+  if (outwards)
+    mesh.flip();
+  return mesh.empty() ? "the points have no surface" : "";
+}
+
+} // namespace sedr
+} // namespace pcl

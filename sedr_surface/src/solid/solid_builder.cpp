@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid_builder.h"
+
+#include "../triangulation/constrained_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The triangles on the inner side of edges that go round an area. */
+std::vector<bool>
+insideOf(const PlanTriangulation& mesh,
+         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted_edges)
+{
+  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
+    const auto& corners = mesh.triangles[t];
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corners[i], corners[(i + 1) % 3]);
+    return std::binary_search(sorted_edges.begin(), sorted_edges.end(), ends);
+  };
+  std::vector<bool> is_inside(mesh.triangles.size(), false);
+  std::vector<bool> is_known(mesh.triangles.size(), false);
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t t, bool inside) {
+    if (is_known[t])
+      return;
+    is_known[t] = true;
+    is_inside[t] = inside;
+    waiting.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] == PlanTriangulation::none)
+        reach(t, isEdge(t, i));
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] != PlanTriangulation::none)
+        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
+  }
+  return is_inside;
+}
+
+} // namespace
+
+SolidBuilder::SolidBuilder(const RoomLayers& layers, const PlanSubdivision& plan)
+    : layers_(layers)
+    , plan_(plan)
+{
+  const auto spokes = spokesOf(plan);
+  for (std::uint32_t v = 0; v < spokes.size(); ++v)
+    levels_.emplace_back(layers, plan, v, spokes[v]);
+}
+
+std::string
+SolidBuilder::build(TriangleMesh& mesh)
+{
+  for (std::size_t slab = 0; slab < layers_.slabs.size(); ++slab)
+    if (!addSlab(static_cast<int>(slab)))
+      return layers_.elements[layers_.slabs[slab].element].name +
+             " could not be triangulated";
+  for (const SubdivisionEdge& edge : plan_.edges)
+    addUpright(edge);
+  mesh = std::move(mesh_);
+  return {};
+}
+
+void
+SolidBuilder::addTriangle(const std::array<Corner, 3>& corners, std::size_t element)
+{
+  Triangle triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto [known, is_new] = vertex_.emplace(corners[i], next);
+    if (is_new) {
+      const Eigen::Vector2d place = plan_.placeOf(corners[i].first);
+      mesh_.vertices.emplace_back(place.x(), place.y(),
+                                  plan_.grid.unit() *
+                                      static_cast<double>(corners[i].second));
+    }
+    triangle[i] = known->second;
+  }
+  mesh_.triangles.push_back(triangle);
+  mesh_.labels.push_back(static_cast<std::uint32_t>(layers_.elements[element].label));
+  mesh_.elements.push_back(static_cast<std::uint32_t>(element));
+}
+
+bool
+SolidBuilder::addSlab(int slab)
+{
+  // The rim of the slab's regions, on vertices numbered anew.
+  std::vector<std::uint32_t> number(plan_.vertices.size(), PlanTriangulation::none);
+  std::vector<std::uint32_t> vertices;
+  std::vector<GridPoint> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
+  bool faces_up = false;
+  const auto numberOf = [&](std::uint32_t v) {
+    if (number[v] == PlanTriangulation::none) {
+      number[v] = static_cast<std::uint32_t>(points.size());
+      points.push_back(plan_.vertices[v]);
+      vertices.push_back(v);
+    }
+    return number[v];
+  };
+  for (const SubdivisionEdge& edge : plan_.edges) {
+    if (edge.left.has(slab) == edge.right.has(slab))
+      continue;
+    faces_up = edge.left.ceiling == slab || edge.right.ceiling == slab;
+    const std::uint32_t a = numberOf(edge.a);
+    const std::uint32_t b = numberOf(edge.b);
+    rim.push_back(std::minmax(a, b));
+  }
+  std::sort(rim.begin(), rim.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> folds = rim;
+  for (const SubdivisionCrease& crease : plan_.creases)
+    if (crease.slab == slab) {
+      const std::uint32_t a = numberOf(crease.a);
+      const std::uint32_t b = numberOf(crease.b);
+      folds.push_back(std::minmax(a, b));
+    }
+  std::sort(folds.begin(), folds.end());
+  PlanTriangulation faces;
+  // A corner that was cut off may lie on a crease: then the curve does without them.
+  if (!triangulateConstrained(points, folds, faces) &&
+      !triangulateConstrained(points, rim, faces))
+    return false;
+  const std::vector<bool> is_inside = insideOf(faces, rim);
+  for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
+    if (!is_inside[t])
+      continue;
+    std::array<Corner, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = vertices[faces.triangles[t][faces_up ? i : 2 - i]];
+      corners[i] = {v, levelOf(slab, v)};
+    }
+    addTriangle(corners, layers_.slabs[static_cast<std::size_t>(slab)].element);
+  }
+  return true;
+}
+
+std::int64_t
+SolidBuilder::levelOf(int slab, std::uint32_t vertex) const
+{
+  if (levels_[vertex].has(slab))
+    return levels_[vertex].levelOf(slab);
+  const PlanSlab& own = layers_.slabs[static_cast<std::size_t>(slab)].slab;
+  return std::llround(own.heightAt(plan_.placeOf(vertex)) / plan_.grid.unit());
+}
+
+std::vector<std::int64_t>
+SolidBuilder::levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const
+{
+  const auto& levels = levels_[vertex].levels();
+  return {
+      std::lower_bound(levels.begin(), levels.end(), levels_[vertex].levelOf(low_slab)),
+      std::upper_bound(levels.begin(), levels.end(),
+                       levels_[vertex].levelOf(high_slab))};
+}
+
+void
+SolidBuilder::addStrip(std::uint32_t a,
+                       std::uint32_t b,
+                       int low_slab,
+                       int high_slab,
+                       std::size_t element)
+{
+  const auto at_a = levelsBetween(a, low_slab, high_slab);
+  const auto at_b = levelsBetween(b, low_slab, high_slab);
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i + 1 < at_a.size() || j + 1 < at_b.size()) {
+    const bool climbs_b =
+        i + 1 == at_a.size() || (j + 1 < at_b.size() && at_b[j + 1] <= at_a[i + 1]);
+    const Corner low_a{a, at_a[i]};
+    const Corner low_b{b, at_b[j]};
+    const Corner next = climbs_b ? Corner{b, at_b[++j]} : Corner{a, at_a[++i]};
+    addTriangle({low_a, low_b, next}, element);
+  }
+}
+
+void
+SolidBuilder::addUpright(const SubdivisionEdge& edge)
+{
+  // Of two slabs one is higher over the whole edge: they do not cross there.
+  const auto heightOf = [&](int slab) {
+    return levels_[edge.a].levelOf(slab) + levels_[edge.b].levelOf(slab);
+  };
+  std::vector<std::pair<std::int64_t, int>> slabs;
+  for (const PlanRegion* side : {&edge.left, &edge.right})
+    for (const int slab : {side->floor, side->ceiling})
+      if (slab != PlanRegion::nothing)
+        slabs.emplace_back(heightOf(slab), slab);
+  std::sort(slabs.begin(), slabs.end());
+  const auto isSolid = [&](const PlanRegion& side, std::int64_t above) {
+    return side.isRoom() && heightOf(side.floor) <= above &&
+           above < heightOf(side.ceiling);
+  };
+  for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
+    const std::int64_t height = slabs[k].first;
+    const bool on_left = isSolid(edge.left, height);
+    if (slabs[k + 1].first == height || on_left == isSolid(edge.right, height))
+      continue;
+    const PlanRegion& solid = on_left ? edge.left : edge.right;
+    const PlanRegion& other = on_left ? edge.right : edge.left;
+    const bool is_above = other.isRoom() && height >= heightOf(other.ceiling);
+    addStrip(on_left ? edge.a : edge.b, on_left ? edge.b : edge.a, slabs[k].second,
+             slabs[k + 1].second, elementOn(edge, rolesOn(solid, other, is_above)));
+  }
+}
+
+std::vector<LoopRole>
+SolidBuilder::rolesOn(const PlanRegion& solid,
+                      const PlanRegion& other,
+                      bool above) const
+{
+  if (layers_.isNiche(solid))
+    return {LoopRole::NicheSide};
+  if (!other.isRoom())
+    return {LoopRole::Wall, LoopRole::ColumnFace};
+  if (layers_.isNiche(other)) // above or below the niche
+    return {LoopRole::Wall};
+  return {above ? LoopRole::CeilingRiser : LoopRole::FloorRiser};
+}
+
+std::size_t
+SolidBuilder::elementOn(const SubdivisionEdge& edge,
+                        const std::vector<LoopRole>& roles) const
+{
+  // Of several the last: the later of two details is the one that is there.
+  for (const LoopRole role : roles)
+    for (auto e = edge.elements.rbegin(); e != edge.elements.rend(); ++e)
+      if (layers_.roleOf(*e) == role)
+        return *e;
+  const Eigen::Vector2d middle = (plan_.placeOf(edge.a) + plan_.placeOf(edge.b)) / 2;
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& loop : layers_.loops) {
+    if (std::find(roles.begin(), roles.end(), loop.role) == roles.end())
+      continue;
+    for (std::size_t i = 0; i < loop.loop->elements.size(); ++i) {
+      const double d = loop.loop->elements[i].distance(middle);
+      if (d >= least)
+        continue;
+      least = d;
+      nearest = loop.first_element + i;
+    }
+  }
+  return nearest;
+}
+
+} // namespace sedr
+} // namespace pcl

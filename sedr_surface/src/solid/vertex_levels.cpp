@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vertex_levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief A step of less than this between two facets of a ceiling is none, metres. */
+constexpr double facet_step = 0.002;
+
+} // namespace
+
+VertexLevels::VertexLevels(const RoomLayers& layers,
+                           const PlanSubdivision& subdivision,
+                           std::uint32_t vertex,
+                           const std::vector<Spoke>& spokes)
+{
+  const Eigen::Vector2d place = subdivision.placeOf(vertex);
+  const double unit = subdivision.grid.unit();
+  const double separation = solidSeparation(subdivision.grid);
+  const auto isFacet = [&](int slab) {
+    return layers.slabs[static_cast<std::size_t>(slab)].is_facet;
+  };
+  // Where two facets meet, their borders are known to some tenths of a millimetre.
+  const auto sameFor = [&](int slab, int other) {
+    return static_cast<std::int64_t>((isFacet(slab) && isFacet(other)
+                                          ? std::max(separation, facet_step)
+                                          : separation) /
+                                     unit);
+  };
+  std::vector<std::pair<std::int64_t, int>> heights;
+  for (const Spoke& spoke : spokes)
+    for (const int slab : {spoke.left.floor, spoke.left.ceiling})
+      if (slab != PlanRegion::nothing) {
+        const PlanSlab& plane = layers.slabs[static_cast<std::size_t>(slab)].slab;
+        heights.emplace_back(std::llround(plane.heightAt(place) / unit), slab);
+      }
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  std::int64_t level = 0;
+  int first = 0; // slab of the level
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const auto [height, slab] = heights[i];
+    if (i == 0 || height - level >= sameFor(first, slab)) {
+      level = height;
+      first = slab;
+    }
+    of_slab_.emplace_back(slab, level);
+  }
+  const auto crossing = subdivision.crossings.find(vertex);
+  if (crossing != subdivision.crossings.end())
+    join(crossing->second.first, crossing->second.second);
+  for (const auto& [slab, at] : of_slab_) {
+    const bool ends_here =
+        std::any_of(spokes.begin(), spokes.end(),
+                    [s = slab](const Spoke& spoke) { return !spoke.left.has(s); });
+    if (ends_here && (levels_.empty() || levels_.back() != at))
+      levels_.push_back(at);
+  }
+}
+
+void
+VertexLevels::join(int slab, int other)
+{
+  const std::int64_t low = std::min(levelOf(slab), levelOf(other));
+  const std::int64_t high = std::max(levelOf(slab), levelOf(other));
+  for (auto& entry : of_slab_)
+    if (entry.second >= low && entry.second <= high)
+      entry.second = low;
+}
+
+bool
+VertexLevels::has(int slab) const
+{
+  return std::any_of(of_slab_.begin(), of_slab_.end(),
+                     [slab](const auto& s) { return s.first == slab; });
+}
+
+std::int64_t
+VertexLevels::levelOf(int slab) const
+{
+  const auto found = std::find_if(of_slab_.begin(), of_slab_.end(),
+                                  [slab](const auto& s) { return s.first == slab; });
+  return found->second;
+}
+
+namespace {
+
+/** @brief Number of pieces into which the cells of one kind fall: cells above and below
+ * a level, sector by sector around a line. */
+std::size_t
+piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool kind)
+{
+  const std::size_t n = above.size();
+  std::vector<bool> is_seen(2 * n, false);
+  const auto isOfKind = [&](std::size_t cell) {
+    return (cell < n ? above[cell] : below[cell - n]) == kind;
+  };
+  std::size_t pieces = 0;
+  for (std::size_t first = 0; first < 2 * n; ++first) {
+    if (is_seen[first] || !isOfKind(first))
+      continue;
+    ++pieces;
+    std::vector<std::size_t> waiting{first};
+    is_seen[first] = true;
+    while (!waiting.empty()) {
+      const std::size_t cell = waiting.back();
+      waiting.pop_back();
+      const std::size_t layer = cell < n ? 0 : n;
+      const std::size_t sector = cell - layer;
+      for (const std::size_t next :
+           {layer + (sector + 1) % n, layer + (sector + n - 1) % n, n - layer + sector})
+        if (!is_seen[next] && isOfKind(next)) {
+          is_seen[next] = true;
+          waiting.push_back(next);
+        }
+    }
+  }
+  return pieces;
+}
+
+} // namespace
+
+bool
+touchesItself(const std::vector<SolidSpan>& sectors)
+{
+  std::vector<bool> above(sectors.size());
+  std::vector<bool> below(sectors.size());
+  for (const SolidSpan& at : sectors)
+    for (const std::int64_t level : {at.low, at.high}) {
+      for (std::size_t s = 0; s < sectors.size(); ++s) {
+        above[s] = sectors[s].low <= level && level < sectors[s].high;
+        below[s] = sectors[s].low < level && level <= sectors[s].high;
+      }
+      if (piecesOf(above, below, true) > 1 || piecesOf(above, below, false) > 1)
+        return true;
+    }
+  return false;
+}
+
+} // namespace sedr
+} // namespace pcl

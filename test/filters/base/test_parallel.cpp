@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/parallel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace {
+
+TEST(ParallelBlocks, VisitEveryNumberOnceInBlocksOfTheSizeAskedFor)
+{
+  for (const unsigned threads : {0u, 1u, 3u, 8u})
+    for (const std::size_t n : {0, 1, 10, 11}) {
+      std::vector<int> visits(n, 0);
+      pcl::sedr::parallelBlocks(n, 5, threads, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin % 5, 0u);
+        EXPECT_LE(end - begin, 5u);
+        for (std::size_t i = begin; i < end; ++i)
+          ++visits[i];
+      });
+      EXPECT_EQ(visits, std::vector<int>(n, 1));
+    }
+}
+
+TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
+{
+  const auto run = [] {
+    pcl::sedr::parallelBlocks(100, 1, 4, [](std::size_t begin, std::size_t) {
+      if (begin == 42)
+        throw std::runtime_error("42");
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST(ParallelBlocks, AllAreVisitedThoughSomeThrow)
+{
+  std::vector<int> visits(1000, 0);
+  const auto run = [&] {
+    pcl::sedr::parallelBlocks(visits.size(), 1, 3, [&](std::size_t k, std::size_t) {
+      ++visits[k];
+      if (k % 100 == 7)
+        throw std::runtime_error("7");
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAskedFor)
+{
+  constexpr int most = 3;
+  std::atomic<int> here{0};
+  std::atomic<int> most_here{0};
+  std::vector<int> visits(1000, 0);
+  pcl::sedr::parallelBlocks(10, 1, most, [&](std::size_t k, std::size_t) {
+    pcl::sedr::parallelBlocks(100, 1, 8, [&](std::size_t i, std::size_t) {
+      const int now = ++here;
+      for (int seen = most_here; seen < now;)
+        most_here.compare_exchange_weak(seen, now);
+      ++visits[100 * k + i];
+      std::this_thread::yield();
+      --here;
+    });
+  });
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+  EXPECT_LE(most_here, most);
+}
+
+/** Whether another thread helps within the last block of two, which the caller works on
+ * or the other. Gives up in the end, as nothing but help ends the wait. */
+bool
+isHelpedWithin(bool last_is_callers)
+{
+  const auto caller = std::this_thread::get_id();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  std::atomic<int> here{0};
+  std::atomic<bool> is_shared{false};
+  pcl::sedr::parallelBlocks(2, 1, 2, [&](std::size_t, std::size_t) {
+    for (++here; here < 2;) // each thread has one
+      std::this_thread::yield();
+    const auto own = std::this_thread::get_id();
+    if ((own == caller) != last_is_callers)
+      return;
+    // The other may still be on its way back from the outer blocks at the first calls.
+    while (!is_shared && std::chrono::steady_clock::now() < end)
+      pcl::sedr::parallelBlocks(100, 1, 2, [&](std::size_t, std::size_t) {
+        std::this_thread::yield();
+        if (std::this_thread::get_id() != own)
+          is_shared = true;
+      });
+  });
+  return is_shared;
+}
+
+TEST(ParallelBlocks, WithinTheLastBlockAreHelpedWithByThoseWhoHaveNoneLeft)
+{
+  EXPECT_TRUE(isHelpedWithin(true));
+  EXPECT_TRUE(isHelpedWithin(false));
+}
+
+TEST(ParallelBlocks, AnExceptionOfAnInnerBodyReachesTheOutermostCaller)
+{
+  const auto run = [] {
+    pcl::sedr::parallelBlocks(4, 1, 2, [](std::size_t k, std::size_t) {
+      pcl::sedr::parallelBlocks(50, 1, 2, [&](std::size_t i, std::size_t) {
+        if (k == 3 && i == 42)
+          throw std::runtime_error("42");
+      });
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
+{
+  // Each waits for the others: fewer threads would never end.
+  for (const unsigned threads : {2u, 5u}) {
+    std::atomic<unsigned> here{0};
+    pcl::sedr::parallelBlocks(threads, 1, threads, [&](std::size_t, std::size_t) {
+      ++here;
+      while (here < threads)
+        std::this_thread::yield();
+    });
+    EXPECT_EQ(here, threads);
+  }
+}
+
+TEST(ParallelBlocks, OfSeveralCallersAreAllVisited)
+{
+  std::vector<std::vector<int>> visits(4, std::vector<int>(2000, 0));
+  std::vector<std::thread> callers;
+  for (auto& own : visits)
+    callers.emplace_back([&own] {
+      for (int round = 0; round < 20; ++round)
+        pcl::sedr::parallelBlocks(own.size(), 10, 3,
+                                  [&](std::size_t begin, std::size_t end) {
+                                    for (std::size_t i = begin; i < end; ++i)
+                                      ++own[i];
+                                  });
+    });
+  for (auto& caller : callers)
+    caller.join();
+  for (const auto& own : visits)
+    EXPECT_EQ(own, std::vector<int>(2000, 20));
+}
+
+} // namespace

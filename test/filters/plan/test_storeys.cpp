@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+#include "two_storeys.h"
+
+#include "sedr_filters/src/plan/room_map.h"
+#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/storeys.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Ids = std::vector<std::uint32_t>;
+
+TEST(Storeys, RoomsAboveEachOtherAreOfSeveral)
+{
+  const Floorplan plan{{roomBetween(rectangle(0, 0, 4, 3), 2.8, 5.3, 3),
+                        roomOf(rectangle(0, 0, 4, 3), 2.5, 2),
+                        roomBetween(rectangle(5, 0, 9, 3), 0.4, 3, 1)}};
+  const auto storeys = storeysOf(plan);
+  ASSERT_EQ(storeys.size(), 2u);
+  EXPECT_EQ(storeys[0].number, 1u);
+  EXPECT_EQ(storeys[0].name, "storey 1");
+  EXPECT_EQ(storeys[0].rooms, (Ids{1, 2}));
+  EXPECT_NEAR(storeys[0].floor, 0, 1e-9);
+  EXPECT_NEAR(storeys[0].ceiling, 3, 1e-9);
+  EXPECT_EQ(storeys[1].number, 2u);
+  EXPECT_EQ(storeys[1].name, "storey 2");
+  EXPECT_EQ(storeys[1].rooms, Ids{3});
+  EXPECT_NEAR(storeys[1].floor, 2.8, 1e-9);
+  EXPECT_NEAR(storeys[1].ceiling, 5.3, 1e-9);
+}
+
+TEST(Storeys, NoRoomsAreNone)
+{
+  EXPECT_TRUE(storeysOf({}).empty());
+}
+
+TEST(Storeys, ThoseOfThePlanStandWhateverTheHeightsOfTheirRooms)
+{
+  Floorplan plan = twoStoreys();
+  plan.storeys = {{1, "cellar", 0, 0, {1}}, {2, "rest", 0, 0, {2, 3, 4}}};
+  const auto storeys = storeysOf(plan);
+  ASSERT_EQ(storeys.size(), 2u);
+  EXPECT_EQ(storeys[0].name, "cellar");
+  EXPECT_EQ(storeys[1].rooms, (Ids{2, 3, 4}));
+  EXPECT_NEAR(storeys[1].floor, 0, 1e-9);
+  EXPECT_NEAR(storeys[1].ceiling, 5.2, 1e-9);
+}
+
+TEST(Storeys, RoomsThatAreGoneAreLeftOutAndNewOnesGoToTheNearest)
+{
+  Floorplan plan = twoStoreys();
+  plan.storeys = {{1, "one", 0, 2.5, {1, 2}},
+                  {2, "two", 2.8, 5.2, {3}},
+                  {3, "three", 5.5, 8, {9}}};
+  plan.rooms.erase(plan.rooms.begin());
+  const auto storeys = storeysOf(plan);
+  ASSERT_EQ(storeys.size(), 2u);
+  EXPECT_EQ(storeys[0].rooms, Ids{2});
+  EXPECT_EQ(storeys[1].number, 2u);
+  EXPECT_EQ(storeys[1].rooms, (Ids{3, 4}));
+}
+
+TEST(Storeys, OnlyRoomsThatShareHeightsHaveToDoWithEachOther)
+{
+  const RoomHeights lower{0, 2.5};
+  EXPECT_FALSE(shareHeights(lower, {2.8, 5.3}));
+  EXPECT_FALSE(shareHeights(lower, {2.5, 5}));
+  EXPECT_FALSE(shareHeights({2.3, 5}, lower)); // a ceiling found too high
+  EXPECT_TRUE(shareHeights(lower, {0.4, 3}));
+  EXPECT_TRUE(shareHeights({0, 5.3}, lower)); // a hall
+  EXPECT_TRUE(shareHeights({0, 5.3}, {2.8, 5.3}));
+  EXPECT_TRUE(shareHeights(lower, {1.4, 3.9})); // split levels
+}
+
+TEST(Storeys, APartHasTheRoomsDoorwaysAndStairsOfItsStorey)
+{
+  Floorplan plan = twoStoreys();
+  plan.doorways.resize(3);
+  plan.doorways[0].rooms = {1, 2};
+  plan.doorways[1].rooms = {3, 4};
+  plan.doorways[2].rooms = {3, 0};
+  plan.stairs.resize(1);
+  plan.stairs[0].rooms = {2, 4};
+  const auto storeys = storeysOf(plan);
+  const Floorplan lower = partOf(plan, storeys[0]);
+  const Floorplan upper = partOf(plan, storeys[1]);
+  ASSERT_EQ(lower.rooms.size(), 2u);
+  EXPECT_EQ(lower.rooms[1].id, 2u);
+  EXPECT_EQ(lower.doorways.size(), 1u);
+  EXPECT_EQ(lower.stairs.size(), 1u);
+  ASSERT_EQ(upper.storeys.size(), 1u);
+  EXPECT_EQ(upper.storeys[0].name, "storey 2");
+  EXPECT_EQ(upper.doorways.size(), 2u);
+  EXPECT_EQ(upper.stairs.size(), 1u);
+}
+
+TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
+{
+  const Floorplan plan{{roomBetween(rectangle(0, 0, 4, 3), 0, 2.5, 1),
+                        roomBetween(rectangle(4.3, 0, 8, 3), 0, 2.5, 2),
+                        roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
+  EXPECT_NEAR(wallThickness(plan, 0, 1), 0.3, 1e-9);
+  EXPECT_EQ(wallThickness(plan, 2, 3), 0);
+}
+
+TEST(Storeys, ARoundRoomIsInTheMiddleOfItsCircle)
+{
+  PlanRoom room = roomOf(circle({2, 1}, 1), 2.5);
+  room.ceiling = slabAt(2.5, 0.1); // 2.7 m above the middle
+  EXPECT_NEAR(heightsOf(room).high, 2.7, 1e-9);
+}
+
+TEST(Storeys, ARoomOverAPointIsThatOfTheNextCeilingAboveIt)
+{
+  RoomPoints points(0.1);
+  const auto floor = points.slab(rectangle(0, 0, 2, 2), 0);
+  const auto ceiling = points.slab(rectangle(0, 0, 2, 2), 2.5);
+  const auto upper_floor = points.slab(rectangle(0, 0, 2, 2), 2.8);
+  const auto upper = points.slab(rectangle(0, 0, 2, 2), 5.2);
+  std::vector<std::uint32_t> rooms(points.size(), 0);
+  for (const int i : ceiling)
+    rooms[static_cast<std::size_t>(i)] = 1;
+  for (const int i : upper)
+    rooms[static_cast<std::size_t>(i)] = 2;
+  const RoomMap map(CellGrid(0.2), points.view(), rooms, joined(ceiling, upper), {});
+  for (const int i : joined(floor, ceiling))
+    ASSERT_EQ(map.roomOver(i), 1u) << points[i].z();
+  for (const int i : joined(upper_floor, upper))
+    ASSERT_EQ(map.roomOver(i), 2u) << points[i].z();
+}
+
+} // namespace

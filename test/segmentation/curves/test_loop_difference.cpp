@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include "sedr_segmentation/src/curves/loop_difference.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+PlanLoop
+lShape()
+{
+  return polygon({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 3}, {0, 3}});
+}
+
+TEST(LoopDifference, WhatTwoRectanglesShareIsTaken)
+{
+  const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(3, 1, 6, 2));
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_NEAR(parts[0].area(), 11, 1e-9);
+  EXPECT_EQ(parts[0].elements.size(), 8u);
+}
+
+TEST(LoopDifference, ACutThroughLeavesTheLargerPartFirst)
+{
+  const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(1, -1, 2, 4));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area(), 6, 1e-9);
+  EXPECT_NEAR(parts[1].area(), 3, 1e-9);
+}
+
+TEST(LoopDifference, ArcsStayArcs)
+{
+  // Of the unit circle, the segment beyond x = 0.5 spans 120 degrees.
+  const auto parts = difference(circle({0, 0}, 1), rectangle(0.5, -2, 2, 2));
+  ASSERT_EQ(parts.size(), 1u);
+  const double taken = M_PI / 3 - std::sqrt(3.0) / 4;
+  EXPECT_NEAR(parts[0].area(), M_PI - taken, 1e-9);
+  double along_arcs = 0;
+  for (const auto& e : parts[0].elements)
+    along_arcs += e.isArc() ? e.length() : 0;
+  EXPECT_NEAR(along_arcs, 4 * M_PI / 3, 1e-6);
+}
+
+TEST(LoopDifference, WhatLiesWithinBecomesAHole)
+{
+  const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(1, 1, 2, 2));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area(), 12, 1e-9);
+  EXPECT_NEAR(parts[1].area(), -1, 1e-9);
+}
+
+TEST(LoopDifference, WhatLiesWithinTheOtherIsGone)
+{
+  EXPECT_TRUE(difference(rectangle(1, 1, 2, 2), rectangle(0, 0, 4, 3)).empty());
+}
+
+TEST(LoopDifference, WhatIsTakenAlongASharedSideLeavesNoTraceOfIt)
+{
+  for (const double low : {0.0, 1.0}) {
+    const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(3, low, 4, 2));
+    ASSERT_EQ(parts.size(), 1u) << low;
+    EXPECT_NEAR(parts[0].area(), 12 - (2 - low), 1e-9) << low;
+  }
+  EXPECT_TRUE(difference(rectangle(0, 0, 4, 3), rectangle(0, 0, 4, 3)).empty());
+}
+
+TEST(LoopDifference, AnIntersectionIsWhatBothHold)
+{
+  const PlanLoop loop = rectangle(0, 0, 4, 3);
+  const auto areaWith = [&](const PlanLoop& other) {
+    const auto parts = intersection(loop, other);
+    EXPECT_EQ(parts.size(), 1u);
+    return parts.empty() ? 0 : parts[0].area();
+  };
+  EXPECT_NEAR(areaWith(rectangle(3, 1, 6, 2)), 1, 1e-9);
+  EXPECT_NEAR(areaWith(rectangle(1, 1, 2, 2)), 1, 1e-9) << "within";
+  EXPECT_NEAR(areaWith(rectangle(3, 0, 6, 3)), 3, 1e-9) << "two sides in line";
+  EXPECT_NEAR(areaWith(rectangle(0, 0, 4, 3)), 12, 1e-9) << "the same";
+  EXPECT_NEAR(areaWith(rectangle(-1, -1, 5, 4)), 12, 1e-9) << "around";
+  EXPECT_TRUE(intersection(loop, rectangle(4, 0, 6, 3)).empty()) << "beside";
+}
+
+TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
+{
+  const auto parts = intersection(
+      rectangle(0, 1.5, 4, 2.5),
+      polygon({{-1, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {-1, 3}}));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area(), 2, 1e-9);
+  EXPECT_NEAR(parts[1].area(), 1, 1e-9);
+}
+
+TEST(LoopDifference, LoopsThatAreApartOrTouchHaveNothingInCommon)
+{
+  for (const double x : {4.0, 4.1}) {
+    const auto [first, second] =
+        partsInside(rectangle(0, 0, 4, 3), rectangle(x, 0, x + 2, 3));
+    EXPECT_TRUE(first.empty());
+    EXPECT_TRUE(second.empty());
+  }
+}
+
+TEST(LoopDifference, PartsInsideAreThoseBetweenTheCrossings)
+{
+  const auto [first, second] =
+      partsInside(rectangle(0, 0, 4, 3), rectangle(3, 1, 6, 2));
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_NEAR(first[0].length(), 1, 1e-9);
+  double length = 0;
+  for (const auto& e : second)
+    length += e.length();
+  EXPECT_NEAR(length, 3, 1e-9);
+}
+
+TEST(LoopDifference, AWidenedLoopHasItsParallelsAndCorners)
+{
+  // 5 convex corners and a reflex one: area + perimeter d + 4 d^2.
+  const PlanLoop wide = widened(lShape(), 0.1);
+  EXPECT_EQ(wide.elements.size(), 6u);
+  EXPECT_NEAR(wide.area(), 10 + 14 * 0.1 + 4 * 0.01, 1e-9);
+  const PlanLoop round = widened(circle({1, 2}, 0.5), 0.1);
+  ASSERT_EQ(round.elements.size(), 1u);
+  EXPECT_NEAR(round.elements[0].radius, 0.6, 1e-12);
+  EXPECT_NEAR(round.area(), M_PI * 0.36, 1e-9);
+}
+
+TEST(Widened, FartherInWhereTheDistanceIsNegative)
+{
+  EXPECT_NEAR(widened(rectangle(0, 0, 4, 3), -0.1).area(), 3.8 * 2.8, 1e-9);
+  EXPECT_NEAR(widened(circle({1, 2}, 0.5), -0.1).area(), 0.16 * M_PI, 1e-9);
+}
+
+} // namespace

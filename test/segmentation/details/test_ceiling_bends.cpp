@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segmentation/plan/room_evidence.h"
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+
+constexpr double width = 5;
+constexpr double crown = 2.85;
+constexpr double rise = 0.35;
+
+/** Height of a vault across a room of 5 m x 4 m that runs along y. */
+double
+vaultAt(double x)
+{
+  return crown - rise * std::pow((x - width / 2) / (width / 2), 2);
+}
+
+/** The room as fitted; of its ceiling what is within 5 cm of the crown is the main one.
+ */
+PlanRoom
+vaultedRoom()
+{
+  RoomPoints points(0.05, 0.002);
+  RoomParts parts;
+  parts.floor = points.slab(rectangle(0, 0, width, 4), 0);
+  for (const auto& e : rectangle(0, 0, width, 4).elements)
+    parts.walls =
+        joined(parts.walls,
+               points.wall(e, 0, std::min(vaultAt(e.start.x()), vaultAt(e.end.x()))));
+  for (double y = 0.025; y < 4; y += 0.05)
+    for (double x = 0.025; x < width; x += 0.05) {
+      const double z = vaultAt(x);
+      (z > crown - 0.05 ? parts.ceiling : parts.details)
+          .push_back(points.point(x, y, z));
+    }
+  return fitted(points, parts);
+}
+
+TEST(CeilingBends, AVaultIsStripsAlongItWithStraightEdges)
+{
+  const PlanRoom room = vaultedRoom();
+  EXPECT_GE(room.details.size(), 4u);
+  EXPECT_LE(room.details.size(), 8u);
+  for (const auto& detail : room.details) {
+    EXPECT_EQ(detail.boundary.elements.size(), 4u);
+    for (const auto& e : detail.boundary.elements) {
+      const Vector2d along = (e.end - e.start).cwiseAbs();
+      EXPECT_LT(along.minCoeff(), 0.02) << e.start.transpose();
+      EXPECT_TRUE(along.x() > 0.1 || along.y() > 3.9) << e.start.transpose();
+    }
+  }
+  for (double x = 0.1; x < width - 0.05; x += 0.1)
+    for (double y = 0.1; y < 3.95; y += 0.1)
+      EXPECT_NEAR(room.ceilingAt({x, y}), vaultAt(x), 0.08) << x << ' ' << y;
+}
+
+} // namespace

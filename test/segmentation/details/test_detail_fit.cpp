@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segmentation/plan/room_evidence.h"
+
+#include "sedr_segmentation/src/details/detail_fit.h"
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** The details of the ceiling, or floor, of a room that is known but for them. */
+std::vector<PlanDetail>
+detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
+{
+  RoomPoints points(0.05, noise);
+  const RoomParts parts = points.room(truth);
+  SlabEvidence evidence;
+  evidence.is_floor = is_floor;
+  for (const int i : is_floor ? parts.floor : parts.ceiling) {
+    const bool is_main = !is_floor || points[i].z() < 0.02;
+    (is_main ? evidence.main : evidence.details).push_back(i);
+  }
+  for (const int i : parts.details)
+    if ((points[i].z() < truth.ceiling.heightAt({0, 0}) / 2) == is_floor)
+      evidence.details.push_back(i);
+  PlanRoom room = truth;
+  room.details.clear();
+  room.floor_details.clear();
+  const RoomFitParameters parameters;
+  const CellGrid grid(parameters.cell_size);
+  const CellSet outline(grid, points.view(), points.all());
+  CellMask cells(grown(boxOf(outline), 12));
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    cells.values()[i] = room.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+  const ColumnTable columns(grid, cells.box(), points.view(), points.all());
+  return fitDetails(points.view(), evidence, room, cells, columns, parameters);
+}
+
+TEST(FitDetails, OfAPlainCeilingAreNone)
+{
+  const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  EXPECT_TRUE(detailsOf(room).empty());
+  EXPECT_TRUE(detailsOf(room, true).empty());
+}
+
+TEST(FitDetails, TheEdgesOfASoffitAreTheWallsAndItsRiser)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 3.21, 5.01, 4.01), 2.2)};
+  for (const double noise : {0.0, 0.01}) {
+    const auto details = detailsOf(room, false, noise);
+    ASSERT_EQ(details.size(), 1u) << noise;
+    EXPECT_EQ(details[0].boundary.elements.size(), 4u);
+    EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary),
+              0.002 + noise / 2);
+    EXPECT_NEAR(details[0].slab.heightAt({2, 3.6}), 2.2, 0.001 + noise / 10);
+    EXPECT_TRUE(details[0].holes.empty());
+  }
+}
+
+TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
+  const PlanDetail soffit = detailOf(rectangle(0.01, 3.51, 6.01, 5.01), 2.35);
+  const std::vector<PlanLoop> beams{rectangle(2.01, 3.51, 2.26, 5.01),
+                                    rectangle(4.01, 3.51, 4.26, 5.01)};
+  room.details = {soffit, detailOf(beams[0], 2.2), detailOf(beams[1], 2.2)};
+  for (const double noise : {0.0, 0.01}) {
+    PlanRoom found = room;
+    found.details = detailsOf(room, false, noise);
+    EXPECT_EQ(found.details.size(), 5u) << noise;
+    for (const double x : {1.0, 3.0, 5.0})
+      EXPECT_NEAR(found.ceilingAt({x, 4.2}), 2.35, 0.005) << noise << ' ' << x;
+    for (const PlanLoop& beam : beams)
+      EXPECT_NEAR(found.ceilingAt({beam.elements[0].start.x() + 0.12, 4.2}), 2.2, 0.01)
+          << noise;
+  }
+}
+
+TEST(FitDetails, FieldsBetweenBeamsMayBeSmallerThanADetail)
+{
+  // Of 0.27 square metres, of which beams take their edges.
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
+  room.details = {detailOf(rectangle(0.01, 4.11, 6.01, 5.01), 2.35)};
+  for (double x = 0.31; x < 6; x += 0.6)
+    room.details.push_back(detailOf(rectangle(x, 4.11, x + 0.3, 5.01), 2.2));
+  PlanRoom found = room;
+  found.details = detailsOf(room, false, 0.001);
+  int right = 0;
+  for (int k = 1; k < 10; ++k)
+    right += std::abs(found.ceilingAt({0.16 + 0.6 * k, 4.56}) - 2.35) < 0.02 ? 1 : 0;
+  EXPECT_GE(right, 8);
+}
+
+TEST(FitDetails, TheLargestComesFirst)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 3.21, 2.01, 4.01), 2.2),
+                  detailOf(rectangle(4.01, 0.01, 6.01, 3.01), 2.7)};
+  const auto details = detailsOf(room);
+  ASSERT_EQ(details.size(), 2u);
+  EXPECT_NEAR(details[0].slab.heightAt({5, 1}), 2.7, 0.001);
+  EXPECT_NEAR(details[1].slab.heightAt({1, 3.6}), 2.2, 0.001);
+}
+
+TEST(FitDetails, ASoffitAllAroundHasAHole)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2)};
+  const PlanLoop hole = rectangle(0.81, 0.81, 4.21, 3.21);
+  room.details[0].holes = {reversed(hole)};
+  const auto details = detailsOf(room);
+  ASSERT_EQ(details.size(), 1u);
+  ASSERT_EQ(details[0].holes.size(), 1u);
+  EXPECT_LT(details[0].holes[0].area(), 0) << "holes run clockwise";
+  EXPECT_LT(cornerError(details[0].holes[0], hole), 0.002);
+  EXPECT_LT(cornerError(details[0].boundary, room.boundary), 0.002);
+}
+
+TEST(FitDetails, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
+{
+  struct Piece {
+    PlanLoop outline;
+    double drop;
+    bool is_lamp;
+  };
+  for (const Piece& piece : {
+           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.12, true},
+           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.3, true},   // on a rod
+           Piece{rectangle(2.01, 2.01, 3.21, 3.01), 0.12, false}, // larger
+           Piece{rectangle(0.26, 2.01, 1.46, 2.61), 0.12, true},
+           Piece{rectangle(0.11, 2.01, 1.31, 2.61), 0.12, false},  // at the wall
+           Piece{rectangle(2.01, 2.01, 3.21, 2.61), -0.12, false}, // a coffer
+       }) {
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+    room.details = {detailOf(piece.outline, 2.5 - piece.drop)};
+    EXPECT_EQ(detailsOf(room).size(), piece.is_lamp ? 0u : 1u)
+        << piece.outline.elements[0].start.transpose() << ": " << piece.drop;
+  }
+}
+
+TEST(FitDetails, APieceThatHangsAtABeamIsNoLamp)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(2.01, 0.01, 2.31, 4.01), 2.2)};
+  EXPECT_EQ(detailsOf(room).size(), 1u);
+  room.details.push_back(detailOf(rectangle(2.31, 1.41, 2.81, 2.61), 2.4));
+  EXPECT_EQ(detailsOf(room).size(), 2u);
+}
+
+TEST(FitDetails, OfAFloorAreItsSteps)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.floor_details = {detailOf(rectangle(3.01, 0.01, 5.01, 4.01), 0.3)};
+  room.details = {detailOf(rectangle(0.01, 3.21, 5.01, 4.01), 2.2)};
+  const auto details = detailsOf(room, true);
+  ASSERT_EQ(details.size(), 1u);
+  EXPECT_LT(cornerError(details[0].boundary, room.floor_details[0].boundary), 0.002);
+  EXPECT_NEAR(details[0].slab.heightAt({4, 2}), 0.3, 0.001);
+}
+
+TEST(FitDetails, AFloorsPartsAreOfASquareMetreAndNoRugs)
+{
+  struct Piece {
+    double width; ///< a third of its length, metres
+    double height;
+    bool is_part;
+  };
+  for (const Piece& piece : {Piece{0.5, 0.3, false}, Piece{0.7, 0.3, true},
+                             Piece{0.7, 0.05, false}, Piece{0.7, 0.08, true}}) {
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+    room.floor_details = {
+        detailOf(rectangle(2.01, 1.01, 2.01 + piece.width, 1.01 + 3 * piece.width),
+                 piece.height)};
+    EXPECT_EQ(detailsOf(room, true).size(), piece.is_part ? 1u : 0u)
+        << piece.width << ' ' << piece.height;
+  }
+}
+
+TEST(FitDetails, ACeilingsPartsOfFiveCentimetresAreOfASquareMetre)
+{
+  for (const double width : {0.8, 1.4}) { // 0.8 and 1.4 m2
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+    room.details = {detailOf(rectangle(0.01, 3.01, 0.01 + width, 4.01), 2.45)};
+    EXPECT_EQ(detailsOf(room).size(), width > 1 ? 1u : 0u) << width;
+  }
+}
+
+} // namespace

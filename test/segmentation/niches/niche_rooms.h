@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "room_points.h"
+
+#include "sedr_segmentation/src/niches/niche_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace sedr_test {
+
+using namespace pcl::sedr;
+
+/** 5 m x 4 m, 2.6 m high, with the recess of the wall x = 5 that is asked for. */
+inline PlanRoom
+recessed(double from, double to, double low, double high, double depth)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.6);
+  room.niches = {{rectangle(5, from, 5 + depth, to), slabAt(low), slabAt(high)}};
+  return room;
+}
+
+/** What fitNiches() finds when the room is known but for its niches. */
+inline std::vector<PlanNiche>
+nichesOf(const RoomPoints& points, PlanRoom room, double noise = 0)
+{
+  room.niches.clear();
+  for (auto& element : room.boundary.elements)
+    element.residual = noise;
+  return fitNiches(points.view(), points.all(), room);
+}
+
+inline void
+expectNiche(const PlanNiche& found, const PlanNiche& truth, double tolerance)
+{
+  EXPECT_NEAR(found.boundary.area(), truth.boundary.area(), 4 * tolerance);
+  for (const auto& e : truth.boundary.elements)
+    EXPECT_LT(found.boundary.distance(e.start), 2 * tolerance) << e.start.transpose();
+  EXPECT_NEAR(found.bottom.heightAt({5, 2}), truth.bottom.heightAt({5, 2}), tolerance);
+  EXPECT_NEAR(found.top.heightAt({5, 2}), truth.top.heightAt({5, 2}), tolerance);
+}
+
+} // namespace sedr_test

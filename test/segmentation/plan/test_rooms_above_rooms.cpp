@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_segmentation/src/plan/shared_faces.h"
+
+#include "room_points.h"
+#include "two_storeys.h"
+
+#include <pcl/sedr_filters/plan_evidence.h>
+#include <pcl/sedr_segmentation/plan_refit.h>
+#include <pcl/sedr_segmentation/plan_regularisation.h>
+#include <pcl/sedr_segmentation/room_separation.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** The greatest distance of any corner from where it is in the other plan. */
+double
+farthestCorner(const Floorplan& a, const Floorplan& b)
+{
+  double farthest = 0;
+  for (std::size_t r = 0; r < a.rooms.size(); ++r)
+    for (std::size_t i = 0; i < a.rooms[r].boundary.elements.size(); ++i)
+      farthest = std::max(farthest, (a.rooms[r].boundary.elements[i].start -
+                                     b.rooms[r].boundary.elements[i].start)
+                                        .norm());
+  return farthest;
+}
+
+/** The points of the rooms of a plan. */
+RoomPoints
+scanOf(const Floorplan& plan)
+{
+  RoomPoints points(0.05);
+  for (const PlanRoom& room : plan.rooms)
+    points.room(room);
+  return points;
+}
+
+TEST(RoomsAboveRooms, AreNotSeparatedFromEachOther)
+{
+  for (const double shift : {0.0, 0.05, 0.3, -1.0}) {
+    const Floorplan plan = twoStoreys(shift);
+    Floorplan separated = plan;
+    const RoomPoints nothing;
+    EXPECT_TRUE(separateRooms(separated, nothing.view(), {}).empty()) << shift;
+    ASSERT_EQ(separated.rooms.size(), 4u) << shift;
+    EXPECT_EQ(farthestCorner(separated, plan), 0) << shift;
+  }
+}
+
+TEST(RoomsAboveRooms, NorWhereACeilingWasFoundTooHigh)
+{
+  Floorplan plan = twoStoreys(0.3);
+  plan.rooms[0].ceiling = slabAt(3.1); // 0.3 m above the floor of the rooms above it
+  const RoomPoints nothing;
+  EXPECT_TRUE(separateRooms(plan, nothing.view(), {}).empty());
+  EXPECT_NEAR(plan.rooms[2].boundary.area(), 4.3 * 3, 1e-9);
+}
+
+TEST(RoomsAboveRooms, AHallOfBothStoreysIsSeparatedFromEither)
+{
+  Floorplan plan = twoStoreys();
+  plan.rooms.push_back(roomBetween(rectangle(8.9, 0, 12, 3), 0, 5.2, 5));
+  const RoomPoints nothing;
+  separateRooms(plan, nothing.view(), {});
+  EXPECT_NEAR(plan.rooms[1].boundary.area(), plan.rooms[3].boundary.area(), 1e-9);
+  const double both = plan.rooms[1].boundary.area() + plan.rooms[4].boundary.area();
+  EXPECT_LT(both, 15 + 3.1 * 3 - 0.2 * 3);
+}
+
+TEST(RoomsAboveRooms, KeepTheirNiches)
+{
+  Floorplan plan = twoStoreys(0.5);
+  // Into the wall to the next room, below a room that is there.
+  plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
+  plan.rooms[2].boundary = rectangle(0, 0, 4.5, 3.5);
+  const RoomPoints nothing;
+  separateRooms(plan, nothing.view(), {});
+  EXPECT_EQ(plan.rooms[0].niches.size(), 1u);
+}
+
+TEST(RoomsAboveRooms, HaveNoFacesOfEachOther)
+{
+  // The short wall of the lower room lies on the other side of a long one of the upper.
+  Floorplan plan;
+  plan.rooms = {
+      roomBetween(rectangle(0, 1, 4, 2), 0, 2.5, 1),
+      roomBetween(rectangle(4.01, 0, 8, 3), 2.8, 5.3, 2),
+  };
+  EXPECT_TRUE(facesOfOthers(plan, 0).empty());
+  plan.rooms[1] = roomBetween(rectangle(4.01, 0, 8, 3), 0, 2.5, 2);
+  EXPECT_FALSE(facesOfOthers(plan, 0).empty());
+}
+
+TEST(RoomsAboveRooms, AreFittedToTheirOwnPoints)
+{
+  // Walls 3 cm apart: those of the one storey lie within reach of the other's.
+  const Floorplan truth = twoStoreys(0.03);
+  Floorplan plan = truth;
+  for (PlanRoom& room : plan.rooms) {
+    for (PlanElement& e : room.boundary.elements) {
+      e.inliers = 100;
+      e.residual = 0.01;
+    }
+    room.ceiling.plane[3] += 0.004;
+  }
+  const RoomPoints points = scanOf(truth);
+  const RefitReport report = refitToRaw(plan, points.view(), points.all());
+  EXPECT_EQ(report.problem, "");
+  EXPECT_LT(farthestCorner(plan, truth), 1e-4);
+  for (std::size_t r = 0; r < 4; ++r)
+    EXPECT_NEAR(plan.rooms[r].ceiling.heightAt({1, 1}),
+                truth.rooms[r].ceiling.heightAt({1, 1}), 1e-4);
+}
+
+TEST(RoomsAboveRooms, WallsThatNearlyLieAboveEachOtherAreNotMadeTo)
+{
+  Floorplan plan = twoStoreys(0.004);
+  for (PlanRoom& room : plan.rooms)
+    for (PlanElement& e : room.boundary.elements) {
+      e.inliers = 20;
+      e.residual = 0.02;
+    }
+  const Floorplan before = plan;
+  regularisePlan(plan);
+  EXPECT_LT(farthestCorner(plan, before), 1e-9);
+}
+
+TEST(RoomsAboveRooms, TakeNothingFromEachOther)
+{
+  const Floorplan truth = twoStoreys(0.3);
+  Floorplan plan = truth;
+  const RoomPoints points = scanOf(truth);
+  EXPECT_TRUE(separateRooms(plan, points.view(), points.all()).empty());
+  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
+  ASSERT_EQ(plan.rooms.size(), 4u);
+  EXPECT_EQ(farthestCorner(plan, truth), 0);
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& e : room.boundary.elements)
+      EXPECT_GT(e.evidence.seen, 0.9) << room.id;
+}
+
+TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
+{
+  const Floorplan truth = twoStoreys();
+  Floorplan plan = truth;
+  RoomPoints points;
+  points.room(truth.rooms[2]);
+  points.room(truth.rooms[3]);
+  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
+  for (const PlanElement& e : plan.rooms.front().boundary.elements)
+    EXPECT_EQ(e.evidence.seen, 0);
+}
+
+} // namespace

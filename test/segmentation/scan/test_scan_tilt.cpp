@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include "sedr_segmentation/src/scan/scan_tilt.h"
+#include <pcl/sedr_filters/levelling.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double degree = M_PI / 180;
+
+RoomPoints
+turned(const PlanRoom& plan, const Eigen::Matrix3d& turn, double noise)
+{
+  RoomPoints room(0.05, noise);
+  room.room(plan);
+  RoomPoints result;
+  for (const int i : room.all()) {
+    const Eigen::Vector3d p =
+        turn * room[i].cast<double>().eval() + Eigen::Vector3d(30, -20, 5);
+    result.point(p.x(), p.y(), p.z());
+  }
+  return result;
+}
+
+Eigen::Matrix3d
+about(const Eigen::Vector3d& axis, double degrees)
+{
+  return Eigen::AngleAxisd(degrees * degree, axis.normalized()).toRotationMatrix();
+}
+
+TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
+{
+  const PlanRoom plan = roomOf(rectangle(0, 0, 6, 4), 2.5);
+  for (const double noise : {0.0, 0.01})
+    for (const double degrees : {0.4, 1.0, 2.0, 2.9})
+      for (const Eigen::Vector3d& axis :
+           {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.3, -0.8, 0)}) {
+        SCOPED_TRACE(testing::Message() << degrees << " degrees, noise " << noise);
+        const Eigen::Matrix3d turn = about(axis, degrees);
+        const RoomPoints points = turned(plan, turn, noise);
+        const ScanTilt tilt = tiltOf(points.view(), points.all());
+        EXPECT_NEAR(tilt.angle / degree, degrees, 0.1);
+        const Levelling levelling = Levelling::of(tilt.up, {30, -20, 5});
+        // A corner of the room, 5 m up.
+        const Eigen::Vector3d corner = Eigen::Vector3d(30, -20, 5) + turn.col(2) * 5;
+        EXPECT_NEAR((levelling.level(corner) - Eigen::Vector3d(30, -20, 10)).norm(), 0,
+                    0.015);
+        EXPECT_NEAR((levelling.back(levelling.level(corner)) - corner).norm(), 0, 1e-9);
+        EXPECT_NEAR(levelling.angle(), tilt.angle, 1e-9);
+        EXPECT_NEAR(levelling.direction(), std::atan2(tilt.up.y(), tilt.up.x()), 1e-9);
+      }
+}
+
+TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
+  for (const double degrees : {0.5, 1.5}) {
+    room.ceiling = slabAt(2.4, std::tan(degrees * degree));
+    const RoomPoints sloping = turned(room, about({1, 0, 0}, 0), 0.005);
+    EXPECT_EQ(tiltOf(sloping.view(), sloping.all()).angle, 0);
+    room.floor = slabAt(0, std::tan(degrees * degree)); // a ramp as well
+    const RoomPoints ramp = turned(room, about({1, 0, 0}, 0), 0.005);
+    EXPECT_EQ(tiltOf(ramp.view(), ramp.all()).angle, 0);
+    room.floor = slabAt(0);
+  }
+}
+
+TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
+{
+  // All walls lean by 1.5 degrees the same way: what is told of them is sheared.
+  RoomPoints room(0.05, 0.003);
+  room.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  RoomPoints sheared;
+  for (const int i : room.all())
+    sheared.point(room[i].x() + std::tan(1.5 * degree) * room[i].z(), room[i].y(),
+                  room[i].z());
+  EXPECT_EQ(tiltOf(sheared.view(), sheared.all()).angle, 0);
+}
+
+TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
+{
+  const RoomPoints points =
+      turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({1, 0, 0}, 0.15), 0.02);
+  EXPECT_EQ(tiltOf(points.view(), points.all()).angle, 0);
+  EXPECT_EQ(tiltOf(PointView(), {}).angle, 0);
+}
+
+TEST(ScanTilt, IsTheSameForAnyNumberOfThreads)
+{
+  const RoomPoints points =
+      turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({1, 2, 0}, 1), 0.01);
+  const ScanTilt one = tiltOf(points.view(), points.all(), 1);
+  EXPECT_GT(one.angle, 0);
+  EXPECT_EQ(one.up, tiltOf(points.view(), points.all(), 3).up);
+}
+
+} // namespace

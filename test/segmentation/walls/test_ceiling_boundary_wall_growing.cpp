@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_growing_scenes.h"
+
+#include <pcl/sedr_filters/point_types.h>
+
+namespace {
+
+using namespace wall_growing;
+
+TEST(CeilingBoundaryWallGrowing, WallsAreExactlyThePointsWithinTheDistance)
+{
+  Scene scene;
+  const auto ceiling = scene.slab(0, 2, 0, 2, 2.5f);
+  const auto at_distance = scene.pole(2.125f, 1, 0, 2);
+  scene.pole(std::nextafter(2.125f, 3.f), 1, 0, 2);
+  const auto at_corner = scene.pole(2.09375f, 2.0625f, 0, 2); // 0.1127 from the corner
+  scene.pole(2.09375f, 2.09375f, 0, 2);                       // 0.1326
+  scene.pole(1, 1, 0, 2);                                     // amid the room
+  Growing growing = growingOn(scene, ceiling);
+  growing.setDistanceThreshold(0.125);
+  EXPECT_EQ(wallsOf(growing), united(at_distance, at_corner));
+  EXPECT_EQ(growing.getWallIndices(), united(at_distance, at_corner));
+}
+
+TEST(CeilingBoundaryWallGrowing, WallsAreThoseOfASearchOverAllSeeds)
+{
+  Scene scene = irregularCeiling(3);
+  const auto ceiling = allOf(scene);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> coordinate(-1.f, 4.f);
+  for (int i = 0; i < 20000; ++i)
+    scene.add(coordinate(random), coordinate(random), coordinate(random));
+  for (const double distance : {0.001, 0.05, 0.1, 0.7}) {
+    Growing growing = growingOn(scene, ceiling);
+    growing.setDistanceThreshold(distance);
+    const auto walls = wallsOf(growing);
+
+    pcl::Indices expected;
+    for (std::size_t i = ceiling.size(); i < scene.cloud->size(); ++i) {
+      const auto p = (*scene.cloud)[i].getVector3fMap().head<2>().cast<double>();
+      const auto isNear = [&](pcl::index_t seed) {
+        const auto& s = (*scene.cloud)[static_cast<std::size_t>(seed)];
+        return (s.getVector3fMap().head<2>().cast<double>() - p).norm() <= distance;
+      };
+      const auto& seeds = growing.getBoundaryIndices();
+      if (std::any_of(seeds.begin(), seeds.end(), isNear))
+        expected.push_back(static_cast<pcl::index_t>(i));
+    }
+    EXPECT_EQ(walls, expected) << distance << " m";
+  }
+}
+
+TEST(CeilingBoundaryWallGrowing, CeilingAndFloorPointsAreNeverWalls)
+{
+  Scene scene;
+  const auto ceiling = scene.slab(0, 2, 0, 2, 2.5f);
+  const auto floor = scene.slab(0, 2, 0, 2, 0.f);
+  const auto wall = scene.pole(2, 1, 0.5f, 2);
+  Growing growing = growingOn(scene, ceiling);
+  growing.setFloorIndices(indexList(floor));
+  EXPECT_EQ(wallsOf(growing), wall);
+  EXPECT_TRUE(growing.getFloorBoundaryIndices().empty());
+}
+
+TEST(CeilingBoundaryWallGrowing, SliceDividesSeedsOfCeilingAndScopeFromThoseOfTheFloor)
+{
+  const SoffitRoom room;
+  Growing growing = room.growing();
+  const auto walls =
+      united(united(room.wall_above, room.wall_below), room.by_riser_above);
+  EXPECT_EQ(wallsOf(growing), united(walls, room.soffit));
+  EXPECT_EQ(growing.getWallIndices(), walls);
+
+  // The edge of the soffit is boundary of the ceiling, but neither of scope nor floor.
+  EXPECT_EQ(growing.getBoundaryIndices().size(), 4u * 48u);
+  EXPECT_EQ(growing.getFloorBoundaryIndices().size(), 2u * 48u + 2u * 64u);
+  for (const auto i : growing.getScopeBoundaryIndices()) {
+    const auto& p = (*room.cloud)[static_cast<std::size_t>(i)];
+    EXPECT_TRUE(p.x == 0 || p.x == 4 || p.y == 0 || p.y == 3) << p;
+  }
+  EXPECT_GE(growing.getScopeBoundaryIndices().size(), 2u * 48u + 2u * 64u);
+  EXPECT_EQ(growing.getSeeds().above,
+            united(growing.getBoundaryIndices(), growing.getScopeBoundaryIndices()));
+  EXPECT_EQ(growing.getSeeds().below, growing.getFloorBoundaryIndices());
+}
+
+TEST(CeilingBoundaryWallGrowing, WithoutSliceTheCeilingAloneSeedsAndDetailsHaveNoEffect)
+{
+  const SoffitRoom room;
+  Growing growing = room.growing();
+  growing.setSliceHeight(std::numeric_limits<double>::quiet_NaN());
+  auto expected = united(room.by_riser_above, room.by_riser_below);
+  for (const auto i : room.soffit)
+    if ((*room.cloud)[static_cast<std::size_t>(i)].x <= 3 + step)
+      expected.push_back(i);
+  EXPECT_EQ(wallsOf(growing), united(expected, {}));
+  EXPECT_TRUE(growing.getScopeBoundaryIndices().empty());
+  EXPECT_TRUE(growing.getFloorBoundaryIndices().empty());
+}
+
+TEST(CeilingBoundaryWallGrowing, DetailsJoinTheWallsThoughTheyAreNoCandidates)
+{
+  const SoffitRoom room;
+  Growing growing = room.growing();
+  growing.setIndices(indexList(room.wall_below));
+  EXPECT_EQ(wallsOf(growing), united(room.wall_below, room.soffit));
+}
+
+TEST(CeilingBoundaryWallGrowing, SupportTellsLampsFromColumnsAndSparesDoors)
+{
+  const FurnishedRoom room;
+  Growing growing = room.growing();
+  const auto without = wallsOf(growing);
+  EXPECT_EQ(commonOf(without, room.lamp), room.lamp);
+  EXPECT_EQ(growing.getSeeds().above, growing.getBoundaryIndices());
+
+  growing.setMinimumSupport(0.5);
+  const auto walls = wallsOf(growing);
+  EXPECT_LT(growing.getSeeds().above.size(), growing.getBoundaryIndices().size());
+  EXPECT_EQ(commonOf(growing.getSeeds().above, growing.getBoundaryIndices()),
+            growing.getSeeds().above);
+  EXPECT_TRUE(commonOf(walls, room.lamp).empty());
+  EXPECT_EQ(commonOf(walls, room.column), commonOf(without, room.column));
+  EXPECT_FALSE(commonOf(walls, room.column).empty());
+  EXPECT_EQ(commonOf(walls, room.walls), room.walls);
+  EXPECT_FALSE(room.lintel.empty());
+}
+
+TEST(CeilingBoundaryWallGrowing, SupportTakesTheFloorHeightThatIsSet)
+{
+  const FurnishedRoom room;
+  Growing growing = room.growing();
+  growing.setMinimumSupport(0.5);
+  growing.setFloorHeight(2.0); // down to there even the lamp reaches far enough
+  EXPECT_EQ(commonOf(wallsOf(growing), room.lamp), room.lamp);
+  growing.setFloorHeight(0.0);
+  EXPECT_TRUE(commonOf(wallsOf(growing), room.lamp).empty());
+}
+
+TEST(CeilingBoundaryWallGrowing, DetailsSupportTheRimAboveThem)
+{
+  SoffitRoom room;
+  Growing growing = room.growing();
+  growing.setMinimumSupport(0.2); // the riser is a quarter of the ceiling's rim
+  EXPECT_EQ(wallsOf(growing), room.soffit);
+
+  pcl::Indices details = room.soffit;
+  for (float y = 0; y <= 3; y += step)
+    details = united(details, room.pole(3, y, 1.5625f, 2.4375f));
+  growing.setDetailIndices(indexList(details));
+  growing.setInputCloud(room.cloud);
+  EXPECT_EQ(commonOf(wallsOf(growing), room.by_riser_above), room.by_riser_above);
+}
+
+TEST(CeilingBoundaryWallGrowing, ResultIsTheSameForAnyNumberOfThreads)
+{
+  const FurnishedRoom room;
+  Growing growing = room.growing();
+  growing.setMinimumSupport(0.4);
+  growing.setNumberOfThreads(1);
+  const auto walls = wallsOf(growing);
+  const auto boundary = growing.getBoundaryIndices();
+  for (const unsigned int threads : {0u, 2u, 5u}) {
+    growing.setNumberOfThreads(threads);
+    EXPECT_EQ(wallsOf(growing), walls);
+    EXPECT_EQ(growing.getBoundaryIndices(), boundary);
+  }
+}
+
+TEST(CeilingBoundaryWallGrowing, SparseCandidatesGiveTheirShareOfTheWalls)
+{
+  const FurnishedRoom room;
+  Growing growing = room.growing();
+  const auto walls = wallsOf(growing);
+  pcl::Indices sparse;
+  for (std::size_t i = 0; i < room.cloud->size(); i += 7)
+    sparse.push_back(static_cast<pcl::index_t>(i));
+  const auto expected = commonOf(walls, sparse);
+  std::reverse(sparse.begin(), sparse.end());
+  sparse.insert(sparse.end(), expected.begin(), expected.end());
+  growing.setIndices(indexList(sparse));
+  EXPECT_EQ(wallsOf(growing), expected);
+  EXPECT_FALSE(expected.empty());
+}
+
+TEST(CeilingBoundaryWallGrowing, NonFinitePointsAreNeitherBoundaryNorWall)
+{
+  Scene scene;
+  auto ceiling = scene.slab(0, 2, 0, 2, 2.5f);
+  const auto wall = scene.pole(2.0625f, 1, 0, 2);
+  Growing growing = growingOn(scene, ceiling);
+  wallsOf(growing);
+  const auto boundary = growing.getBoundaryIndices();
+
+  ceiling.push_back(scene.add(not_a_number, 1, 2.5f));
+  ceiling.push_back(scene.add(1, 1, std::numeric_limits<float>::infinity()));
+  scene.add(2.0625f, not_a_number, 1);
+  scene.add(2.0625f, 1, not_a_number);
+  growing.setInputCloud(scene.cloud);
+  growing.setCeilingIndices(indexList(ceiling));
+  EXPECT_EQ(wallsOf(growing), wall);
+  EXPECT_EQ(growing.getBoundaryIndices(), boundary);
+}
+
+TEST(CeilingBoundaryWallGrowing, FarFromTheOriginTheRoomIsTheSame)
+{
+  Scene near_by, far_away;
+  const float x = 10240, y = -10240; // floats there are 1 / 1024 m apart
+  const auto ceiling = near_by.slab(0, 2, 0, 2, 2.5f);
+  near_by.pole(2.0625f, 1, 0, 2);
+  near_by.pole(2.1875f, 1, 0, 2);
+  for (const auto& p : *near_by.cloud)
+    far_away.add(p.x + x, p.y + y, p.z);
+  far_away.add(-1e15f, 1e15f, 0); // too far for a 32-bit cell of 0.1 m
+  Growing growing = growingOn(near_by, ceiling);
+  const auto walls = wallsOf(growing);
+  growing.setInputCloud(far_away.cloud);
+  EXPECT_EQ(wallsOf(growing), walls);
+}
+
+TEST(CeilingBoundaryWallGrowing, CustomPointTypeNeedsOnlyCoordinates)
+{
+  const SoffitRoom room;
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointStructure>>();
+  for (const auto& p : *room.cloud) {
+    pcl::PointStructure point;
+    point.getVector3fMap() = p.getVector3fMap();
+    cloud->push_back(point);
+  }
+  pcl::CeilingBoundaryWallGrowing<pcl::PointStructure> growing;
+  growing.setInputCloud(cloud);
+  growing.setCeilingIndices(indexList(room.ceiling));
+  growing.setDistanceThreshold(0.1);
+  pcl::PointIndices walls;
+  ASSERT_TRUE(growing.segment(walls));
+  Growing reference = growingOn(room, room.ceiling);
+  EXPECT_EQ(walls.indices, wallsOf(reference));
+}
+
+TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
+{
+  const SoffitRoom room;
+  const auto refuses = [](Growing growing, const char* word) {
+    pcl::PointIndices walls;
+    walls.indices = {1, 2, 3};
+    EXPECT_FALSE(growing.segment(walls)) << word;
+    EXPECT_TRUE(walls.indices.empty()) << word;
+    EXPECT_TRUE(growing.getBoundaryIndices().empty()) << word;
+    EXPECT_NE(growing.getErrorMessage().find(word), std::string::npos)
+        << growing.getErrorMessage();
+  };
+  const auto refusesWith = [&](auto change, const char* word) {
+    Growing growing = room.growing();
+    change(growing);
+    refuses(growing, word);
+  };
+  refuses(Growing(), "no input cloud");
+  refusesWith([](Growing& g) { g.setInputCloud(pcl::make_shared<Cloud>()); },
+              "0 points");
+  refusesWith([](Growing& g) { g.setIndices(indexList({-1})); }, "index -1");
+  refusesWith([](Growing& g) { g.setFloorIndices(indexList({99999})); }, "index 99999");
+  refusesWith([](Growing& g) { g.setCeilingIndices(nullptr); }, "there are 0");
+  refusesWith(
+      [](Growing& g) {
+        g.setCeilingIndices(indexList({0, 1, 1}));
+      },
+      "there are 2");
+  refusesWith([](Growing& g) { g.setFloorIndices(indexList()); }, "floor");
+  refusesWith([](Growing& g) { g.setNumberOfNeighbors(2); }, "neighbors");
+  refusesWith([](Growing& g) { g.setAngleThreshold(0); }, "angle");
+  refusesWith([](Growing& g) { g.setAngleThreshold(not_a_number); }, "angle");
+  refusesWith([](Growing& g) { g.setDistanceThreshold(0); }, "distance");
+  refusesWith([](Growing& g) { g.setDistanceThreshold(not_a_number); }, "distance");
+  refusesWith([](Growing& g) { g.setMinimumSupport(1.5); }, "support");
+  refusesWith([](Growing& g) { g.setSliceHeight(HUGE_VAL); }, "slice");
+
+  Growing no_floor = growingOn(room, room.ceiling);
+  no_floor.setMinimumSupport(0.5);
+  refuses(no_floor, "floor");
+}
+
+TEST(CeilingBoundaryWallGrowing, IsReusableAfterAFailureAndWithAnotherCloud)
+{
+  const SoffitRoom room;
+  Growing growing = room.growing();
+  const auto walls = wallsOf(growing);
+  growing.setNumberOfNeighbors(0);
+  pcl::PointIndices none;
+  EXPECT_FALSE(growing.segment(none));
+  growing.setNumberOfNeighbors(200);
+  EXPECT_EQ(wallsOf(growing), walls);
+  EXPECT_TRUE(growing.getErrorMessage().empty());
+
+  Scene other;
+  const auto ceiling = other.slab(0, 1, 0, 1, 3.f);
+  const auto pole = other.pole(1.0625f, 0.5f, 0, 2);
+  growing.setInputCloud(other.cloud);
+  growing.setCeilingIndices(indexList(ceiling));
+  growing.setFloorIndices(nullptr);
+  growing.setDetailIndices(nullptr);
+  growing.setSliceHeight(not_a_number);
+  EXPECT_EQ(wallsOf(growing), pole);
+}
+
+} // namespace

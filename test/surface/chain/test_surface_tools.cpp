@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lattice_room.h"
+#include "surface/mesh/meshes.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace programs;
+using namespace sedr_test;
+using pcl::sedr::checkTopology;
+using pcl::sedr::loadMesh;
+using pcl::sedr::savePly;
+
+namespace {
+
+// A PCD with normals, label and room.
+std::string
+structureBytes(const std::vector<pcl::sedr::OrientedPoint>& points, std::uint32_t room)
+{
+  const std::string n = std::to_string(points.size());
+  std::string bytes =
+      "VERSION 0.7\nFIELDS x y z normal_x normal_y normal_z label room\n"
+      "SIZE 4 4 4 4 4 4 4 4\nTYPE F F F F F F U U\nCOUNT 1 1 1 1 1 1 1 1\n"
+      "WIDTH " +
+      n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+  for (const auto& p : points) {
+    const std::uint32_t label = p.normal.z() > 0.5f ? 2 : p.normal.z() < -0.5f ? 1 : 3;
+    bytes.append(reinterpret_cast<const char*>(p.position.data()), 12);
+    bytes.append(reinterpret_cast<const char*>(p.normal.data()), 12);
+    bytes.append(reinterpret_cast<const char*>(&label), 4);
+    bytes.append(reinterpret_cast<const char*>(&room), 4);
+  }
+  return bytes;
+}
+
+class SurfaceTools : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  bool exists(const std::string& name) const
+  {
+    return std::filesystem::exists(in(name));
+  }
+
+  static void
+  expectFailure(const ProgramRun& result, int exit_code, const std::string& part)
+  {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+  }
+
+  void writeCloud(const std::vector<std::uint32_t>& labels = {})
+  {
+    writeFile(in("cloud.pcd"),
+              pcdBytes({{0.5f, 0.5f, 1.25f}, {0.5f, 0.5f, 1.03f}}, labels));
+  }
+
+  TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
+{
+  writeFile(in("room.pcd"), structureBytes(LatticeRoom(6, 5, 5).points(0.125), 4));
+  const ProgramRun result = run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, ""); // quiet when piped
+  TriangleMesh mesh;
+  ASSERT_EQ(loadMesh(in("mesh.ply"), mesh), "");
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+  EXPECT_EQ(checkTopology(mesh).components.size(), 1u);
+  EXPECT_NEAR(mesh.signedVolume(), -3 * 2.5 * 2.5, 0.3);
+  ASSERT_EQ(mesh.rooms.size(), mesh.triangles.size());
+  EXPECT_EQ(mesh.rooms[0], 4u);
+  EXPECT_EQ(mesh.labels.size(), mesh.triangles.size());
+
+  const std::string first = bytesOf(in("mesh.ply"));
+  run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--threads", "3"});
+  EXPECT_TRUE(bytesOf(in("mesh.ply")) == first)
+      << "another number of threads, another file";
+
+  const ProgramRun other =
+      run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--solver", "pcl"});
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_FALSE(bytesOf(in("mesh.ply")) == first) << "the same solver";
+  ASSERT_EQ(loadMesh(in("mesh.ply"), mesh), "");
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+}
+
+TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
+{
+  expectFailure(run(STRUCTURAL_POISSON, {in("none.pcd"), in("mesh.ply")}), 1,
+                "none.pcd");
+  writeCloud();
+  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply")}), 2,
+                "has no normals");
+  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.obj")}), 1, ".ply");
+  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("no/mesh.ply")}), 1, "no");
+  expectFailure(
+      run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}), 1,
+      "depth");
+  expectFailure(
+      run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--solver", "x"}), 1,
+      "solver");
+  writeFile(in("few.pcd"),
+            structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
+  expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
+                "there are 2");
+  EXPECT_FALSE(exists("mesh.ply"));
+}
+
+TEST_F(SurfaceTools, help_tells_every_option_with_its_default)
+{
+  for (const char* tool : {STRUCTURAL_POISSON, MESH_EVALUATION}) {
+    const ProgramRun result = run(tool, {"--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("Usage: pcl_"), std::string::npos);
+    EXPECT_NE(result.out.find("default "), std::string::npos);
+    EXPECT_EQ(run(tool, {}).exit_code, 1);
+    EXPECT_EQ(run(tool, {"a", "b", "c"}).exit_code, 1);
+  }
+}
+
+TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_allow)
+{
+  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
+  ASSERT_EQ(savePly(in("large.ply"), box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})),
+            "");
+  writeCloud({1, 3});
+  ProgramRun result = run(MESH_EVALUATION, {in("cube.ply")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("closed manifold     yes"), std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.out.find("distances"), std::string::npos);
+
+  result = run(MESH_EVALUATION,
+               {in("large.ply"), "--truth", in("cube.ply"), "--cloud", in("cloud.pcd"),
+                "--labels", "3", "--json", in("figures.json")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("truth to model     15000    1.000"), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("cloud to model         1    2.000"), std::string::npos)
+      << result.out;
+  const std::string json = bytesOf(in("figures.json"));
+  EXPECT_NE(json.find("\"closed_manifold\": true"), std::string::npos);
+  EXPECT_NE(json.find("\"truth_to_mesh\""), std::string::npos);
+}
+
+TEST_F(SurfaceTools, evaluation_measures_points_near_a_mesh_only)
+{
+  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
+  writeCloud(); // 25 cm and 3 cm above the cube
+  const ProgramRun result =
+      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
+                            in("cube.ply"), "--near-distance", "0.1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("cloud to model         1    3.000"), std::string::npos)
+      << result.out;
+  expectFailure(
+      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
+                            in("cube.ply"), "--near-distance", "0.01"}),
+      2, "none of 2 points");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--near", in("cube.ply")}), 1,
+                "no --cloud");
+}
+
+TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
+{
+  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
+  writeCloud({1, 3});
+  expectFailure(run(MESH_EVALUATION, {in("none.ply")}), 1, "cannot be opened");
+  expectFailure(run(MESH_EVALUATION, {in("cloud.pcd")}), 1, "neither a PLY nor an OBJ");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--truth", in("none.ply")}), 1,
+                "none.ply");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("none.pcd")}), 1,
+                "none.pcd");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--labels", "1"}), 1,
+                "no --cloud");
+  expectFailure(run(MESH_EVALUATION,
+                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "1,x"}),
+                1, "1,x");
+  expectFailure(run(MESH_EVALUATION,
+                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}),
+                2, "none of the 2 points");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--spacing", "0"}), 1, "spacing");
+  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
+                "no");
+}

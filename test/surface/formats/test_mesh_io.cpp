@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/mesh/meshes.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+class MeshIo : public ::testing::Test {
+protected:
+  void SetUp() override
+  {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("sedr_mesh_io_") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream(path(name), std::ios::binary) << content;
+    return path(name);
+  }
+
+  std::string read(const std::string& name) const
+  {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  std::filesystem::path folder_;
+};
+
+void
+expectFailure(const std::string& reason,
+              const std::string& part,
+              const TriangleMesh& mesh)
+{
+  EXPECT_NE(reason.find(part), std::string::npos) << "said: " << reason;
+  EXPECT_TRUE(mesh.empty());
+  EXPECT_TRUE(mesh.vertices.empty());
+}
+
+const std::string ascii_square =
+    "ply\nformat ascii 1.0\ncomment made by hand\n"
+    "element vertex 4\nproperty double x\nproperty double y\n"
+    "property double z\nproperty uchar red\nelement face 1\n"
+    "property list uchar int vertex_index\nend_header\n"
+    "0 0 0 255\n2 0 0 255\n2 2 0 0\n0 2 1e0 0\n4 0 1 2 3\n";
+
+} // namespace
+
+TEST_F(MeshIo, a_mesh_comes_back_to_the_last_digit_of_a_float)
+{
+  TriangleMesh mesh = torus();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    mesh.labels.push_back(static_cast<std::uint32_t>(t % 6));
+    mesh.rooms.push_back(static_cast<std::uint32_t>(t % 3));
+  }
+  ASSERT_EQ(savePly(path("torus.ply"), mesh), "");
+  TriangleMesh copy;
+  ASSERT_EQ(loadMesh(path("torus.ply"), copy), "");
+  EXPECT_EQ(copy.triangles, mesh.triangles);
+  EXPECT_EQ(copy.labels, mesh.labels);
+  EXPECT_EQ(copy.rooms, mesh.rooms);
+  ASSERT_EQ(copy.vertices.size(), mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    EXPECT_EQ(copy.vertices[v].cast<float>(), mesh.vertices[v].cast<float>());
+  EXPECT_FALSE(std::filesystem::exists(path("torus.ply.part")));
+}
+
+TEST_F(MeshIo, pcl_reads_labels_rooms_and_colours_of_vertices)
+{
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 3}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
+  mesh.labels = {2, 3};
+  mesh.rooms = {7, 7};
+  ASSERT_EQ(savePly(path("corner.ply"), mesh), "");
+  pcl::PolygonMesh read;
+  ASSERT_GE(pcl::io::loadPLYFile(path("corner.ply"), read), 0);
+  EXPECT_EQ(read.polygons.size(), 2u);
+  pcl::PointCloud<pcl::PointXYZL> labelled;
+  pcl::fromPCLPointCloud2(read.cloud, labelled);
+  ASSERT_EQ(labelled.size(), 4u);
+  EXPECT_EQ(labelled[3].z, 3);
+  EXPECT_EQ(labelled[2].label, 2u);
+  EXPECT_EQ(labelled[3].label, 3u);
+  EXPECT_EQ(labelled[0].label, 3u) << "the wall is the larger one there";
+  pcl::PointCloud<pcl::PointXYZRGB> coloured;
+  pcl::fromPCLPointCloud2(read.cloud, coloured);
+  EXPECT_EQ(coloured[2].r, 184) << "a floor's";
+  EXPECT_EQ(coloured[3].b, 219) << "a wall's";
+  EXPECT_GE(pcl::getFieldIndex(read.cloud, "room"), 0);
+}
+
+TEST_F(MeshIo, ascii_ply_with_polygons_other_properties_and_names_is_read)
+{
+  TriangleMesh mesh;
+  ASSERT_EQ(loadMesh(write("square.ply", ascii_square), mesh), "");
+  EXPECT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_EQ(mesh.vertices[3], Eigen::Vector3d(0, 2, 1));
+  EXPECT_TRUE(mesh.labels.empty());
+}
+
+TEST_F(MeshIo, big_endian_ply_is_read)
+{
+  std::string content = "ply\r\nformat binary_big_endian 1.0\r\nelement vertex 3\r\n"
+                        "property float x\r\nproperty float y\r\nproperty float z\r\n"
+                        "element face 1\r\nproperty list uchar uint vertex_indices\r\n"
+                        "end_header\r\n";
+  const char zero[] = "\0\0\0\0";
+  const char one[] = "\x3f\x80\0\0";
+  for (const char* value : {zero, zero, zero, one, zero, zero, zero, one, zero})
+    content.append(value, 4);
+  content.append("\x03\0\0\0\0\0\0\0\x01\0\0\0\x02", 13);
+  TriangleMesh mesh;
+  ASSERT_EQ(loadMesh(write("big.ply", content), mesh), "");
+  EXPECT_NEAR(mesh.area(), 0.5, 1e-12);
+}
+
+TEST_F(MeshIo, obj_with_slashes_negative_indices_and_a_concave_polygon_is_read)
+{
+  TriangleMesh mesh;
+  ASSERT_EQ(
+      loadMesh(write("l.obj",
+                     "# an L\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+                     "vn 0 0 1\no room\nf 1//1 2//1 3//1 4//1 -2 -1\n"),
+               mesh),
+      "");
+  EXPECT_EQ(mesh.triangles.size(), 4u);
+  EXPECT_NEAR(mesh.area(), 3, 1e-12); // a plain fan would give more
+  for (std::size_t t = 0; t < 4; ++t)
+    EXPECT_GT(mesh.scaledNormal(t).z(), 0);
+}
+
+TEST_F(MeshIo, bad_files_are_told_apart)
+{
+  TriangleMesh mesh = unitCube();
+  expectFailure(loadMesh(path("none.ply"), mesh), "cannot be opened", mesh);
+  expectFailure(loadMesh(folder_.string(), mesh), "is a folder", mesh);
+  expectFailure(loadMesh(write("0", ""), mesh), "is empty", mesh);
+  expectFailure(loadMesh(write("text", "hello\n"), mesh), "neither a PLY nor an OBJ",
+                mesh);
+  expectFailure(loadMesh(write("h.ply", "ply\nformat ascii 1.0\n"), mesh),
+                "header does not end", mesh);
+  expectFailure(loadMesh(write("f.ply", "ply\nformat utf8 1.0\nend_header\n"), mesh),
+                "unknown PLY format 'utf8'", mesh);
+  expectFailure(
+      loadMesh(write("b.ply", "ply\nformat ascii 1.0\nelement vertex\n"), mesh),
+      "bad line 'element vertex'", mesh);
+  expectFailure(loadMesh(write("p.obj", "v 1 2 3\n"), mesh),
+                "1 vertices and no triangles", mesh);
+  expectFailure(loadMesh(write("r.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 4\n"), mesh),
+                "bad vertex '4' in line 4", mesh);
+  expectFailure(loadMesh(write("v.obj", "v 1 2 3\nv 2 2\nf 1 1 1\n"), mesh),
+                "without three coordinates in line 2", mesh);
+}
+
+TEST_F(MeshIo, a_cloud_is_no_mesh)
+{
+  TriangleMesh mesh;
+  expectFailure(
+      loadMesh(write("cloud.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                     "property float y\nproperty float z\nend_header\n1 2 3\n"),
+               mesh),
+      "is no mesh: it holds 1 vertices and no triangles", mesh);
+}
+
+TEST_F(MeshIo, indices_out_of_range_and_coordinates_that_are_not_finite_are_refused)
+{
+  TriangleMesh mesh;
+  std::string content = ascii_square;
+  content.replace(content.rfind("4 0 1 2 3"), 9, "4 0 1 2 7");
+  expectFailure(loadMesh(write("range.ply", content), mesh), "out of range of the 4",
+                mesh);
+  content = ascii_square;
+  content.replace(content.find("2 0 0 255"), 9, "nan 0 0 0");
+  expectFailure(loadMesh(write("nan.ply", content), mesh), "vertex 1 is not finite",
+                mesh);
+}
+
+TEST_F(MeshIo, every_truncation_of_a_file_is_noticed)
+{
+  ASSERT_EQ(savePly(path("cube.ply"), unitCube()), "");
+  const std::string whole = read("cube.ply");
+  for (std::size_t size = 1; size < whole.size(); size += 7) {
+    TriangleMesh mesh;
+    EXPECT_NE(loadMesh(write("part.ply", whole.substr(0, size)), mesh), "") << size;
+    EXPECT_TRUE(mesh.empty());
+  }
+  TriangleMesh mesh;
+  expectFailure(loadMesh(write("part.ply", whole.substr(0, whole.size() - 1)), mesh),
+                "11 of 12 rows of 'face'", mesh);
+}
+
+TEST_F(MeshIo, a_header_that_promises_too_much_is_no_reason_to_run_out_of_memory)
+{
+  TriangleMesh mesh;
+  expectFailure(
+      loadMesh(write("huge.ply",
+                     "ply\nformat binary_little_endian 1.0\n"
+                     "element vertex 99999999999999\nproperty float x\n"
+                     "property float y\nproperty float z\nend_header\n123456789012"),
+               mesh),
+      "1 of 99999999999999 rows", mesh);
+}
+
+TEST_F(MeshIo, what_cannot_be_written_leaves_nothing_behind)
+{
+  EXPECT_NE(savePly(path("missing/mesh.ply"), unitCube()).find("cannot be written"),
+            std::string::npos);
+  std::filesystem::create_directories(path("taken.ply/inside"));
+  EXPECT_NE(savePly(path("taken.ply"), unitCube()), "");
+  EXPECT_FALSE(std::filesystem::exists(path("taken.ply.part")));
+  TriangleMesh broken = unitCube();
+  broken.triangles.push_back({0, 1, 99});
+  EXPECT_NE(savePly(path("broken.ply"), broken).find("uses vertex 99"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path("broken.ply")));
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "meshes.h"
+
+#include <pcl/sedr_surface/mesh_distance.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+// After Ericson, Real-Time Collision Detection, by the regions of the triangle.
+double
+distanceToTriangle(const Eigen::Vector3d& p,
+                   const Eigen::Vector3d& a,
+                   const Eigen::Vector3d& b,
+                   const Eigen::Vector3d& c)
+{
+  const auto toSegment = [&p](const Eigen::Vector3d& s, const Eigen::Vector3d& e) {
+    const double length = (e - s).squaredNorm();
+    const double t = length > 0 ? std::clamp((p - s).dot(e - s) / length, 0., 1.) : 0.;
+    return (s + t * (e - s) - p).norm();
+  };
+  double distance = std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
+  const Eigen::Vector3d n = (b - a).cross(c - a);
+  if (n.norm() > 0 && n.dot((b - a).cross(p - a)) >= 0 &&
+      n.dot((c - b).cross(p - b)) >= 0 && n.dot((a - c).cross(p - c)) >= 0)
+    distance = std::min(distance, std::abs(n.normalized().dot(p - a)));
+  return distance;
+}
+
+} // namespace
+
+TEST(MeshDistance, is_exact_in_every_region_of_a_triangle)
+{
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const auto distances = MeshDistance(mesh).distances(
+      {{2, 2, 3}, {2, -4, 3}, {-3, -4, 0}, {13, -4, 0}, {8, 8, 0}, {1, 1, 0}});
+  EXPECT_NEAR(distances[0], 3, 1e-12);
+  EXPECT_NEAR(distances[1], 5, 1e-12);
+  EXPECT_NEAR(distances[2], 5, 1e-12);
+  EXPECT_NEAR(distances[3], 5, 1e-12);
+  EXPECT_NEAR(distances[4], std::sqrt(18), 1e-12);
+  EXPECT_NEAR(distances[5], 0, 1e-12);
+}
+
+TEST(MeshDistance, agrees_with_every_triangle_tried_slivers_and_flat_ones_included)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto point = [&](double size) {
+    return Eigen::Vector3d(size *
+                           Eigen::Vector3d(unit(random), unit(random), unit(random)));
+  };
+  const Eigen::Vector3d far(3000, -2000, 100);
+  TriangleMesh mesh;
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::Vector3d a = far + point(10);
+    const double size = i % 10 == 0 ? 8 : 0.3;
+    Eigen::Vector3d b = a + point(size);
+    const Eigen::Vector3d c = i % 7 == 0 ? Eigen::Vector3d((a + b) / 2 + point(1e-7))
+                                         : Eigen::Vector3d(a + point(size));
+    if (i % 31 == 0)
+      b = c;
+    const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 1000; ++i)
+    points.push_back(far + point(i % 5 == 0 ? 100 : 10));
+  const auto distances = MeshDistance(mesh).distances(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double best = std::numeric_limits<double>::max();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      best = std::min(best, distanceToTriangle(points[i], mesh.corner(t, 0),
+                                               mesh.corner(t, 1), mesh.corner(t, 2)));
+    EXPECT_NEAR(distances[i], best, 1e-7) << i;
+  }
+}
+
+TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)
+{
+  constexpr std::uint32_t parts = 120;
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= parts; ++i)
+    for (std::uint32_t j = 0; j <= parts; ++j)
+      mesh.vertices.emplace_back(6. * i / parts, 6. * j / parts, 0);
+  for (std::uint32_t i = 0; i < parts; ++i)
+    for (std::uint32_t j = 0; j < parts; ++j) {
+      const std::uint32_t v = (parts + 1) * i + j;
+      mesh.triangles.push_back({v, v + parts + 1, v + parts + 2});
+      mesh.triangles.push_back({v, v + parts + 2, v + 1});
+    }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(-3, 9);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 5000; ++i)
+    points.emplace_back(place(random), place(random), place(random) / 10);
+  const auto distances = MeshDistance(mesh, 1).distances(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d nearest =
+        points[i].cwiseMax(0.).cwiseMin(Eigen::Vector3d(6, 6, 0));
+    EXPECT_NEAR(distances[i], (points[i] - nearest).norm(), 1e-12) << i;
+  }
+  EXPECT_EQ(MeshDistance(mesh, 2).distances(points, 2), distances);
+}
+
+TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
+{
+  // Two squares of 1 m and 9 m^2, the large one of two triangles, the small one of
+  // many.
+  TriangleMesh mesh = box({0, 0, 0}, {3, 3, 0});
+  mesh.triangles.resize(2);
+  TriangleMesh fine;
+  for (int i = 0; i <= 20; ++i)
+    for (int j = 0; j <= 20; ++j)
+      fine.vertices.emplace_back(10 + i / 20., j / 20., 0);
+  for (std::uint32_t i = 0; i < 20; ++i)
+    for (std::uint32_t j = 0; j < 20; ++j) {
+      fine.triangles.push_back({21 * i + j, 21 * i + 21 + j, 21 * i + 22 + j});
+      fine.triangles.push_back({21 * i + j, 21 * i + 22 + j, 21 * i + j + 1});
+    }
+  mesh.append(fine);
+  const MeshSamples samples = sampleMesh(mesh, 0.05, 3);
+  EXPECT_EQ(samples.points.size(), 4000u);
+  EXPECT_NEAR(samples.spacing, 0.05, 1e-6);
+  std::size_t on_fine = 0;
+  std::vector<int> tiles(9, 0);
+  for (const auto& p : samples.points)
+    if (p.x() >= 10)
+      ++on_fine;
+    else
+      ++tiles[static_cast<std::size_t>(3 * static_cast<int>(p.x()) +
+                                       static_cast<int>(p.y()))];
+  EXPECT_NEAR(static_cast<double>(on_fine), 400, 2);
+  for (const int count : tiles) // at random they would scatter by twenty
+    EXPECT_NEAR(count, 400, 20);
+}
+
+TEST(MeshSampling, the_seed_chooses_the_points_and_a_limit_widens_the_spacing)
+{
+  const TriangleMesh mesh = unitCube();
+  EXPECT_EQ(sampleMesh(mesh, 0.1, 1).points, sampleMesh(mesh, 0.1, 1).points);
+  EXPECT_NE(sampleMesh(mesh, 0.1, 1).points, sampleMesh(mesh, 0.1, 2).points);
+  const MeshSamples limited = sampleMesh(mesh, 1e-9, 1, 600);
+  EXPECT_EQ(limited.points.size(), 600u);
+  EXPECT_NEAR(limited.spacing, 0.1, 1e-12);
+  for (const auto& p : limited.points)
+    EXPECT_NEAR((p - Eigen::Vector3d(0.5, 0.5, 0.5)).cwiseAbs().maxCoeff(), 0.5, 1e-12);
+}
+
+TEST(DistanceStatistics, are_what_their_definitions_say)
+{
+  std::vector<double> distances;
+  for (int i = 1; i <= 100; ++i)
+    distances.push_back((101 - i) * 0.001);
+  const DistanceStatistics s = summarizeDistances(distances, 5, 0.05);
+  EXPECT_EQ(s.count, 100u);
+  EXPECT_NEAR(s.mean, 0.0505, 1e-12);
+  EXPECT_NEAR(s.rms, std::sqrt(338350. / 100) * 0.001, 1e-12);
+  EXPECT_NEAR(s.median, 0.050, 1e-12);
+  EXPECT_NEAR(s.p95, 0.095, 1e-12);
+  EXPECT_NEAR(s.p99, 0.099, 1e-12);
+  EXPECT_NEAR(s.max, 0.1, 1e-12);
+  EXPECT_NEAR(s.within_1cm, 0.1, 1e-12);
+  EXPECT_NEAR(s.within_5cm, 0.5, 1e-12);
+  std::size_t in_bins = s.beyond_histogram;
+  for (const auto count : s.histogram)
+    in_bins += count;
+  EXPECT_EQ(in_bins, 100u);
+  EXPECT_NEAR(static_cast<double>(s.beyond_histogram), 51, 1);
+  EXPECT_EQ(summarizeDistances({}).count, 0u);
+  EXPECT_EQ(summarizeDistances({3, 1, 2}).median, 2);
+  EXPECT_EQ(summarizeDistances({4, 1, 2, 3}).median, 2);
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "meshes.h"
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/mesh_repair.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+using MeshPtr = std::shared_ptr<const TriangleMesh>;
+
+MeshPtr
+share(TriangleMesh mesh)
+{
+  return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+TriangleMesh
+weldedSphere(double radius, int n)
+{
+  TriangleMesh mesh = sphere({0, 0, 0}, radius, n);
+  weldVertices(mesh);
+  mesh.removeUnusedVertices();
+  return mesh;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+cloudOf(const std::vector<Eigen::Vector3d>& points)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const auto& p : points)
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                   static_cast<float>(p.z())));
+  return cloud;
+}
+
+} // namespace
+
+TEST(MeshEvaluation, a_shifted_plate_is_off_by_the_shift)
+{
+  // The middle of a large plate against one 3 cm above it: every distance is 3 cm.
+  TriangleMesh plate = box({0, 0, 0}, {4, 4, 0});
+  plate.triangles.resize(2);
+  TriangleMesh model = box({1, 1, 0.03}, {3, 3, 0.03});
+  model.triangles.resize(2);
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(model));
+  evaluation.setTruth(share(plate));
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result)) << evaluation.getErrorMessage();
+  EXPECT_NEAR(result.mesh_to_truth->mean, 0.03, 1e-12);
+  EXPECT_NEAR(result.mesh_to_truth->max, 0.03, 1e-12);
+  EXPECT_EQ(result.mesh_to_truth->within_1cm, 0);
+  EXPECT_EQ(result.mesh_to_truth->within_5cm, 1);
+  // The other way round three quarters of the plate have nothing above them.
+  EXPECT_NEAR(result.truth_to_mesh->max, std::hypot(std::sqrt(2), 0.03), 0.02);
+  EXPECT_NEAR(result.truth_to_mesh->within_5cm,
+              (4 + 8 * 0.04 + 0.04 * 0.04 * M_PI) / 16, 0.002);
+}
+
+TEST(MeshEvaluation, a_cube_grown_by_a_centimetre_is_a_centimetre_off)
+{
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})));
+  evaluation.setTruth(share(unitCube()));
+  evaluation.setSampleSpacing(0.005);
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_NEAR(result.truth_to_mesh->mean, 0.01, 1e-9); // the faces hang over
+  EXPECT_NEAR(result.truth_to_mesh->max, 0.01, 1e-9);
+  EXPECT_LE(result.mesh_to_truth->max, 0.01 * std::sqrt(3) + 1e-9);
+  EXPECT_GT(result.mesh_to_truth->max, 0.014);
+  EXPECT_NEAR(result.mesh.volume, std::pow(1.02, 3), 1e-9);
+  EXPECT_NEAR(result.truth->area, 6, 1e-12);
+  EXPECT_TRUE(result.mesh.closed);
+  EXPECT_NEAR(result.sample_spacing, 0.005, 1e-4);
+}
+
+TEST(MeshEvaluation, points_on_a_sphere_of_another_radius_are_the_difference_away)
+{
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : sphere({0, 0, 0}, 2.04, 10).vertices)
+    points.push_back(p);
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(weldedSphere(2, 120)));
+  evaluation.setInputCloud(cloudOf(points));
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.cloud_to_mesh->count, points.size());
+  EXPECT_NEAR(result.cloud_to_mesh->mean, 0.04,
+              3e-4); // the facets lie within the sphere
+  EXPECT_NEAR(result.cloud_to_mesh->median, 0.04, 3e-4);
+  EXPECT_NEAR(result.mesh.volume, 4. / 3 * M_PI * 8, 0.01);
+  EXPECT_EQ(result.mesh.topology.euler_characteristic, 2);
+  EXPECT_FALSE(result.truth_to_mesh.has_value());
+  EXPECT_FALSE(result.truth.has_value());
+}
+
+TEST(MeshEvaluation, indices_select_and_points_that_are_not_finite_are_counted)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  auto cloud = cloudOf({{0.5, 0.5, 3}, {0.5, 0.5, 1.5}, {9, 9, 9}});
+  cloud->push_back(pcl::PointXYZ(nan, 0, 0));
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(unitCube()));
+  evaluation.setInputCloud(cloud);
+  evaluation.setIndices(std::make_shared<const pcl::Indices>(pcl::Indices{1, 3}));
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.cloud_to_mesh->count, 1u);
+  EXPECT_EQ(result.skipped_points, 1u);
+  EXPECT_NEAR(result.cloud_to_mesh->mean, 0.5, 1e-7);
+  evaluation.setIndices(nullptr);
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.cloud_to_mesh->count, 3u);
+}
+
+TEST(MeshEvaluation, one_thread_and_many_give_the_same_bits)
+{
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(torus()));
+  evaluation.setTruth(share(weldedSphere(2, 30)));
+  std::string texts[3];
+  const unsigned threads[3] = {1, 4, 0};
+  for (int i = 0; i < 3; ++i) {
+    evaluation.setNumberOfThreads(threads[i]);
+    MeshEvaluationResult result;
+    ASSERT_TRUE(evaluation.compute(result));
+    std::ostringstream text;
+    writeJson(text, result);
+    text.precision(17);
+    text << result.mesh_to_truth->mean << ' ' << result.truth_to_mesh->rms;
+    texts[i] = text.str();
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  EXPECT_EQ(texts[0], texts[2]);
+}
+
+TEST(MeshEvaluation, takes_meshes_as_pcl_has_them)
+{
+  auto polygons = std::make_shared<pcl::PolygonMesh>();
+  toPolygonMesh(unitCube(), *polygons);
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(polygons);
+  evaluation.setTruth(polygons);
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.truth_to_mesh->max, 0);
+  EXPECT_NEAR(result.mesh.area, 6, 1e-6);
+}
+
+TEST(MeshEvaluation, vertices_at_equal_places_count_when_welded)
+{
+  MeshEvaluationResult result;
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(
+      share(sphere({0, 0, 0}, 1, 5))); // a soup that closes when welded
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_FALSE(result.mesh.closed);
+  EXPECT_TRUE(result.mesh.closed_when_welded);
+  evaluation.setInputMesh(share(both(unitCube(), box({1, 1, 0}, {2, 2, 1}))));
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_TRUE(result.mesh.closed);
+  EXPECT_FALSE(result.mesh.closed_when_welded); // they share an edge
+}
+
+TEST(MeshEvaluation, self_intersections_are_found_when_asked_for)
+{
+  MeshEvaluationResult result;
+  pcl::MeshEvaluation evaluation;
+  const TriangleMesh crossing =
+      both(unitCube(), box({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
+  evaluation.setInputMesh(share(crossing));
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_FALSE(result.mesh.self_intersections.has_value());
+  evaluation.setFindSelfIntersections(true);
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_GT(result.mesh.self_intersections.value(), 0u);
+  std::ostringstream json;
+  writeJson(json, result);
+  EXPECT_NE(json.str().find("\"self_intersections\": "), std::string::npos);
+  evaluation.setInputMesh(share(unitCube()));
+  ASSERT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(result.mesh.self_intersections.value(), 0u);
+}
+
+TEST(MeshEvaluation, bad_input_gives_a_reason_and_an_empty_result)
+{
+  pcl::MeshEvaluation evaluation;
+  MeshEvaluationResult result;
+  const auto expectReason = [&](const std::string& part) {
+    result.sample_spacing = 1;
+    EXPECT_FALSE(evaluation.compute(result));
+    EXPECT_NE(evaluation.getErrorMessage().find(part), std::string::npos)
+        << evaluation.getErrorMessage();
+    EXPECT_EQ(result.sample_spacing, 0);
+    EXPECT_FALSE(result.cloud_to_mesh.has_value());
+  };
+  expectReason("no mesh is set");
+  evaluation.setInputMesh(share({}));
+  expectReason("the model is no mesh: it has no triangles");
+  TriangleMesh flat = unitCube();
+  flat.triangles = {{0, 0, 1}};
+  evaluation.setInputMesh(share(flat));
+  expectReason("have no area");
+  evaluation.setInputMesh(share(unitCube()));
+  evaluation.setTruth(std::make_shared<const pcl::PolygonMesh>());
+  expectReason("the truth is no mesh: the cloud of the mesh has no field x");
+  evaluation.setTruth(MeshPtr());
+  evaluation.setInputCloud(cloudOf({}));
+  expectReason("no point to measure");
+  evaluation.setInputCloud(cloudOf({{0, 0, 0}}));
+  evaluation.setIndices(std::make_shared<const pcl::Indices>(pcl::Indices{-1}));
+  expectReason("index -1 is out of range");
+  evaluation.setIndices(nullptr);
+  evaluation.setSampleSpacing(0);
+  expectReason("the sample spacing must be above 0 m");
+  evaluation.setSampleSpacing(0.02);
+  evaluation.setHistogram(20, -1);
+  expectReason("the histogram must end above 0 m");
+  evaluation.setHistogram(20, 0.1);
+  EXPECT_TRUE(evaluation.compute(result));
+  EXPECT_EQ(evaluation.getErrorMessage(), "");
+}
+
+TEST(MeshEvaluation, json_has_every_figure)
+{
+  pcl::MeshEvaluation evaluation;
+  evaluation.setInputMesh(share(unitCube()));
+  evaluation.setTruth(share(unitCube()));
+  evaluation.setInputCloud(cloudOf({{0.5, 0.5, 1.25}}));
+  evaluation.setHistogram(2, 0.1);
+  MeshEvaluationResult result;
+  ASSERT_TRUE(evaluation.compute(result));
+  std::ostringstream text;
+  writeJson(text, result);
+  for (const char* part :
+       {"\"closed_manifold\": true", "\"volume\": 1,", "\"euler_characteristic\": 2",
+        "\"cloud_to_mesh\": {", "\"mean\": 0.25", "\"beyond_5cm\": 1,",
+        "\"histogram\": [0, 0]", "\"mesh_to_truth\": {", "\"truth_to_mesh\": {"})
+    EXPECT_NE(text.str().find(part), std::string::npos) << part << " in\n"
+                                                        << text.str();
+}

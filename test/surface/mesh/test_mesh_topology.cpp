@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "meshes.h"
+
+#include <pcl/sedr_surface/mesh_repair.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+TEST(MeshTopology, cube_is_a_closed_manifold_of_genus_zero)
+{
+  const MeshTopology topology = checkTopology(unitCube());
+  EXPECT_TRUE(topology.isClosedManifold());
+  EXPECT_EQ(topology.problem(), "");
+  EXPECT_EQ(topology.vertices, 8u);
+  EXPECT_EQ(topology.edges, 18u);
+  EXPECT_EQ(topology.triangles, 12u);
+  EXPECT_EQ(topology.euler_characteristic, 2);
+  ASSERT_EQ(topology.components.size(), 1u);
+  EXPECT_EQ(topology.components[0].triangles, 12u);
+  EXPECT_NEAR(topology.components[0].area, 6, 1e-12);
+  EXPECT_NEAR(topology.components[0].signed_volume, 1, 1e-12);
+  EXPECT_TRUE(topology.components[0].closed);
+}
+
+TEST(MeshTopology, torus_has_euler_characteristic_zero)
+{
+  const MeshTopology topology = checkTopology(torus());
+  EXPECT_TRUE(topology.isClosedManifold());
+  EXPECT_EQ(topology.euler_characteristic, 0);
+}
+
+TEST(MeshTopology, open_box_has_the_boundary_of_its_missing_lid)
+{
+  TriangleMesh mesh = unitCube();
+  mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.boundary_edges, 4u);
+  EXPECT_FALSE(topology.isClosed());
+  EXPECT_FALSE(topology.isClosedManifold());
+  EXPECT_TRUE(topology.isEdgeManifold());
+  EXPECT_TRUE(topology.isVertexManifold());
+  EXPECT_EQ(topology.euler_characteristic, 1);
+  EXPECT_FALSE(topology.components[0].closed);
+  EXPECT_EQ(topology.problem(), "4 boundary edges");
+}
+
+TEST(MeshTopology, cubes_that_share_an_edge_are_one_component_with_one_bad_edge)
+{
+  TriangleMesh mesh = both(unitCube(), box({1, 1, 0}, {2, 2, 1}));
+  EXPECT_EQ(checkTopology(mesh).components.size(),
+            2u); // as long as the vertices are two each
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+  EXPECT_EQ(weldVertices(mesh), 2u);
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.non_manifold_edges, 1u);
+  EXPECT_EQ(topology.non_manifold_vertices, 0u);
+  EXPECT_EQ(topology.components.size(), 1u);
+  EXPECT_TRUE(topology.isClosed());
+  EXPECT_FALSE(topology.isClosedManifold());
+}
+
+TEST(MeshTopology, cubes_that_share_a_vertex_are_two_components_with_one_bad_vertex)
+{
+  TriangleMesh mesh = both(unitCube(), box({1, 1, 1}, {2, 2, 2}));
+  EXPECT_EQ(weldVertices(mesh), 1u);
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.non_manifold_edges, 0u);
+  EXPECT_EQ(topology.non_manifold_vertices, 1u);
+  EXPECT_EQ(topology.components.size(), 2u);
+  EXPECT_FALSE(topology.isClosedManifold());
+  EXPECT_EQ(topology.problem(), "1 non-manifold vertex");
+}
+
+TEST(MeshTopology, a_fin_on_an_edge_makes_it_non_manifold)
+{
+  TriangleMesh mesh = unitCube();
+  mesh.vertices.emplace_back(0.5, -1, -1);
+  mesh.triangles.push_back({0, 1, 8});
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.non_manifold_edges, 1u);
+  EXPECT_EQ(topology.boundary_edges, 2u);
+  EXPECT_FALSE(topology.isEdgeManifold());
+}
+
+TEST(MeshTopology, a_turned_triangle_makes_its_three_edges_inconsistent)
+{
+  TriangleMesh mesh = unitCube();
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.inconsistent_edges, 3u);
+  EXPECT_TRUE(topology.isClosed());
+  EXPECT_FALSE(topology.isOriented());
+  EXPECT_FALSE(topology.isClosedManifold());
+}
+
+TEST(MeshTopology, degenerate_duplicate_and_unused_are_counted)
+{
+  TriangleMesh mesh = unitCube();
+  mesh.vertices.emplace_back(5, 5, 5);
+  mesh.vertices.emplace_back(0.5, 0, 0);
+  mesh.triangles.push_back({0, 0, 1});
+  mesh.triangles.push_back({0, 9, 1}); // no area: vertex 9 lies on the edge
+  mesh.triangles.push_back({2, 3, 0}); // the first one again
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_EQ(topology.degenerate_triangles, 1u);
+  EXPECT_EQ(topology.zero_area_triangles, 1u);
+  EXPECT_EQ(topology.duplicate_triangles, 1u);
+  EXPECT_EQ(topology.unused_vertices, 1u);
+  EXPECT_FALSE(topology.isClosedManifold());
+}
+
+TEST(MeshTopology, components_come_largest_first_with_their_own_volume)
+{
+  TriangleMesh inner = box({5, 5, 5}, {6, 6, 6});
+  inner.flip();
+  const MeshTopology topology = checkTopology(both(inner, box({0, 0, 0}, {2, 2, 2})));
+  ASSERT_EQ(topology.components.size(), 2u);
+  EXPECT_NEAR(topology.components[0].signed_volume, 8, 1e-12);
+  EXPECT_NEAR(topology.components[1].signed_volume, -1, 1e-12);
+  EXPECT_EQ(topology.euler_characteristic, 4);
+}
+
+TEST(MeshTopology, of_rooms_is_that_of_the_mesh_whether_or_not_they_share_vertices)
+{
+  // Two boxes and a torus in rooms of their own; then the first room's last triangle
+  // becomes the third's.
+  TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.append(box({2, 0, 0}, {5, 1, 1}));
+  mesh.append(torus());
+  mesh.vertices.emplace_back(9, 9, 9);
+  const std::size_t ring = mesh.triangles.size() - 24;
+  mesh.rooms.assign(12, 1);
+  mesh.rooms.insert(mesh.rooms.end(), 12, 2);
+  mesh.rooms.insert(mesh.rooms.end(), ring, 3);
+  for (const bool is_shared : {false, true}) {
+    if (is_shared)
+      std::swap(mesh.triangles[11], mesh.triangles.back());
+    TriangleMesh whole = mesh;
+    whole.rooms.clear();
+    const MeshTopology expected = checkTopology(whole);
+    const MeshTopology topology = checkTopology(mesh);
+    EXPECT_TRUE(topology.isClosedManifold());
+    EXPECT_EQ(topology.vertices, expected.vertices);
+    EXPECT_EQ(topology.unused_vertices, 1u);
+    EXPECT_EQ(topology.edges, expected.edges);
+    EXPECT_EQ(topology.triangles, expected.triangles);
+    EXPECT_EQ(topology.euler_characteristic, 4);
+    ASSERT_EQ(topology.components.size(), 3u);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(topology.components[c].area, expected.components[c].area);
+      EXPECT_EQ(topology.components[c].signed_volume,
+                expected.components[c].signed_volume);
+      EXPECT_TRUE(topology.components[c].closed);
+    }
+  }
+}
+
+TEST(MeshTopology, an_empty_mesh_is_not_closed)
+{
+  const MeshTopology topology = checkTopology({});
+  EXPECT_FALSE(topology.isClosed());
+  EXPECT_FALSE(topology.isClosedManifold());
+  EXPECT_EQ(topology.problem(), "no triangles");
+}
+
+TEST(TriangleMesh, volume_keeps_its_digits_far_from_the_origin)
+{
+  const Eigen::Vector3d far(500000.1, 5000000.7, 100.3);
+  const TriangleMesh mesh = box(far, far + Eigen::Vector3d(6, 5, 3));
+  EXPECT_NEAR(mesh.signedVolume(), 90, 1e-6);
+  EXPECT_NEAR(mesh.area(), 2 * (30 + 18 + 15), 1e-6);
+}
+
+TEST(TriangleMesh, append_fills_missing_attributes_with_zero)
+{
+  TriangleMesh mesh = unitCube();
+  TriangleMesh labelled = box({2, 0, 0}, {3, 1, 1});
+  labelled.labels.assign(12, 3);
+  labelled.rooms.assign(12, 2);
+  mesh.append(labelled);
+  EXPECT_EQ(mesh.problem(), "");
+  EXPECT_EQ(mesh.labels[11], 0u);
+  EXPECT_EQ(mesh.labels[12], 3u);
+  EXPECT_EQ(mesh.rooms[23], 2u);
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+}
+
+TEST(TriangleMesh, unused_vertices_go_and_the_shape_stays)
+{
+  TriangleMesh mesh = unitCube();
+  mesh.vertices.insert(mesh.vertices.begin(), Eigen::Vector3d(9, 9, 9));
+  for (auto& triangle : mesh.triangles)
+    for (auto& v : triangle)
+      ++v;
+  EXPECT_EQ(mesh.removeUnusedVertices(), 1u);
+  EXPECT_EQ(mesh.vertices.size(), 8u);
+  EXPECT_NEAR(mesh.signedVolume(), 1, 1e-12);
+}

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "oriented_shapes.h"
+#include "surface/chain/lattice_room.h"
+
+#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/screened_poisson.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+ScreenedPoissonParameters
+cellsOf(double cell, double spacing)
+{
+  ScreenedPoissonParameters parameters;
+  parameters.cell = cell;
+  parameters.spacing = spacing;
+  return parameters;
+}
+
+TriangleMesh
+solve(const std::vector<OrientedPoint>& points,
+      const ScreenedPoissonParameters& parameters,
+      ScreenedPoissonReport* report = nullptr)
+{
+  TriangleMesh mesh;
+  ScreenedPoissonReport unused;
+  const std::string problem =
+      screenedPoisson(points, parameters, mesh, report ? *report : unused);
+  EXPECT_EQ(problem, "");
+  return mesh;
+}
+
+void
+expectClosed(const TriangleMesh& mesh, std::size_t components, std::int64_t euler)
+{
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
+  EXPECT_EQ(topology.components.size(), components);
+  EXPECT_EQ(topology.euler_characteristic, euler);
+}
+
+// Greatest distance of a vertex from the sphere.
+double
+worstRadius(const TriangleMesh& mesh, const Eigen::Vector3d& centre, double radius)
+{
+  double worst = 0;
+  for (const auto& v : mesh.vertices)
+    worst = std::max(worst, std::abs((v - centre).norm() - radius));
+  return worst;
+}
+
+} // namespace
+
+TEST(ScreenedPoisson, a_sphere_comes_back_and_smaller_cells_are_more_exact)
+{
+  const Eigen::Vector3d centre(0.3, -0.2, 0.7);
+  double before = 1;
+  for (const double spacing : {0.16, 0.08, 0.04}) {
+    ScreenedPoissonReport report;
+    const auto mesh =
+        solve(sphere(centre, 1, spacing), cellsOf(0.8 * spacing, spacing), &report);
+    expectClosed(mesh, 1, 2);
+    EXPECT_GT(mesh.signedVolume(), 0); // as the normals: outwards
+    const double error = worstRadius(mesh, centre, 1);
+    EXPECT_LT(error, 0.1 * spacing * spacing);
+    EXPECT_LT(error, 0.5 * before);
+    EXPECT_NEAR(mesh.signedVolume(), 4 * M_PI / 3, spacing * spacing);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(std::abs(report.iso_value), 0.02);
+    EXPECT_EQ(report.widened, 0);
+    before = error;
+  }
+}
+
+TEST(ScreenedPoisson, normals_to_the_inside_turn_the_surface_round)
+{
+  auto points = sphere({0, 0, 0}, 1, 0.08);
+  for (auto& p : points)
+    p.normal = -p.normal;
+  const auto mesh = solve(points, cellsOf(0.064, 0.08));
+  expectClosed(mesh, 1, 2);
+  EXPECT_NEAR(mesh.signedVolume(), -4 * M_PI / 3, 0.01);
+}
+
+TEST(ScreenedPoisson, edges_and_corners_of_rooms_stay_sharp)
+{
+  const std::pair<LatticeRoom, double> rooms[] = {
+      {boxRoom().placed(17, {0.13, 0.27, 0.31}), 90},
+      {lRoom().placed(0, {3, -2, 0}), 67.5},
+      {soffitRoom().placed(30, {0.1, 0, 0}), 85}};
+  for (const auto& room : rooms) {
+    const double spacing = 1. / 12;
+    const auto mesh =
+        solve(room.first.points(spacing), cellsOf(0.8 * spacing, spacing));
+    expectClosed(mesh, 1, 2);
+    EXPECT_NEAR(mesh.signedVolume(), -room.second, 0.001 * room.second);
+    const auto off = summarizeDistances(
+        MeshDistance(mesh).distances(sampleMesh(room.first.truth(), 0.05, 1).points));
+    EXPECT_LT(off.mean, 1e-4);
+    EXPECT_LT(off.max, 0.3 * spacing); // rounded ones would be off by 0.7 spacings
+  }
+}
+
+TEST(ScreenedPoisson, a_torus_keeps_its_hole)
+{
+  const auto mesh = solve(torus(1, 0.35, 0.05), cellsOf(0.04, 0.05));
+  expectClosed(mesh, 1, 0);
+  EXPECT_NEAR(mesh.signedVolume(), 2 * M_PI * M_PI * 0.35 * 0.35, 0.01);
+}
+
+TEST(ScreenedPoisson, a_slab_two_spacings_thick_has_two_sides)
+{
+  const auto mesh = solve(box({1, 1.2, 0.1}, 0.05), cellsOf(0.04, 0.05));
+  expectClosed(mesh, 1, 2);
+  EXPECT_NEAR(mesh.signedVolume(), 0.12, 0.002);
+}
+
+TEST(ScreenedPoisson, any_number_of_threads_gives_the_same_bytes)
+{
+  const auto points = soffitRoom().placed(30, {0.1, 0, 0}).points(1. / 12);
+  auto parameters = cellsOf(1. / 15, 1. / 12);
+  const auto once = solve(points, parameters);
+  for (const unsigned threads : {2u, 3u}) {
+    parameters.threads = threads;
+    const auto again = solve(points, parameters);
+    EXPECT_EQ(once.triangles, again.triangles);
+    EXPECT_EQ(once.vertices, again.vertices);
+  }
+}
+
+TEST(ScreenedPoisson, whatever_the_points_the_surface_is_closed_or_there_is_none)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> any(-1, 1);
+  int surfaces = 0;
+  for (int run = 0; run < 12; ++run) {
+    std::vector<OrientedPoint> points;
+    for (int i = 0; i < 50 << (run % 4); ++i) {
+      const Eigen::Vector3f normal(any(random), any(random), any(random));
+      points.push_back({{any(random), any(random), any(random)}, normal.normalized()});
+    }
+    TriangleMesh mesh;
+    ScreenedPoissonReport report;
+    const std::string problem =
+        screenedPoisson(points, cellsOf(0.05, 0.1), mesh, report);
+    EXPECT_EQ(mesh.empty(), !problem.empty());
+    if (mesh.empty())
+      continue;
+    ++surfaces;
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
+        << checkTopology(mesh).problem();
+  }
+  EXPECT_GT(surfaces, 0);
+}
+
+TEST(ScreenedPoisson, a_gap_in_the_points_is_closed)
+{
+  auto points = sphere({0, 0, 0}, 1, 0.06);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const auto& p) { return p.position.z() > 0.85f; }),
+               points.end());
+  ScreenedPoissonReport report;
+  const auto mesh = solve(points, cellsOf(0.048, 0.06), &report);
+  expectClosed(mesh, 1, 2);
+  EXPECT_NEAR(mesh.signedVolume(), 4 * M_PI / 3, 0.15);
+}
+
+TEST(ScreenedPoisson, points_in_a_plane_give_a_closed_surface_or_a_reason)
+{
+  std::vector<OrientedPoint> points;
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 30; ++y)
+      points.push_back(
+          {{0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 1},
+           {0, 0, 1}});
+  TriangleMesh mesh;
+  ScreenedPoissonReport report;
+  const std::string problem =
+      screenedPoisson(points, cellsOf(0.04, 0.05), mesh, report);
+  EXPECT_EQ(mesh.empty(), !problem.empty());
+  if (!mesh.empty()) {
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
+        << checkTopology(mesh).problem();
+  }
+}
+
+TEST(ScreenedPoisson, shapes_far_apart_are_both_made)
+{
+  auto points = sphere({0, 0, 0}, 0.5, 0.05);
+  const auto others = sphere({400, 30, -20}, 0.4, 0.05);
+  points.insert(points.end(), others.begin(), others.end());
+  expectClosed(solve(points, cellsOf(0.04, 0.05)), 2, 4);
+}
+
+TEST(ScreenedPoisson, a_point_given_twice_changes_next_to_nothing)
+{
+  auto points = sphere({0, 0, 0}, 1, 0.08);
+  const auto once = points;
+  points.insert(points.end(), once.begin(), once.begin() + 500);
+  const auto mesh = solve(points, cellsOf(0.064, 0.08));
+  expectClosed(mesh, 1, 2);
+  EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.002);
+}
+
+TEST(ScreenedPoisson, the_weight_of_the_points_may_be_nothing_or_a_lot)
+{
+  for (const float weight : {0.f, 1000.f}) {
+    auto parameters = cellsOf(0.064, 0.08);
+    parameters.point_weight = weight;
+    ScreenedPoissonReport report;
+    const auto mesh = solve(sphere({0, 0, 0}, 1, 0.08), parameters, &report);
+    expectClosed(mesh, 1, 2);
+    EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.005);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(std::abs(report.iso_value), weight > 0 ? 0.002 : 0.1);
+  }
+}
+
+TEST(ScreenedPoisson, noise_is_averaged)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, 0.005f);
+  auto points = boxRoom().placed(17, {0.13, 0.27, 0.31}).points(1. / 12);
+  for (auto& p : points)
+    p.position += noise(random) * p.normal;
+  const auto mesh = solve(points, cellsOf(1. / 15, 1. / 12));
+  expectClosed(mesh, 1, 2);
+  const auto off = summarizeDistances(MeshDistance(mesh).distances(
+      sampleMesh(boxRoom().placed(17, {0.13, 0.27, 0.31}).truth(), 0.05, 1).points));
+  EXPECT_LT(off.mean, 0.004); // of the points: 0.4 cm
+}
+
+TEST(ScreenedPoisson, where_nodes_run_out_the_cells_become_larger)
+{
+  auto parameters = cellsOf(0.02, 0.05);
+  parameters.max_nodes = 100000;
+  ScreenedPoissonReport report;
+  const auto mesh = solve(sphere({0, 0, 0}, 1, 0.05), parameters, &report);
+  expectClosed(mesh, 1, 2);
+  EXPECT_GT(report.cell, 0.03);
+  EXPECT_LT(report.nodes, 200000u);
+  EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.02);
+}
+
+TEST(ScreenedPoisson, too_few_points_are_refused_and_those_in_one_place_do_no_harm)
+{
+  TriangleMesh mesh;
+  ScreenedPoissonReport report;
+  EXPECT_NE(screenedPoisson({}, {}, mesh, report), "");
+  EXPECT_TRUE(mesh.empty());
+  const std::vector<OrientedPoint> same(50, {{1, 2, 3}, {0, 0, 1}});
+  const std::string problem = screenedPoisson(same, {}, mesh, report);
+  EXPECT_EQ(mesh.empty(), !problem.empty());
+  if (!mesh.empty()) {
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
+  }
+}
+
+namespace {
+
+// A plate of the given thickness, turned about an axis that is none of the grid's.
+std::vector<OrientedPoint>
+turnedPlate(double thickness, double angle, double spacing)
+{
+  const Eigen::AngleAxisf turn(static_cast<float>(angle),
+                               Eigen::Vector3f(1, 2, 3).normalized());
+  auto points = box({1, 0.7, thickness}, spacing);
+  for (OrientedPoint& p : points) {
+    p.position = turn * p.position;
+    p.normal = turn * p.normal;
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(ScreenedPoisson, a_plate_thinner_than_a_cell_has_no_holes)
+{
+  constexpr double spacing = 0.05;
+  for (const double thickness : {0.015, 0.03, 0.05, 0.07})
+    for (const double angle : {0., 0.3, 1.1}) {
+      SCOPED_TRACE("thickness " + std::to_string(thickness) + ", turned by " +
+                   std::to_string(angle));
+      const auto points = turnedPlate(thickness, angle, spacing);
+      const auto mesh = solve(points, cellsOf(0.8 * spacing, spacing));
+      expectClosed(mesh, 1, 2);
+      EXPECT_NEAR(mesh.signedVolume(), 0.7 * thickness, 0.7 * 0.01);
+    }
+}
+
+TEST(ScreenedPoisson, a_slot_thinner_than_a_cell_stays_open)
+{
+  // The same plates of air, in a block.
+  constexpr double spacing = 0.05;
+  for (const double thickness : {0.03, 0.05}) {
+    auto points = box({1, 0.7, thickness}, spacing);
+    for (OrientedPoint& p : points)
+      p.normal = -p.normal;
+    for (OrientedPoint p : box({2, 1.7, 1}, spacing)) {
+      p.position -= Eigen::Vector3f(0.5f, 0.5f, 0.5f);
+      points.push_back(p);
+    }
+    const auto mesh = solve(points, cellsOf(0.8 * spacing, spacing));
+    expectClosed(mesh, 2, 4);
+  }
+}

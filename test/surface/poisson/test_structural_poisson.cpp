@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/chain/lattice_room.h"
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/structural_poisson.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <thread>
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+namespace {
+
+constexpr double coarse = 0.125; // metres between points: quick
+
+template <typename PointNT>
+typename pcl::PointCloud<PointNT>::Ptr
+cloudOf(const std::vector<OrientedPoint>& points)
+{
+  auto cloud = std::make_shared<pcl::PointCloud<PointNT>>();
+  for (const auto& p : points) {
+    PointNT point;
+    point.getVector3fMap() = p.position;
+    point.getNormalVector3fMap() = p.normal;
+    cloud->push_back(point);
+  }
+  return cloud;
+}
+
+LatticeRoom
+smallRoom()
+{
+  return LatticeRoom(6, 5, 5);
+}
+
+// Two rooms with a wall of 10 cm between them, as one cloud; room 7 and room 3.
+pcl::PointCloud<pcl::PointStructure>::Ptr
+twoRooms()
+{
+  LatticeRoom other = smallRoom();
+  other.placed(0, {3.1, 0, 0});
+  auto cloud = cloudOf<pcl::PointStructure>(smallRoom().points(coarse));
+  for (auto& p : *cloud) {
+    p.room = 7;
+    p.label = p.normal_z > 0.5f ? 2 : p.normal_z < -0.5f ? 1 : 3;
+  }
+  auto second = cloudOf<pcl::PointStructure>(other.points(coarse));
+  for (auto& p : *second)
+    p.room = 3;
+  *cloud += *second;
+  return cloud;
+}
+
+std::string
+bytesOf(const pcl::PolygonMesh& mesh)
+{
+  std::string bytes(mesh.cloud.data.begin(), mesh.cloud.data.end());
+  for (const auto& polygon : mesh.polygons)
+    for (const auto v : polygon.vertices)
+      bytes += std::to_string(v) + ' ';
+  return bytes;
+}
+
+template <typename PointNT>
+void
+expectReason(pcl::StructuralPoisson<PointNT>& poisson, const std::string& part)
+{
+  pcl::PolygonMesh mesh;
+  mesh.polygons.resize(3);
+  poisson.reconstruct(mesh);
+  EXPECT_NE(poisson.getErrorMessage().find(part), std::string::npos)
+      << poisson.getErrorMessage();
+  EXPECT_TRUE(mesh.polygons.empty());
+  EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 0u);
+  EXPECT_TRUE(poisson.getTriangleRooms().empty());
+  EXPECT_FALSE(poisson.isClosed());
+  pcl::PointCloud<PointNT> points;
+  points.resize(3);
+  std::vector<pcl::Vertices> polygons(3);
+  poisson.reconstruct(points, polygons);
+  EXPECT_TRUE(points.empty());
+  EXPECT_TRUE(polygons.empty());
+}
+
+} // namespace
+
+TEST(StructuralPoisson, each_room_becomes_one_closed_component_that_knows_its_room)
+{
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  poisson.setInputCloud(twoRooms());
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  EXPECT_EQ(poisson.getErrorMessage(), "");
+  EXPECT_TRUE(poisson.isClosed());
+  TriangleMesh mesh;
+  ASSERT_EQ(fromPolygonMesh(output, mesh), "");
+  const MeshTopology topology = checkTopology(mesh);
+  EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
+  ASSERT_EQ(topology.components.size(), 2u);
+  for (const auto& component : topology.components)
+    EXPECT_NEAR(component.signed_volume, -3 * 2.5 * 2.5, 0.3);
+  ASSERT_EQ(poisson.getReports().size(), 2u);
+  EXPECT_EQ(poisson.getReports()[0].room, 3u);
+  EXPECT_EQ(poisson.getReports()[1].room, 7u);
+  const auto& rooms = poisson.getTriangleRooms();
+  ASSERT_EQ(rooms.size(), mesh.triangles.size());
+  for (std::size_t t = 0; t < rooms.size(); ++t)
+    EXPECT_EQ(rooms[t], mesh.corner(t, 0).x() > 3.05 ? 3u : 7u);
+}
+
+TEST(StructuralPoisson, triangles_take_the_label_of_the_surface_that_they_show)
+{
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  poisson.setInputCloud(twoRooms());
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  const TriangleMesh& mesh = poisson.getMesh();
+  ASSERT_EQ(mesh.labels.size(), mesh.triangles.size());
+  std::size_t right = 0;
+  std::size_t level = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.rooms[t] == 7 && std::abs(mesh.scaledNormal(t).normalized().z()) > 0.99) {
+      ++level;
+      right += mesh.labels[t] == (mesh.scaledNormal(t).z() > 0 ? 2u : 1u);
+    }
+  ASSERT_GT(level, 100u);
+  EXPECT_EQ(right, level);
+}
+
+TEST(StructuralPoisson,
+     room_labels_that_are_set_go_before_the_field_and_room_zero_is_left_out)
+{
+  auto cloud = twoRooms();
+  std::vector<std::uint32_t> rooms(cloud->size(), 1);
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if ((*cloud)[i].room == 3)
+      rooms[i] = 0;
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  poisson.setInputCloud(cloud);
+  poisson.setRoomLabels(rooms);
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  ASSERT_EQ(poisson.getReports().size(), 1u);
+  EXPECT_EQ(poisson.getReports()[0].room, 1u);
+  EXPECT_EQ(poisson.getReports()[0].topology.components.size(), 1u);
+}
+
+TEST(StructuralPoisson, indices_are_honoured)
+{
+  auto cloud = twoRooms();
+  auto indices = std::make_shared<pcl::Indices>();
+  for (pcl::index_t i = 0; i < static_cast<pcl::index_t>(cloud->size()); ++i) {
+    if ((*cloud)[i].room == 7)
+      indices->push_back(i);
+    (*cloud)[i].room = 0;
+  }
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  poisson.setInputCloud(cloud);
+  poisson.setIndices(indices);
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  ASSERT_EQ(poisson.getReports().size(), 1u);
+  EXPECT_EQ(poisson.getReports()[0].points, indices->size());
+  for (const auto& v : poisson.getMesh().vertices)
+    EXPECT_LT(v.x(), 3.2);
+}
+
+TEST(StructuralPoisson, any_number_of_threads_and_any_run_give_the_same_bytes)
+{
+  pcl::StructuralPoisson<pcl::PointNormal> poisson;
+  poisson.setInputCloud(cloudOf<pcl::PointNormal>(soffitRoom().points(coarse)));
+  pcl::PolygonMesh first;
+  poisson.reconstruct(first);
+  ASSERT_FALSE(first.polygons.empty());
+  for (const unsigned threads : {1u, 4u, 0u}) {
+    poisson.setNumberOfThreads(threads);
+    pcl::PolygonMesh again;
+    poisson.reconstruct(again);
+    EXPECT_EQ(bytesOf(again), bytesOf(first)) << threads;
+  }
+}
+
+TEST(StructuralPoisson, instances_in_several_threads_do_not_disturb_one_another)
+{
+  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(coarse));
+  std::string results[3];
+  std::vector<std::thread> threads;
+  for (auto& result : results)
+    threads.emplace_back([&cloud, &result] {
+      pcl::StructuralPoisson<pcl::PointNormal> poisson;
+      poisson.setInputCloud(cloud);
+      pcl::PolygonMesh mesh;
+      poisson.reconstruct(mesh);
+      result = bytesOf(mesh);
+    });
+  for (auto& thread : threads)
+    thread.join();
+  EXPECT_FALSE(results[0].empty());
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(StructuralPoisson, the_output_follows_the_side_of_the_normals)
+{
+  auto points = smallRoom().points(coarse);
+  for (auto& p : points)
+    p.normal = -p.normal;
+  pcl::StructuralPoisson<pcl::PointNormal> poisson;
+  poisson.setInputCloud(cloudOf<pcl::PointNormal>(points));
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  EXPECT_NEAR(poisson.getMesh().signedVolume(), 3 * 2.5 * 2.5, 0.3);
+}
+
+TEST(StructuralPoisson, bad_points_are_skipped_and_counted_and_normals_scaled)
+{
+  auto cloud = cloudOf<pcl::PointXYZRGBNormal>(smallRoom().points(coarse));
+  const std::size_t good = cloud->size() - 3;
+  (*cloud)[5].x = std::numeric_limits<float>::quiet_NaN();
+  (*cloud)[6].normal_y = std::numeric_limits<float>::infinity();
+  (*cloud)[7].getNormalVector3fMap().setZero();
+  (*cloud)[8].getNormalVector3fMap() *= 3;
+  pcl::StructuralPoisson<pcl::PointXYZRGBNormal> poisson;
+  poisson.setInputCloud(cloud);
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  ASSERT_EQ(poisson.getReports().size(), 1u);
+  EXPECT_EQ(poisson.getReports()[0].points, good);
+  EXPECT_EQ(poisson.getReports()[0].skipped_points, 3u);
+  EXPECT_EQ(poisson.getReports()[0].scaled_normals, 1u);
+  EXPECT_TRUE(poisson.isClosed());
+}
+
+TEST(StructuralPoisson, points_and_polygons_are_the_same_surface_with_normals_and_rooms)
+{
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  auto cloud = twoRooms();
+  poisson.setInputCloud(cloud);
+  pcl::PolygonMesh mesh;
+  poisson.reconstruct(mesh);
+  std::vector<pcl::Vertices> polygons;
+  poisson.reconstruct(*cloud, polygons); // into its own input
+  ASSERT_EQ(polygons.size(), mesh.polygons.size());
+  EXPECT_EQ(polygons[17].vertices, mesh.polygons[17].vertices);
+  ASSERT_EQ(cloud->size(), static_cast<std::size_t>(mesh.cloud.width));
+  EXPECT_EQ(cloud->width, cloud->size());
+  for (const auto& p : *cloud) {
+    EXPECT_NEAR(p.getNormalVector3fMap().norm(), 1, 1e-3);
+    EXPECT_EQ(p.room, p.x > 3.05f ? 3u : 7u);
+  }
+}
+
+TEST(StructuralPoisson, a_room_that_fails_is_named_and_the_others_are_made)
+{
+  auto cloud = twoRooms();
+  for (int i = 0; i < 20; ++i)
+    (*cloud)[i].room = 12;
+  pcl::StructuralPoisson<pcl::PointStructure> poisson;
+  poisson.setInputCloud(cloud);
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  EXPECT_FALSE(output.polygons.empty());
+  EXPECT_FALSE(poisson.isClosed());
+  EXPECT_NE(
+      poisson.getErrorMessage().find(
+          "room 12 has no surface: 100 points with normals are needed, there are 20"),
+      std::string::npos)
+      << poisson.getErrorMessage();
+  EXPECT_EQ(poisson.getReports().size(), 3u);
+}
+
+TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
+{
+  pcl::StructuralPoisson<pcl::PointNormal> poisson;
+  expectReason(poisson, "no input cloud is set");
+  poisson.setInputCloud(std::make_shared<pcl::PointCloud<pcl::PointNormal>>());
+  expectReason(poisson, "the input cloud is empty");
+  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
+  poisson.setInputCloud(cloud);
+  poisson.setRoomLabels({1, 2, 3});
+  expectReason(poisson, "3 room labels are set for " + std::to_string(cloud->size()));
+  poisson.setRoomLabels({});
+  poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, 1, 99999}));
+  expectReason(poisson, "index 99999 is out of range");
+  poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, -4}));
+  expectReason(poisson, "index -4 is out of range");
+  poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{3}));
+  expectReason(poisson, "there are 1");
+  auto without = std::make_shared<pcl::PointCloud<pcl::PointNormal>>(*cloud);
+  for (auto& p : *without)
+    p.getNormalVector3fMap().setZero();
+  pcl::StructuralPoisson<pcl::PointNormal> other;
+  other.setInputCloud(without);
+  expectReason(other, "points with normals are needed, there are 0");
+}
+
+TEST(StructuralPoisson, parameters_out_of_range_are_refused)
+{
+  using Poisson = pcl::StructuralPoisson<pcl::PointNormal>;
+  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
+  const auto refuses = [&cloud](const char* part,
+                                const std::function<void(Poisson&)>& set) {
+    Poisson poisson;
+    poisson.setInputCloud(cloud);
+    set(poisson);
+    expectReason(poisson, part);
+  };
+  refuses("depth must lie from 3 to 14, it is 2", [](Poisson& p) { p.setDepth(2); });
+  refuses("depth must lie from 3 to 14, it is 15", [](Poisson& p) { p.setDepth(15); });
+  refuses("least depth", [](Poisson& p) { p.setMinDepth(10); });
+  refuses("point weight", [](Poisson& p) { p.setPointWeight(-1); });
+  refuses("point weight", [](Poisson& p) { p.setPointWeight(NAN); });
+  refuses("scale must lie above 1", [](Poisson& p) { p.setScale(1); });
+  refuses("samples per node", [](Poisson& p) { p.setSamplesPerNode(0); });
+  refuses("cell ratio must lie from 0.1 to 10, it is 0.01",
+          [](Poisson& p) { p.setCellRatio(0.01); });
+  refuses("solver threads", [](Poisson& p) { p.setSolverThreads(0); });
+  refuses("support distance", [](Poisson& p) { p.setSupportDistance(0); });
+  refuses("least number of points", [](Poisson& p) { p.setMinimumPoints(3); });
+}
+
+TEST(StructuralPoisson, getters_return_what_was_set_and_the_paper_s_depth_by_default)
+{
+  pcl::StructuralPoisson<pcl::PointNormal> poisson;
+  EXPECT_EQ(poisson.getDepth(), 9);
+  EXPECT_FLOAT_EQ(poisson.getPointWeight(), 10);
+  EXPECT_FLOAT_EQ(poisson.getScale(), 1.1f);
+  poisson.setDepth(7);
+  poisson.setMinDepth(4);
+  poisson.setPointWeight(2);
+  poisson.setScale(1.5f);
+  poisson.setSamplesPerNode(3);
+  poisson.setCellRatio(1.5);
+  poisson.setMaxHoleEdges(10);
+  poisson.setMinimumPoints(50);
+  poisson.setSolverThreads(2);
+  poisson.setNumberOfThreads(3);
+  poisson.setSupportDistance(0.5);
+  EXPECT_EQ(poisson.getDepth(), 7);
+  EXPECT_EQ(poisson.getMinDepth(), 4);
+  EXPECT_FLOAT_EQ(poisson.getPointWeight(), 2);
+  EXPECT_FLOAT_EQ(poisson.getScale(), 1.5f);
+  EXPECT_FLOAT_EQ(poisson.getSamplesPerNode(), 3);
+  EXPECT_DOUBLE_EQ(poisson.getCellRatio(), 1.5);
+  EXPECT_EQ(poisson.getMaxHoleEdges(), 10u);
+  EXPECT_EQ(poisson.getMinimumPoints(), 50u);
+  EXPECT_EQ(poisson.getSolverThreads(), 2);
+  EXPECT_EQ(poisson.getNumberOfThreads(), 3u);
+  EXPECT_DOUBLE_EQ(poisson.getSupportDistance(), 0.5);
+}
+
+TEST(StructuralPoisson, the_depth_is_a_maximum)
+{
+  pcl::StructuralPoisson<pcl::PointNormal> poisson;
+  poisson.setInputCloud(cloudOf<pcl::PointNormal>(smallRoom().points(coarse)));
+  pcl::PolygonMesh output;
+  poisson.reconstruct(output);
+  EXPECT_LE(poisson.getReports()[0].depth, 6);
+  const std::size_t fine = output.polygons.size();
+  poisson.setDepth(4);
+  poisson.setMinDepth(3);
+  poisson.reconstruct(output);
+  EXPECT_EQ(poisson.getReports()[0].depth, 4);
+  EXPECT_LT(output.polygons.size(), fine / 2);
+}

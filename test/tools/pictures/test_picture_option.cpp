@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pictures.h"
+#include "tools/box_room.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace {
+
+using namespace programs;
+
+/** A stage's program, and whether it takes a plan as its second file. */
+struct Stage {
+  std::string program;
+  std::string output;
+  bool takes_plan;
+};
+
+std::ostream&
+operator<<(std::ostream& stream, const Stage& stage)
+{
+  return stream << std::filesystem::path(stage.program).filename();
+}
+
+/** What --picture promises for every stage. */
+class PictureOption : public ::testing::TestWithParam<Stage> {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  /** Runs the stage on the scan of a room, with labels, rooms and normals. */
+  ProgramRun draw(const std::string& picture)
+  {
+    RoomScan scan = scanOf();
+    writeFile(in("input.pcd"), scan.pcd(true));
+    writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
+    std::vector<std::string> arguments{in("input.pcd")};
+    if (GetParam().takes_plan)
+      arguments.push_back(in("plan.json"));
+    arguments.insert(arguments.end(), {in(GetParam().output), "--picture", picture});
+    return run(GetParam().program, arguments);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(PictureOption, WritesAPngThatIsTheSameEveryTime)
+{
+  const ProgramRun first = draw(in("picture.png"));
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.err, "") << "quiet when piped";
+  EXPECT_TRUE(std::filesystem::exists(in(GetParam().output)));
+  const std::string bytes = bytesOf(in("picture.png"));
+  const Image image = imageOf(bytes);
+  EXPECT_GT(image.width, 400);
+  EXPECT_LE(image.width, 1200);
+  EXPECT_GT(image.height, 200);
+  const auto blank =
+      std::count(image.pixels.begin(), image.pixels.end(), colours::paper);
+  EXPECT_LT(static_cast<double>(blank),
+            0.97 * static_cast<double>(image.pixels.size()));
+  ASSERT_EQ(draw(in("picture.png")).exit_code, 0);
+  EXPECT_TRUE(bytesOf(in("picture.png")) == bytes);
+}
+
+TEST_P(PictureOption, IsRefusedBeforeTheWorkWhereItCannotBeWritten)
+{
+  for (const char* picture : {"missing/picture.png", "picture.jpg", ".png"}) {
+    const std::string path =
+        picture == std::string(".png") ? in("folder.png") : in(picture);
+    if (picture == std::string(".png"))
+      std::filesystem::create_directory(path);
+    const ProgramRun result = draw(path);
+    EXPECT_EQ(result.exit_code, 1) << picture;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    EXPECT_NE(result.err.find(path), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(in(GetParam().output))) << picture;
+    EXPECT_FALSE(std::filesystem::is_regular_file(path)) << picture;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stages,
+    PictureOption,
+    ::testing::Values(Stage{PARALLEL_VOXEL_GRID, "output.pcd", false},
+                      Stage{ROOM_SEGMENTATION, "output.pcd", false},
+                      Stage{HORIZONTAL_PLANE_DETECTION, "output.pcd", false},
+                      Stage{GRID_REGION_OUTLIER_REMOVAL, "output.pcd", false},
+                      Stage{GRID_SLICE_DETAIL, "output.pcd", false},
+                      Stage{FLOOR_PROJECTION_RECOVERY, "output.pcd", false},
+                      Stage{CEILING_BOUNDARY_WALL_GROWING, "output.pcd", false},
+                      Stage{FLOORPLAN_FITTING, "output.json", false},
+                      Stage{STRUCTURE_REFINEMENT, "output.pcd", true},
+                      Stage{VERTICAL_HOLE_REPAIR, "output.pcd", true}));
+
+/** The mesh takes what the repair leaves. */
+class MeshPictureOption : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  ProgramRun draw(const std::string& picture)
+  {
+    return run(STRUCTURAL_POISSON, {in("repaired.pcd"), in("mesh.ply"), "--depth", "6",
+                                    "--picture", picture});
+  }
+
+  void SetUp() override
+  {
+    writeFile(in("input.pcd"), scanOf().pcd(true));
+    writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
+    ASSERT_EQ(
+        run(STRUCTURE_REFINEMENT, {in("input.pcd"), in("plan.json"), in("refined.pcd")})
+            .exit_code,
+        0);
+    ASSERT_EQ(run(VERTICAL_HOLE_REPAIR,
+                  {in("refined.pcd"), in("plan.json"), in("repaired.pcd")})
+                  .exit_code,
+              0);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshPictureOption, IsDrawnWithoutADisplay)
+{
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  const ProgramRun result = draw(in("picture.png"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(imageOf(bytesOf(in("picture.png"))).width, 400);
+}
+
+TEST_F(MeshPictureOption, IsDrawnOfTheSolidToo)
+{
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  const ProgramRun result = run(FLOORPLAN_EXTRUSION, {in("plan.json"), in("solid.ply"),
+                                                      "--picture", in("picture.png")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(imageOf(bytesOf(in("picture.png"))).width, 400);
+}
+
+TEST_F(MeshPictureOption, IsRefusedBeforeTheWorkWhereItCannotBeWritten)
+{
+  const ProgramRun result = draw(in("missing/picture.png"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+  EXPECT_FALSE(std::filesystem::exists(in("mesh.ply")));
+}
+
+} // namespace

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated building as E57 and LAS in a national grid gives the plan of its PCD.
+#include "e57_writer.h"
+#include "las_writer.h"
+#include "plan_file.h"
+#include "scan_file.h"
+#include "scan_options.h"
+#include "tool_cloud.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::Floorplan;
+using pcl::sedr::Origin;
+using programs::bytesOf;
+using programs::E57TestField;
+using programs::E57Writer;
+using programs::LasSample;
+using programs::ProgramRun;
+using programs::run;
+using programs::TemporaryFolder;
+using programs::writeFile;
+
+const Eigen::Vector3d place(691600, 5336000, 12); // of the building in its grid
+
+class ScansAsTheyCome : public ::testing::Test {
+protected:
+  /** Simulates the building once for all tests. */
+  static void SetUpTestSuite()
+  {
+    folder_ = std::make_unique<TemporaryFolder>();
+    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {"bls_room", in("study"), "--rays", "3000"})
+                  .exit_code,
+              0);
+    const ToolCloud scan = loadCloud(in("study/scan.pcd"));
+    for (const auto& p : *scan.points)
+      points_.push_back(p.getVector3fMap().cast<double>());
+    ASSERT_EQ(model(in("study/scan.pcd"), "model").exit_code, 0);
+    plan_ = *loadFloorplan(in("model/floorplan.json"));
+  }
+
+  static void TearDownTestSuite()
+  {
+    folder_.reset();
+    points_.clear();
+  }
+
+  static std::string in(const std::string& name)
+  {
+    return (folder_->path() / name).string();
+  }
+
+  static ProgramRun model(const std::string& scan,
+                          const std::string& folder,
+                          std::vector<std::string> options = {})
+  {
+    options.insert(options.begin(), {scan, in(folder), "--no-mesh"});
+    return run(SEDR, options);
+  }
+
+  /** The points of one of three scans, every third. */
+  static std::vector<Eigen::Vector3d> part(std::size_t scan)
+  {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = scan; i < points_.size(); i += 3)
+      points.push_back(points_[i] + place);
+    return points;
+  }
+
+  /** The building as E57 of three scans with poses in the grid, one of them with
+   * spherical coordinates. */
+  static std::string e57()
+  {
+    E57Writer writer;
+    writer.packet_bytes = 60000;
+    writer.is_uneven = true;
+    for (std::size_t scan = 0; scan < 3; ++scan) {
+      const double angle = 0.5 + static_cast<double>(scan);
+      const Eigen::Quaterniond turn(
+          Eigen::AngleAxisd(angle, Eigen::Vector3d(0.1, 0.2, 1).normalized()));
+      const Eigen::Vector3d station =
+          place + Eigen::Vector3d(1.5, 1 + static_cast<double>(scan), 1.6);
+      std::vector<Eigen::Vector3d> local;
+      for (const Eigen::Vector3d& p : part(scan))
+        local.push_back(turn.conjugate() * (p - station));
+      writer.addScan("station " + std::to_string(scan),
+                     scan == 1 ? spherical(local) : cartesian(local),
+                     E57Writer::pose(turn.w(), turn.x(), turn.y(), turn.z(),
+                                     station.x(), station.y(), station.z()));
+    }
+    return writer.file();
+  }
+
+  static std::vector<E57TestField> spherical(const std::vector<Eigen::Vector3d>& points)
+  {
+    std::vector<double> range, azimuth, elevation;
+    for (const Eigen::Vector3d& p : points) {
+      range.push_back(p.norm());
+      azimuth.push_back(std::atan2(p.y(), p.x()));
+      elevation.push_back(std::asin(p.z() / p.norm()));
+    }
+    return {E57TestField::ofDoubles("sphericalRange", range),
+            E57TestField::ofDoubles("sphericalAzimuth", azimuth),
+            E57TestField::ofDoubles("sphericalElevation", elevation)};
+  }
+
+  static std::vector<E57TestField> cartesian(const std::vector<Eigen::Vector3d>& points)
+  {
+    std::vector<E57TestField> fields;
+    constexpr std::int64_t reach = 30000000; // micrometres
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<std::int64_t> values;
+      for (const Eigen::Vector3d& p : points)
+        values.push_back(std::llround(p[axis] * 1e6));
+      fields.push_back(E57TestField::ofIntegers(std::string("cartesian") + "XYZ"[axis],
+                                                values, -reach, reach,
+                                                "scale=\"1e-6\""));
+    }
+    return fields;
+  }
+
+  static std::string las()
+  {
+    LasSample las;
+    las.scale = {1e-6, 1e-6, 1e-6};
+    las.shift = {place.x(), place.y(), place.z()};
+    for (const Eigen::Vector3d& p : points_) {
+      las.points.emplace_back();
+      for (int axis = 0; axis < 3; ++axis)
+        las.points.back()[static_cast<std::size_t>(axis)] =
+            static_cast<std::int32_t>(std::lround(p[axis] * 1e6));
+    }
+    return las.bytes();
+  }
+
+  static Eigen::Vector2d middleOf(const std::vector<pcl::sedr::PlanElement>& elements)
+  {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const auto& element : elements)
+      sum += element.start;
+    return sum / static_cast<double>(elements.size());
+  }
+
+  /** Every corner within 0.1 mm of one of the plan of the PCD. */
+  static void expectPlan(const std::string& folder)
+  {
+    const std::string path = in(folder) + "/floorplan.json";
+    const Floorplan plan = *loadFloorplan(path);
+    const Origin origin = planOrigin(path);
+    constexpr double tolerance = 1e-4; // metres
+    ASSERT_EQ(plan.rooms.size(), plan_.rooms.size());
+    for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+      const auto& found = plan.rooms[r].boundary.elements;
+      const auto& expected = plan_.rooms[r].boundary.elements;
+      ASSERT_EQ(found.size(), expected.size());
+      for (const auto& element : found) {
+        double nearest = 1;
+        for (const auto& other : expected)
+          nearest = std::min(
+              nearest,
+              (element.start + (origin.place - place).head<2>() - other.start).norm());
+        EXPECT_LT(nearest, tolerance);
+      }
+      // In the middle: tilts that are within the noise add up towards the corners.
+      const Eigen::Vector2d middle = middleOf(expected);
+      const Eigen::Vector2d there = middle - (origin.place - place).head<2>();
+      const double rise = origin.place.z() - place.z();
+      EXPECT_NEAR(plan.rooms[r].ceiling.heightAt(there) + rise,
+                  plan_.rooms[r].ceiling.heightAt(middle), tolerance);
+      EXPECT_NEAR(plan.rooms[r].floor.heightAt(there) + rise,
+                  plan_.rooms[r].floor.heightAt(middle), tolerance);
+    }
+  }
+
+  static std::unique_ptr<TemporaryFolder> folder_;
+  static std::vector<Eigen::Vector3d> points_;
+  static Floorplan plan_;
+};
+
+std::unique_ptr<TemporaryFolder> ScansAsTheyCome::folder_;
+std::vector<Eigen::Vector3d> ScansAsTheyCome::points_;
+Floorplan ScansAsTheyCome::plan_;
+
+TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigin)
+{
+  writeFile(in("scan.e57"), e57());
+  const ProgramRun made = model(in("scan.e57"), "of_e57");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.err.find("counted from (6916"), std::string::npos) << made.err;
+  expectPlan("of_e57");
+  const Origin origin = planOrigin(in("of_e57/floorplan.json"));
+  EXPECT_FALSE(origin.isZero());
+  EXPECT_EQ(origin, planOrigin(in("of_e57/report.json")));
+  for (const char* name :
+       {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg", "floorplan.dxf"})
+    EXPECT_NE(bytesOf(in("of_e57/") + name).find(origin.comment()), std::string::npos)
+        << name;
+  for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
+    EXPECT_EQ(originOfModel(in("of_e57/") + name), origin) << name;
+  EXPECT_EQ(loadCloud(in("of_e57/structure.pcd")).origin, origin);
+}
+
+TEST_F(ScansAsTheyCome, LasGivesThePlanAlsoByTheStandardInput)
+{
+  writeFile(in("scan.las"), las());
+  ASSERT_EQ(model(in("scan.las"), "of_las").exit_code, 0);
+  expectPlan("of_las");
+  const std::string command = "cat " + programs::quoted(in("scan.las")) + " | " +
+                              programs::quoted(PARALLEL_VOXEL_GRID) + " - " +
+                              programs::quoted(in("piped.pcd")) + " 2>/dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  ASSERT_EQ(run(PARALLEL_VOXEL_GRID, {in("scan.las"), in("thinned.pcd")}).exit_code, 0);
+  EXPECT_EQ(bytesOf(in("piped.pcd")), bytesOf(in("thinned.pcd")));
+}
+
+TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
+{
+  writeFile(in("site.las"), las());
+  ASSERT_EQ(model(in("site.las"), "one").exit_code, 0);
+  ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
+            0);
+  ASSERT_EQ(model(in("site.las"), "three", {"--origin-of", in("two")}).exit_code, 0);
+  EXPECT_EQ(planOrigin(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
+  EXPECT_EQ(planOrigin(in("three/floorplan.json")),
+            planOrigin(in("two/floorplan.json")));
+  const ProgramRun compared = run(STRUCTURE_COMPARE, {in("one"), in("two")});
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_EQ(compared.out, "nothing has changed\n");
+}
+
+TEST_F(ScansAsTheyCome, BadOptionsAndScansThatStayTooLargeAreOneSentence)
+{
+  writeFile(in("large.las"), las());
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--no-shift"},
+        {"--origin", "1,2"},
+        {"--origin", "0,0,0"},
+        {"--origin", "0,0,0", "--no-shift"},
+        {"--origin-of", in("nowhere")}}) {
+    const ProgramRun made = model(in("large.las"), "refused", options);
+    EXPECT_EQ(made.exit_code, 1);
+    EXPECT_TRUE(made.failsInOneSentence()) << made.err;
+    EXPECT_FALSE(std::filesystem::exists(in("refused")));
+  }
+}
+
+TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
+{
+  writeFile(in("scan.e57"), e57());
+  writeFile(in("scan.las"), las());
+  const ProgramRun listed = run(E57_TO_PCD, {in("scan.e57"), "--list"});
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_NE(listed.out.find("station 2"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("691601.5, 5336002, 13.6"), std::string::npos)
+      << listed.out;
+  ASSERT_EQ(run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
+            0);
+  const ToolCloud one = loadCloud(in("one.pcd"));
+  ASSERT_EQ(one.size(), part(0).size());
+  for (std::size_t i = 0; i < one.size(); i += 100)
+    EXPECT_LT((one.origin.toGiven((*one.points)[i].getVector3fMap().cast<double>()) -
+               part(0)[i])
+                  .norm(),
+              3e-6);
+  ASSERT_EQ(run(LAS_TO_PCD, {in("scan.las"), in("all.ply")}).exit_code, 0);
+  EXPECT_EQ(loadCloud(in("all.ply")).blob.data, loadCloud(in("scan.las")).blob.data);
+  EXPECT_EQ(run(E57_TO_PCD, {in("scan.e57")}).exit_code, 1);
+  const ProgramRun broken = run(LAS_TO_PCD, {in("scan.e57") + "x", in("no.pcd")});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(in("no.pcd")));
+}
+
+TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
+{
+  LasSample sample;
+  sample.points.assign(200000, {1, 2, 3});
+  for (std::size_t i = 0; i < sample.points.size(); ++i)
+    sample.points[i][0] = static_cast<std::int32_t>(i);
+  writeFile(in("shrinks.las"), sample.bytes());
+  const ScanFile scan(in("shrinks.las"), 1, 100000);
+  std::string reason;
+  try {
+    scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+      if (piece.first == 0)
+        std::filesystem::resize_file(in("shrinks.las"), 300000);
+      return true;
+    });
+  }
+  catch (const std::exception& error) {
+    reason = error.what();
+  }
+  EXPECT_NE(reason.find("300000 of its 4000227 bytes are left"), std::string::npos)
+      << reason;
+}
+
+} // namespace

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "colour.h"
+#include "tools/pictures/pictures.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+#include "tools/sample_result.h"
+#include "virtual_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+namespace {
+
+using namespace programs;
+
+/** Runs the viewer where a display is, or where none is. */
+class ViewerTool : public ::testing::Test {
+protected:
+  void SetUp() override
+  {
+    sample_.writeTo(folder_.path() / "model");
+    // Labels of all six kinds in a cloud of its own: squares of 1 m side by side.
+    std::vector<std::vector<float>> points;
+    std::vector<std::uint32_t> labels;
+    for (std::uint32_t label = 0; label < 6; ++label)
+      for (int i = 0; i < 900; ++i) {
+        // The unlabelled one in the midst: the camera stands around the others.
+        points.push_back(
+            {static_cast<float>((label + 3) % 6) + static_cast<float>(i % 30) / 33,
+             static_cast<float>(i / 30) / 33, 0});
+        labels.push_back(label);
+      }
+    writeFile(in("stage.pcd"), pcdBytes(points, labels));
+  }
+
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  /** A screenshot, taken where nobody looks. */
+  Image shoot(const std::string& input, std::vector<std::string> arguments)
+  {
+    if (!screen_)
+      screen_ = std::make_unique<VirtualScreen>();
+    EXPECT_EQ(setenv("DISPLAY", screen_->name().c_str(), 1), 0);
+    const std::string picture = in("view.png");
+    std::filesystem::remove(picture);
+    arguments.insert(arguments.begin(),
+                     {input, "--screenshot", picture, "--size", "600x400"});
+    const ProgramRun result = run(SEDR_VIEWER, arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "quiet when piped";
+    const Image image = imageOf(bytesOf(picture));
+    EXPECT_EQ(image.width, 600);
+    EXPECT_EQ(image.height, 400);
+    return image;
+  }
+
+  /** Share of the pixels that have a colour, in some light. */
+  static double shareOf(const Image& image, Colour colour)
+  {
+    // In any light the channels keep their ratios.
+    std::size_t count = 0;
+    for (const auto pixel : image.pixels) {
+      const Eigen::Vector3d p(pixel.red, pixel.green, pixel.blue);
+      const Eigen::Vector3d c(colour.red, colour.green, colour.blue);
+      const bool is_lit_so = p.norm() > 0.6 * c.norm() && p.norm() < 1.05 * c.norm();
+      if (is_lit_so && p.normalized().dot(c.normalized()) > 0.9995)
+        ++count;
+    }
+    return static_cast<double>(count) / static_cast<double>(image.pixels.size());
+  }
+
+  TemporaryFolder folder_;
+  SampleResult sample_;
+  std::unique_ptr<VirtualScreen> screen_; ///< from the first screenshot on
+};
+
+#define SKIP_WITHOUT_XVFB                                                              \
+  if (!VirtualScreen::isInstalled())                                                   \
+  GTEST_SKIP() << "Xvfb is missing: Debian's package xvfb"
+
+TEST_F(ViewerTool, WithoutADisplaySaysSoInOneSentence)
+{
+  for (const char* display : {"", ":4711"}) {
+    ASSERT_EQ(setenv("DISPLAY", display, 1), 0);
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, {"--screenshot", in("view.png")}}) {
+      std::vector<std::string> arguments{in("model")};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const ProgramRun result = run(SEDR_VIEWER, arguments);
+      EXPECT_EQ(result.exit_code, 1);
+      EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+      EXPECT_NE(result.err.find("xvfb-run"), std::string::npos) << "the remedy";
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(in("view.png")));
+}
+
+TEST_F(ViewerTool, BadCommandLinesAreRefusedBeforeADisplayIsAskedFor)
+{
+  unsetenv("DISPLAY");
+  const auto refuses = [&](std::vector<std::string> arguments, const char* word) {
+    arguments.insert(arguments.begin(), in("model"));
+    const ProgramRun result = run(SEDR_VIEWER, arguments);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+  };
+  refuses({"--layers", "walls"}, "walls");
+  refuses({"--colour", "pink"}, "pink");
+  refuses({"--view", "under"}, "under");
+  refuses({"--size", "600"}, "600");
+  refuses({"--size", "600x20000"}, "20000");
+  refuses({"--screenshot", in("view.jpg")}, "png");
+  const ProgramRun help = run(SEDR_VIEWER, {"-h"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
+}
+
+TEST_F(ViewerTool, WithoutCeilingsTheRoomsAreSeenFromAbove)
+{
+  SKIP_WITHOUT_XVFB;
+  const std::vector<std::string> top{"--view", "top", "--no-legend"};
+  const Image closed = shoot(in("model"), top);
+  EXPECT_GT(shareOf(closed, colours::ceiling), 0.3);
+  EXPECT_EQ(shareOf(closed, colours::floor), 0);
+  const Image open =
+      shoot(in("model"), {"-view", "top", "-no-legend", "-no-ceiling"}); // PCL's way
+  EXPECT_GT(shareOf(open, colours::floor), 0.25);
+  EXPECT_GT(shareOf(open, colours::wall), 0.03);
+  EXPECT_EQ(shareOf(open, colours::ceiling), 0);
+  const Image clipped =
+      shoot(in("model"), {"--view", "top", "--no-legend", "--clip", "1"});
+  EXPECT_GT(shareOf(clipped, colours::floor), 0.25);
+}
+
+TEST_F(ViewerTool, EveryLayerAndViewShowsSomething)
+{
+  SKIP_WITHOUT_XVFB;
+  for (const char* layer : {"raw", "thinned", "structure", "plan", "solid"})
+    for (const char* view : {"iso", "inside"}) {
+      if (std::string(view) == "inside" && std::string(layer) != "solid")
+        continue;
+      const Image image =
+          shoot(in("model"), {"--layers", layer, "--view", view, "--no-legend"});
+      EXPECT_LT(shareOf(image, colours::paper), 0.999) << layer;
+    }
+}
+
+TEST_F(ViewerTool, TwoViewsHaveScanAndModelWithOneCamera)
+{
+  SKIP_WITHOUT_XVFB;
+  const Image image =
+      shoot(in("model"), {"--two-views", "--view", "top", "--no-legend"});
+  const auto middleOf = [&](int from, int to, bool is_model) {
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = from; x < to; ++x) {
+        const Colour c = image.at(x, y);
+        const bool is_grey = std::abs(c.red - c.blue) < 25;
+        if (c != colours::paper && is_grey != is_model) {
+          sum += x - from;
+          ++count;
+        }
+      }
+    EXPECT_GT(count, 1000);
+    return sum / std::max(1, count);
+  };
+  EXPECT_NEAR(middleOf(0, 300, false), middleOf(300, 600, true), 6)
+      << "the same place in both";
+}
+
+TEST_F(ViewerTool, AStagesCloudShowsEveryLabelInItsColour)
+{
+  SKIP_WITHOUT_XVFB;
+  const Image image =
+      shoot(in("stage.pcd"), {"--view", "top", "--no-legend", "--point-size", "6"});
+  for (std::uint32_t label = 0; label < 6; ++label)
+    EXPECT_GT(shareOf(image, colourOf(static_cast<pcl::sedr::StructureLabel>(label))),
+              0.01)
+        << label;
+  const auto isWritten = [](const Image& view) {
+    int dark = 0;
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 150; ++x)
+        dark += view.at(x, y).green < 128 ? 1 : 0;
+    return dark > 100;
+  };
+  EXPECT_FALSE(isWritten(image));
+  EXPECT_TRUE(isWritten(shoot(in("stage.pcd"), {"--view", "top"}))) << "the legend";
+}
+
+} // namespace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_match.h"
+
+#include <pcl/sedr_filters/room_measures.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+namespace {
+
+constexpr double overlap_step = 0.05;   ///< of the grid that overlap is counted on
+constexpr double outline_chords = 0.01; ///< tolerance of a box around an outline
+constexpr double least_overlap = 0.5;   ///< of two rooms' union, to be the same room
+
+bool
+holds(const sim::RoomTruth& room, sim::Vec2 p)
+{
+  return sim::contains(room.outline, p) &&
+         std::none_of(
+             room.columns.begin(), room.columns.end(),
+             [p](const sim::Loop& column) { return sim::contains(column, p); });
+}
+
+/** @brief Square metres that a found room shares with each of the true ones. */
+std::vector<double>
+overlapsOf(const PlanRoom& room, const std::vector<sim::RoomTruth>& truths)
+{
+  std::vector<double> overlaps(truths.size(), 0.0);
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : room.boundary.polygon(outline_chords))
+    box.extend(corner);
+  const double step = overlap_step;
+  for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
+      if (!room.contains({x, y}))
+        continue;
+      for (std::size_t t = 0; t < truths.size(); ++t)
+        if (holds(truths[t], {x, y}))
+          overlaps[t] += step * step;
+    }
+  return overlaps;
+}
+
+/** @brief Takes the larger error; NaN is none. */
+void
+raise(double& error, double found, double truth)
+{
+  const double other = std::abs(found - truth) / truth;
+  error = std::isnan(error) ? other : std::max(error, other);
+}
+
+} // namespace
+
+std::vector<RoomPair>
+matchRooms(const Floorplan& plan, const std::vector<sim::RoomTruth>& truths)
+{
+  std::vector<RoomPair> candidates;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const auto overlaps = overlapsOf(plan.rooms[r], truths);
+    for (std::size_t t = 0; t < truths.size(); ++t)
+      if (overlaps[t] > 0)
+        candidates.push_back({r, t, overlaps[t]});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.overlap > b.overlap; });
+  std::vector<RoomPair> pairs;
+  for (const RoomPair& candidate : candidates)
+    if (std::none_of(pairs.begin(), pairs.end(), [&](const RoomPair& pair) {
+          return pair.found == candidate.found || pair.truth == candidate.truth;
+        }))
+      pairs.push_back(candidate);
+  return pairs;
+}
+
+RoomFigures
+measureRooms(const Floorplan& plan,
+             const std::vector<sim::RoomTruth>& truths,
+             const std::map<std::uint32_t, double>& mesh_volumes)
+{
+  RoomFigures figures;
+  figures.rooms_true = truths.size();
+  figures.rooms_found = plan.rooms.size();
+  for (const RoomPair& pair : matchRooms(plan, truths)) {
+    const PlanRoom& room = plan.rooms[pair.found];
+    const sim::RoomTruth& truth = truths[pair.truth];
+    const double area = room.area();
+    const double height = meanHeight(room);
+    const double both = area + truth.area - pair.overlap;
+    figures.rooms_matched += pair.overlap >= least_overlap * both ? 1 : 0;
+    raise(figures.area_error, area, truth.area);
+    raise(figures.height_error, height, truth.height);
+    raise(figures.volume_error, volumeOf(room, height), truth.volume);
+    const auto mesh = mesh_volumes.find(room.id);
+    if (mesh != mesh_volumes.end())
+      raise(figures.mesh_volume_error, mesh->second, truth.volume);
+  }
+  return figures;
+}
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl

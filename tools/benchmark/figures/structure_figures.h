@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "model_figures.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+/** @brief How near a place of the truth a point of the structure must lie to show it,
+ * metres: the structure has a point a voxel of 5 cm. */
+constexpr double point_reach = 0.08;
+
+/** @brief How good the points of a structure are, before any mesh is made of them.
+ * Metres and shares from 0 to 1; NaN where not measured. */
+struct StructureFigures {
+  double points_to_truth_mean = not_known;
+  double points_to_truth_max = not_known;
+  double points_beyond_5cm = not_known; ///< share of the points
+  double truth_covered = not_known;     ///< share of the true area within point_reach
+
+  bool isMeasured() const { return !std::isnan(points_to_truth_mean); }
+};
+
+/** @brief Measures points, all finite, against the truth; none of them: nothing
+ * measured. */
+StructureFigures
+measureStructure(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& structure,
+                 const TriangleMesh& truth,
+                 unsigned threads = 0);
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl

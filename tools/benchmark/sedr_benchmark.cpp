@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/runs/isolated.h"
+#include "benchmark/runs/run.h"
+#include "benchmark/runs/run_list.h"
+#include "benchmark/table/bars.h"
+#include "benchmark/table/csv_file.h"
+#include "benchmark/table/formatted.h"
+#include "benchmark/table/table.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "simulator/scene/scenes.h"
+#include "tool_error.h"
+#include "whole_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace pcl::sedr::benchmark;
+using namespace pcl::sedr::tools;
+namespace sim = pcl::sedr::sim;
+
+namespace {
+
+/** @brief What the command line asks for. */
+struct Settings {
+  std::string scenes = "all";
+  std::string noises = "0.001,0.005,0.01,0.02";
+  std::string seeds = "1,2,3";
+  std::string part = "1/1";
+  std::string csv;
+  std::string table;
+  std::string from;
+  std::string keep;
+  bool resume = false;
+  bool no_mesh = false;
+  std::size_t rays = 0;
+  unsigned threads = 0;
+};
+
+void
+addOptions(Options& options, Settings& s)
+{
+  options.text("scenes", s.scenes,
+               "built-in scenes and JSON files of scenes, with commas between them; "
+               "'all' stands for all built-in ones");
+  options.text("noise", s.noises, "noise levels, standard deviations in metres");
+  options.text("seeds", s.seeds, "seeds of the simulator");
+  options.flag("no-mesh", s.no_mesh,
+               "stop at the structure's points, which is quicker");
+  options.text("csv", s.csv, "file to which every run adds a line when it ends");
+  options.flag("resume", s.resume, "skip the runs that --csv has already");
+  options.text("table", s.table, "Markdown file for the table of all runs");
+  options.text("from", s.from,
+               "make the table of these CSV files, with commas, and run nothing");
+  options.text("part", s.part, "do every N-th run only, such as 1/2 and 2/2");
+  options.text("keep", s.keep, "folder in which to keep the files of every run");
+  options.number("rays", s.rays, "rays",
+                 "rays a scanner position, 0 for the scene's own",
+                 Range::between(0, 1e8));
+  options.number("threads", s.threads, "", "threads, 0 for all processors",
+                 Range::between(0, 256));
+}
+
+/** @brief A run that is to be done. */
+struct Task {
+  const sim::Scene* scene;
+  RunSettings settings;
+};
+
+std::vector<sim::Scene>
+loadScenes(const std::string& list)
+{
+  if (list == "all")
+    return sim::allScenes();
+  std::vector<sim::Scene> scenes;
+  for (const std::string& name : wordsOf(list, "scenes"))
+    try {
+      scenes.push_back(sim::sceneNamed(name));
+    }
+    catch (const std::exception& error) {
+      throw ToolError(error.what());
+    }
+  return scenes;
+}
+
+/** @brief Every scene at every noise and seed, in this order; of them the part asked
+ * for. */
+std::vector<Task>
+tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
+{
+  const Part part = partOf(settings.part, "part");
+  std::vector<Task> tasks;
+  std::size_t index = 0;
+  for (const sim::Scene& scene : scenes)
+    for (const double noise : noisesOf(settings.noises, "noise"))
+      for (const std::uint64_t seed : seedsOf(settings.seeds, "seeds"))
+        if (part.holds(index++))
+          tasks.push_back({&scene,
+                           {noise, seed, !settings.no_mesh, settings.rays,
+                            settings.threads, settings.keep}});
+  return tasks;
+}
+
+/** @brief Does a run in a process of its own: whatever happens there, there is a row.
+ */
+RunRow
+run(const Task& task)
+{
+  const RunRow asked = rowOf(*task.scene, task.settings);
+  try {
+    return rowFromCsv(csvHeader(), runIsolated([&task, &asked] {
+                        const Progress progress(asked.scene +
+                                                formatted(", noise %g m, seed %zu",
+                                                          asked.noise, asked.seed));
+                        return toCsv(runScene(*task.scene, task.settings));
+                      }));
+  }
+  catch (const std::exception& error) {
+    RunRow failed = asked;
+    failed.failure = error.what();
+    return failed;
+  }
+}
+
+void
+print(const RunRow& row)
+{
+  std::printf("%-16s %5.2f cm  seed %-3zu ", row.scene.c_str(), 100 * row.noise,
+              static_cast<std::size_t>(row.seed));
+  if (!row.failure.empty())
+    std::printf("failed: %s", row.failure.c_str());
+  else {
+    std::printf("%zu/%zu rooms", row.rooms.rooms_found, row.rooms.rooms_true);
+    if (row.mesh.isMeasured())
+      std::printf(", mean %.3f cm, within 5 cm %.2f %%",
+                  100 * row.mesh.truth_to_mesh_mean, 100 * row.mesh.truth_within_5cm);
+    else if (row.structure.isMeasured())
+      std::printf(", points: mean %.3f cm, covered %.2f %%",
+                  100 * row.structure.points_to_truth_mean,
+                  100 * row.structure.truth_covered);
+    std::printf(", %.1f s", row.seconds);
+    for (const Miss& miss : missedBars(row))
+      std::printf("; %s", miss.text.c_str());
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/** @brief Does all runs that are not there yet, and returns their rows with those. */
+std::vector<RunRow>
+runAll(const std::vector<Task>& tasks, const Settings& settings)
+{
+  std::vector<RunRow> rows;
+  if (!settings.csv.empty())
+    rows = rowsToContinue(settings.csv);
+  for (const Task& task : tasks) {
+    const RunRow asked = rowOf(*task.scene, task.settings);
+    const bool is_there =
+        std::any_of(rows.begin(), rows.end(),
+                    [&asked](const RunRow& row) { return row.isSameRun(asked); });
+    if (settings.resume && is_there)
+      continue;
+    rows.push_back(run(task));
+    print(rows.back());
+    if (!settings.csv.empty())
+      appendRow(settings.csv, rows.back());
+  }
+  return rows;
+}
+
+std::vector<RunRow>
+readAll(const std::string& list)
+{
+  std::vector<RunRow> rows;
+  for (const std::string& path : wordsOf(list, "from")) {
+    const auto more = readRows(path);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  return rows;
+}
+
+int
+work(const Settings& settings)
+{
+  if (settings.resume && settings.csv.empty())
+    throw ToolError("--resume goes on with the rows of a file, but there is no --csv");
+  if (!settings.from.empty() && settings.table.empty())
+    throw ToolError("--from makes a table of rows, but there is no --table");
+  for (const std::string& path : {settings.csv, settings.table})
+    if (!path.empty())
+      checkWritable(path);
+  std::vector<RunRow> rows;
+  if (settings.from.empty()) {
+    const auto scenes = loadScenes(settings.scenes);
+    rows = runAll(tasksOf(scenes, settings), settings);
+  }
+  else
+    rows = readAll(settings.from);
+  if (!settings.table.empty())
+    writeWhole(settings.table,
+               [&rows](std::ostream& stream) { stream << tableOf(rows); });
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Settings settings;
+  Options options(
+      "pcl_sedr_benchmark",
+      "Scans scenes in the simulator, reconstructs them with the defaults of pcl_sedr "
+      "and compares\nthe results with the truth. Prints a line a run; a run that fails "
+      "is a row like any other.");
+  addOptions(options, settings);
+  return runTool(options, argc, argv, [&] { return work(settings); });
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "benchmark/runs/run_row.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+/** @file
+ * Values as the text of a cell, and back. What is not known is an empty cell; text that
+ * is no such value throws std::invalid_argument, a sentence without the column.
+ */
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+/** @brief Seven significant digits; NaN is empty. */
+std::string cellOf(double value);
+std::string cellOf(std::size_t value);
+std::string cellOf(const std::optional<std::size_t>& value);
+
+/** @brief 1 or 0. */
+std::string cellOf(bool value);
+std::string cellOf(const std::optional<bool>& value);
+std::string cellOf(const std::string& value);
+
+/** @brief "Stage=0.25;Other=1.5". */
+std::string cellOf(const StageSeconds& value);
+
+void readCell(const std::string& cell, double& value);
+void readCell(const std::string& cell, std::size_t& value);
+void readCell(const std::string& cell, std::optional<std::size_t>& value);
+void readCell(const std::string& cell, bool& value);
+void readCell(const std::string& cell, std::optional<bool>& value);
+void readCell(const std::string& cell, std::string& value);
+void readCell(const std::string& cell, StageSeconds& value);
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "change.h"
+#include "colour.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What a colour of the mesh of changes means. */
+namespace change_colours {
+constexpr Colour unchanged{190, 190, 190};
+constexpr Colour appeared{40, 160, 70};
+constexpr Colour vanished{210, 40, 40};
+constexpr Colour moved{240, 150, 30};
+} // namespace change_colours
+
+/** @brief Writes the solids of the second plan as a binary PLY with a colour a face
+ * corner: grey where nothing has changed, green what appeared, orange what has moved;
+ * and what vanished of the first plan, red. What fails is a ToolError. */
+void saveChangeMesh(const std::string& path,
+                    const Floorplan& before,
+                    const Floorplan& after,
+                    const std::vector<Change>& changes);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comparison.h"
+
+#include "column_changes.h"
+#include "room_changes.h"
+#include "scale.h"
+#include "slab_changes.h"
+#include "wall_changes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** @brief A length with its sign: "+0.30". */
+std::string
+signedText(double metres)
+{
+  const std::string text = fixedText(metres, 2);
+  return text[0] == '-' ? text : "+" + text;
+}
+
+std::string
+shiftText(const Eigen::Vector3d& shift)
+{
+  constexpr double nothing = 0.005; // metres: what two digits show as 0
+  std::string parts;
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(shift[k]) >= nothing)
+      parts += std::string(parts.empty() ? "" : ", ") + "xyz"[k] + " " +
+               signedText(shift[k]);
+  return fixedText(shift.norm(), 2) + " m" + (parts.empty() ? "" : " (" + parts + ")");
+}
+
+std::string
+listOf(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const auto& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/** @brief Millimetres are enough. */
+double
+rounded(double value)
+{
+  return std::round(value * 1000) / 1000;
+}
+
+} // namespace
+
+const char*
+toString(ChangeKind kind)
+{
+  switch (kind) {
+  case ChangeKind::Appeared:
+    return "appeared";
+  case ChangeKind::Vanished:
+    return "vanished";
+  default:
+    return "moved";
+  }
+}
+
+std::vector<Change>
+comparePlans(const Floorplan& before,
+             const Floorplan& after,
+             const CompareSettings& settings)
+{
+  RoomChanges rooms = roomChanges(before, after);
+  std::vector<Change> changes = std::move(rooms.changes);
+  const auto add = [&](const std::vector<Change>& more) {
+    changes.insert(changes.end(), more.begin(), more.end());
+  };
+  add(wallChanges(before, after, settings, rooms.before, rooms.after));
+  add(columnChanges(before, after, settings));
+  add(slabChanges(before, after, settings));
+  return changes;
+}
+
+std::string
+describe(const Change& change)
+{
+  std::string text = std::string(toString(change.kind)) + " " + change.what;
+  if (change.kind == ChangeKind::Moved)
+    text += " by " + shiftText(change.shift);
+  text += ", " + fixedText(change.size, change.is_length ? 1 : 2) +
+          (change.is_length ? " m" : " m2") + ": ";
+  text += listOf(change.before);
+  if (!change.before.empty() && !change.after.empty())
+    text += " -> ";
+  return text + listOf(change.after);
+}
+
+std::string
+changesToJson(const std::vector<Change>& changes, const CompareSettings& settings)
+{
+  Json list = Json::array();
+  for (const auto& change : changes) {
+    Json json{{"change", toString(change.kind)},
+              {"what", change.what},
+              {"before", change.before},
+              {"after", change.after}};
+    json[change.is_length ? "length" : "area"] = rounded(change.size);
+    if (change.kind == ChangeKind::Moved)
+      json["shift"] = {rounded(change.shift.x()), rounded(change.shift.y()),
+                       rounded(change.shift.z())};
+    list.push_back(json);
+  }
+  const Json json{{"format", "sedr-changes"},
+                  {"version", 1},
+                  {"unit", "m"},
+                  {"tolerance", settings.tolerance},
+                  {"minimum_length", settings.minimum_length},
+                  {"minimum_area", settings.minimum_area},
+                  {"farthest", settings.farthest},
+                  {"changes", list}};
+  return json.dump(1) + "\n";
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "change.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief What has become of the rooms of a plan by the time of another: rooms, walls,
+ * columns, slabs and their details, in this order. Both must lie in one frame, see
+ * alignPlans(). Two plans of one building that differ by less than the tolerance have
+ * no changes. */
+std::vector<Change> comparePlans(const Floorplan& before,
+                                 const Floorplan& after,
+                                 const CompareSettings& settings);
+
+/** @brief A change in a line: "moved partition by 0.30 m (x +0.30, y +0.00), 3.0 m:
+ * room_1_wall_3, room_2_wall_1 -> room_1_wall_3, room_2_wall_1". */
+std::string describe(const Change& change);
+
+/** @brief The changes as JSON, with the settings; metres and square metres. */
+std::string changesToJson(const std::vector<Change>& changes,
+                          const CompareSettings& settings);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

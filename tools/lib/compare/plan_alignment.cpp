@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_alignment.h"
+
+#include <pcl/sedr_filters/storeys.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+constexpr double step = 0.1; // between samples of walls, metres
+constexpr int rounds = 60;
+constexpr double narrowing = 0.85;       // of the reach, a round
+constexpr double last_reach = 0.03;      // metres
+const double alike = std::cos(M_PI / 6); // of directions
+
+/** @brief A place of a wall, and the way into its room. */
+struct Sample {
+  double weight = 1;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+  RoomHeights heights; ///< of the room
+};
+
+/** @brief Whether another room lies behind a wall, up to the thickness of partitions.
+ */
+bool
+isPartition(const Floorplan& plan, const Sample& sample)
+{
+  for (const double depth : {0.15, 0.3, 0.6})
+    for (const auto& room : plan.rooms)
+      if (room.contains(sample.place - depth * sample.normal) &&
+          shareHeights(heightsOf(room), sample.heights))
+        return true;
+  return false;
+}
+
+/** @brief Places along all walls. What is rebuilt is a partition rather than an outer
+ * wall, so those count less. */
+std::vector<Sample>
+samplesOf(const Floorplan& plan)
+{
+  constexpr double of_partition = 0.25;
+  std::vector<Sample> samples;
+  for (const auto& room : plan.rooms) {
+    const RoomHeights heights = heightsOf(room);
+    for (const auto& wall : room.boundary.elements) {
+      const auto count = static_cast<std::size_t>(wall.length() / step);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double s =
+            wall.length() * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+        Sample sample{1, wall.pointAt(s), wall.normalAt(s), heights};
+        if (isPartition(plan, sample))
+          sample.weight = of_partition;
+        samples.push_back(sample);
+      }
+    }
+  }
+  return samples;
+}
+
+/** @brief The nearest place of a plan's walls that faces the same way, of rooms at the
+ * heights of the sample's.
+ * @param heights of the rooms of the plan
+ * @return false where there is none within `reach` */
+bool
+findPartner(const Floorplan& plan,
+            const std::vector<RoomHeights>& heights,
+            const Sample& sample,
+            double reach,
+            Sample& partner)
+{
+  double least = reach;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    if (!shareHeights(heights[r], sample.heights))
+      continue;
+    for (const auto& wall : plan.rooms[r].boundary.elements) {
+      const double s = wall.project(sample.place);
+      const Sample candidate{1, wall.pointAt(s), wall.normalAt(s), heights[r]};
+      const double distance = (candidate.place - sample.place).norm();
+      if (distance < least && candidate.normal.dot(sample.normal) > alike) {
+        least = distance;
+        partner = candidate;
+      }
+    }
+  }
+  return least < reach;
+}
+
+/** @brief A transform, then a turn about `pivot` and a shift. */
+PlanTransform
+after(const PlanTransform& first,
+      double angle,
+      const Eigen::Vector2d& pivot,
+      const Eigen::Vector2d& shift)
+{
+  const Eigen::Vector2d moved = first.shift.head<2>();
+  PlanTransform both;
+  both.angle = first.angle + angle;
+  both.shift.head<2>() = Eigen::Rotation2Dd(angle) * (moved - pivot) + pivot + shift;
+  return both;
+}
+
+Eigen::Vector2d
+middleOf(const std::vector<Sample>& samples)
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& sample : samples)
+    sum += sample.place;
+  return sum / static_cast<double>(std::max<std::size_t>(1, samples.size()));
+}
+
+/** @brief How many places have to have a partner: a tenth of the smaller plan's. */
+std::size_t
+fewestPartners(const Floorplan& fixed, std::size_t samples)
+{
+  constexpr std::size_t share = 10;
+  constexpr std::size_t unknowns = 3;
+  return std::max(unknowns, std::min(samples, samplesOf(fixed).size()) / share);
+}
+
+/** @brief The middle of those values that lie closest together: within half a metre,
+ * which storeys are farther apart; of several such ones of the smaller. 0 of none. */
+double
+commonValue(std::vector<double> values)
+{
+  constexpr double near = 0.5; // metres
+  std::sort(values.begin(), values.end());
+  double common = 0;
+  std::size_t most = 0;
+  std::size_t first = 0;
+  for (std::size_t end = 1; end <= values.size(); ++end) {
+    while (values[end - 1] - values[first] > near)
+      ++first;
+    const double middle = values[first + (end - first) / 2];
+    if (end - first < most ||
+        (end - first == most && std::abs(middle) >= std::abs(common)))
+      continue;
+    most = end - first;
+    common = middle;
+  }
+  return common;
+}
+
+/** @brief The rooms that hold a place, which lie above each other. */
+std::vector<const PlanRoom*>
+roomsOver(const Floorplan& plan, const Eigen::Vector2d& place)
+{
+  std::vector<const PlanRoom*> rooms;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.contains(place))
+      rooms.push_back(&room);
+  return rooms;
+}
+
+/** @brief How much higher the floors of a plan are than those of another one: the
+ * difference on which most places agree. Where rooms lie above each other, each floor
+ * of a place differs from each of the other plan. */
+double
+riseOf(const Floorplan& moving, const Floorplan& fixed)
+{
+  std::vector<double> rises;
+  for (const auto& sample : samplesOf(moving)) {
+    const Eigen::Vector2d inside = sample.place + 0.3 * sample.normal;
+    for (const PlanRoom* b : roomsOver(fixed, inside))
+      for (const PlanRoom* a : roomsOver(moving, inside))
+        rises.push_back(b->floorAt(inside) - a->floorAt(inside));
+  }
+  return commonValue(rises);
+}
+
+/** @brief The plane of a slab that has been turned about the vertical and shifted. */
+PlanSlab
+transformedSlab(PlanSlab slab, const PlanTransform& transform)
+{
+  slab.plane.head<2>() = Eigen::Rotation2Dd(transform.angle) * slab.plane.head<2>();
+  slab.plane[3] -= slab.plane.head<3>().dot(transform.shift);
+  if (slab.curve)
+    slab.curve = std::make_shared<const SlabCurve>(
+        moved(*slab.curve, transform.angle, transform.shift));
+  return slab;
+}
+
+PlanLoop
+transformedLoop(PlanLoop loop, const PlanTransform& transform)
+{
+  for (auto& element : loop.elements) {
+    element.start = transform(element.start);
+    element.end = transform(element.end);
+    element.centre = transform(element.centre);
+  }
+  return loop;
+}
+
+} // namespace
+
+Eigen::Vector2d
+PlanTransform::operator()(const Eigen::Vector2d& p) const
+{
+  return Eigen::Rotation2Dd(angle) * p + shift.head<2>();
+}
+
+Floorplan
+transformed(const Floorplan& plan, const PlanTransform& transform)
+{
+  Floorplan moved = plan;
+  const auto moveSlab = [&](PlanSlab& slab) {
+    slab = transformedSlab(slab, transform);
+  };
+  const auto moveLoop = [&](PlanLoop& loop) {
+    loop = transformedLoop(loop, transform);
+  };
+  for (auto& room : moved.rooms) {
+    moveLoop(room.boundary);
+    moveSlab(room.floor);
+    moveSlab(room.ceiling);
+    for (auto& column : room.columns)
+      moveLoop(column);
+    for (auto* details : {&room.details, &room.floor_details})
+      for (auto& detail : *details) {
+        moveLoop(detail.boundary);
+        moveSlab(detail.slab);
+        for (auto& hole : detail.holes)
+          moveLoop(hole);
+      }
+    for (auto& niche : room.niches) {
+      moveLoop(niche.boundary);
+      moveSlab(niche.bottom);
+      moveSlab(niche.top);
+    }
+  }
+  for (auto& storey : moved.storeys) {
+    storey.floor += transform.shift.z();
+    storey.ceiling += transform.shift.z();
+  }
+  for (auto& doorway : moved.doorways) {
+    doorway.start = transform(doorway.start);
+    doorway.end = transform(doorway.end);
+    doorway.bottom += transform.shift.z();
+    doorway.top += transform.shift.z();
+  }
+  for (auto& stair : moved.stairs) {
+    stair.at = transform(stair.at);
+    stair.bottom += transform.shift.z();
+    stair.top += transform.shift.z();
+  }
+  return moved;
+}
+
+std::optional<PlanTransform>
+alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
+{
+  std::vector<Sample> samples = samplesOf(moving);
+  const double rise = riseOf(moving, fixed);
+  for (Sample& sample : samples) {
+    sample.heights.low += rise;
+    sample.heights.high += rise;
+  }
+  const std::vector<RoomHeights> heights = heightsOf(fixed);
+  const Eigen::Vector2d middle = middleOf(samples);
+  const std::size_t fewest = fewestPartners(fixed, samples.size());
+  PlanTransform transform;
+  double scale = reach;
+  for (int round = 0; round < rounds;
+       ++round, scale = std::max(last_reach, narrowing * scale)) {
+    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    double weights = 0;
+    std::size_t partners = 0;
+    const Eigen::Rotation2Dd turn(transform.angle);
+    // Turning about the plan itself: about a far origin it would bend its own way.
+    const Eigen::Vector2d pivot = transform(middle);
+    for (const auto& sample : samples) {
+      const Sample now{sample.weight, transform(sample.place), turn * sample.normal,
+                       sample.heights};
+      Sample partner;
+      if (!findPartner(fixed, heights, now, reach, partner))
+        continue;
+      // Point to line: sliding along the wall costs nothing.
+      const double residual = partner.normal.dot(partner.place - now.place);
+      const Eigen::Vector2d arm = now.place - pivot;
+      const Eigen::Vector3d row(partner.normal.x(), partner.normal.y(),
+                                arm.x() * partner.normal.y() -
+                                    arm.y() * partner.normal.x());
+      const double nearness = scale * scale / (scale * scale + residual * residual);
+      const double weight = now.weight * nearness * nearness;
+      normal_matrix += weight * row * row.transpose();
+      right_side += weight * row * residual;
+      weights += weight;
+      ++partners;
+    }
+    if (partners < fewest)
+      return std::nullopt;
+    // A long corridor says nothing of the way along it: then that stays as it was.
+    normal_matrix += 1e-6 * weights * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d change = normal_matrix.ldlt().solve(right_side);
+    transform = after(transform, change.z(), pivot, change.head<2>());
+  }
+  transform.shift.z() = riseOf(transformed(moving, transform), fixed);
+  return transform;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "change.h"
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Rooms that are new or gone as a whole: less than half of their floor is floor
+ * in the other plan. */
+struct RoomChanges {
+  std::vector<Change> changes;
+  std::vector<std::uint32_t> before; ///< ids of those that vanished
+  std::vector<std::uint32_t> after;  ///< of those that appeared
+};
+
+RoomChanges roomChanges(const Floorplan& before, const Floorplan& after);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "building_file.h"
+
+#include "tool_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "sedr-building";
+constexpr int format_version = 1;
+
+Json
+pairOf(const Eigen::Vector2d& p)
+{
+  return {p.x(), p.y()};
+}
+
+Eigen::Vector2d
+placeOf(const Json& json)
+{
+  return {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+Json
+jsonOf(const BuildingRoom& room, const CellGrid& grid)
+{
+  Json hidden = Json::array();
+  double floor = 0;
+  for (const RoomColumn& column : room.columns) {
+    floor += column.floor_seen ? 0 : grid.size() * grid.size();
+    if (column.ceiling_seen)
+      continue;
+    const Eigen::Vector2d at = grid.centre(column.cell);
+    hidden.push_back({at.x(), at.y(), column.ceiling});
+  }
+  return {{"id", room.id},
+          {"storey", room.storey},
+          {"area", room.area},
+          {"floor", room.floor},
+          {"ceiling", room.ceiling},
+          {"enclosure", room.enclosure},
+          {"hidden_floor_area", floor},
+          {"hidden_ceiling", hidden}};
+}
+
+BuildingRoom
+roomFrom(const Json& json, const CellGrid& grid)
+{
+  BuildingRoom room;
+  room.id = json.at("id").get<std::uint32_t>();
+  room.storey = json.at("storey").get<std::uint32_t>();
+  room.area = json.at("area").get<double>();
+  room.floor = json.at("floor").get<double>();
+  room.ceiling = json.at("ceiling").get<double>();
+  room.enclosure = json.at("enclosure").get<double>();
+  for (const Json& place : json.at("hidden_ceiling")) {
+    const Eigen::Vector2d at = placeOf(place);
+    if (!grid.holds(at.x(), at.y()))
+      throw ToolError("a place of a hidden ceiling lies too far out");
+    RoomColumn column;
+    column.cell = grid.at(at.x(), at.y());
+    column.floor = static_cast<float>(room.floor);
+    column.ceiling = place.at(2).get<float>();
+    column.ceiling_seen = false;
+    room.columns.push_back(column);
+  }
+  return room;
+}
+
+Json
+jsonOf(const PlanStorey& storey)
+{
+  return {{"number", storey.number},
+          {"name", storey.name},
+          {"floor", storey.floor},
+          {"ceiling", storey.ceiling},
+          {"rooms", storey.rooms}};
+}
+
+PlanStorey
+storeyFrom(const Json& json)
+{
+  return {json.at("number").get<std::uint32_t>(), json.at("name").get<std::string>(),
+          json.at("floor").get<double>(), json.at("ceiling").get<double>(),
+          json.at("rooms").get<std::vector<std::uint32_t>>()};
+}
+
+Json
+jsonOf(const PlanDoorway& door)
+{
+  return {{"rooms", door.rooms},     {"start", pairOf(door.start)},
+          {"end", pairOf(door.end)}, {"width", door.width()},
+          {"bottom", door.bottom},   {"top", door.top}};
+}
+
+PlanDoorway
+doorwayFrom(const Json& json)
+{
+  return {json.at("rooms").get<std::array<std::uint32_t, 2>>(),
+          placeOf(json.at("start")), placeOf(json.at("end")),
+          json.at("bottom").get<double>(), json.at("top").get<double>()};
+}
+
+Json
+jsonOf(const PlanStair& stair)
+{
+  return {{"rooms", stair.rooms},
+          {"at", pairOf(stair.at)},
+          {"bottom", stair.bottom},
+          {"top", stair.top}};
+}
+
+PlanStair
+stairFrom(const Json& json)
+{
+  return {json.at("rooms").get<std::array<std::uint32_t, 2>>(), placeOf(json.at("at")),
+          json.at("bottom").get<double>(), json.at("top").get<double>()};
+}
+
+Json
+jsonOf(const LeftOut& thing)
+{
+  Json json{{"kind", nameOf(thing.kind)},
+            {"reason", thing.reason},
+            {"area", thing.area}};
+  if (thing.kind == LeftOutKind::Void)
+    return json; // all of them, at no place
+  json["floor"] = thing.floor;
+  json["ceiling"] = thing.ceiling;
+  json["at"] = pairOf(thing.at);
+  return json;
+}
+
+template <typename Thing>
+Json
+listOf(const std::vector<Thing>& things)
+{
+  Json list = Json::array();
+  for (const Thing& thing : things)
+    list.push_back(jsonOf(thing));
+  return list;
+}
+
+Building
+buildingFrom(const Json& json)
+{
+  if (json.value("format", "") != format_name ||
+      json.value("version", 0) != format_version)
+    throw ToolError("it is no building of pcl_room_segmentation");
+  Building building;
+  building.cell_size = json.at("cell_size").get<double>();
+  if (!(building.cell_size > 0))
+    throw ToolError("its cells have no size");
+  building.seen_area = json.at("seen_area").get<double>();
+  const CellGrid grid(building.cell_size);
+  for (const Json& room : json.at("rooms"))
+    building.rooms.push_back(roomFrom(room, grid));
+  for (const Json& storey : json.at("storeys"))
+    building.storeys.push_back(storeyFrom(storey));
+  for (const Json& door : json.at("doorways"))
+    building.doorways.push_back(doorwayFrom(door));
+  for (const Json& stair : json.at("stairs"))
+    building.stairs.push_back(stairFrom(stair));
+  return building;
+}
+
+} // namespace
+
+const char*
+nameOf(LeftOutKind kind)
+{
+  switch (kind) {
+  case LeftOutKind::Low:
+    return "no headroom";
+  case LeftOutKind::Open:
+    return "outdoors";
+  case LeftOutKind::Landing:
+    return "landing";
+  case LeftOutKind::Mirror:
+    return "mirror image";
+  case LeftOutKind::Void:
+    break;
+  }
+  return "void";
+}
+
+std::string
+buildingToJson(const Building& building)
+{
+  const CellGrid grid(building.cell_size);
+  Json rooms = Json::array();
+  for (const BuildingRoom& room : building.rooms)
+    rooms.push_back(jsonOf(room, grid));
+  const Json json{{"format", format_name},
+                  {"version", format_version},
+                  {"unit", "m"},
+                  {"cell_size", building.cell_size},
+                  {"seen_area", building.seen_area},
+                  {"rooms", rooms},
+                  {"storeys", listOf(building.storeys)},
+                  {"doorways", listOf(building.doorways)},
+                  {"stairs", listOf(building.stairs)},
+                  {"left_out", listOf(building.left_out)}};
+  return json.dump(1) + "\n";
+}
+
+Building
+loadBuilding(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw ToolError("'" + path + "' cannot be read");
+  try {
+    return buildingFrom(Json::parse(stream));
+  }
+  catch (const std::exception& error) {
+    throw ToolError("'" + path + "' is no building: " + error.what());
+  }
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_plane_rows.h"
+
+#include "file_rooms.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+void
+label(StructureLabel label,
+      std::uint32_t room,
+      const pcl::Indices& rows,
+      ToolCloud& cloud)
+{
+  for (const int i : rows) {
+    cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
+    cloud.room[static_cast<std::size_t>(i)] = room;
+  }
+}
+
+/** @brief What the building knows of a room, null where it does not. */
+const BuildingRoom*
+knownRoom(const Building& building, std::uint32_t id)
+{
+  const auto found =
+      std::find_if(building.rooms.begin(), building.rooms.end(),
+                   [&](const BuildingRoom& room) { return room.id == id; });
+  return found == building.rooms.end() ? nullptr : &*found;
+}
+
+void
+addHiddenCeiling(const BuildingRoom& known,
+                 double column_size,
+                 const FileRoom& room,
+                 const PlanSlab& plane,
+                 const CellGrid& grid,
+                 ToolCloud& cloud)
+{
+  const CellSet seen(grid, PointView(*cloud.points), room.ceiling);
+  std::vector<Eigen::Vector3f> places;
+  for (const HiddenCeiling& hidden :
+       hiddenCeiling(known.columns, column_size, grid, seen, plane))
+    places.push_back(hidden.at);
+  const std::size_t before = cloud.size();
+  const pcl::Indices sources(places.size(), room.ceiling.front());
+  appendRows(cloud.blob, cloud.blob, sources);
+  setCoordinates(cloud.blob, before, places);
+  for (const auto& place : places)
+    cloud.points->push_back({place.x(), place.y(), place.z()});
+  cloud.label.resize(cloud.points->size(),
+                     static_cast<std::uint32_t>(StructureLabel::Ceiling));
+  cloud.room.resize(cloud.points->size(), room.id);
+}
+
+} // namespace
+
+std::vector<pcl::HorizontalPlane>
+labelPlanesOfRooms(const RoomPlaneParameters& parameters,
+                   double grid_size,
+                   const Building& building,
+                   ToolCloud& cloud)
+{
+  const CellGrid grid(grid_size);
+  const std::vector<FileRoom> rooms = roomsOf(cloud);
+  std::fill(cloud.label.begin(), cloud.label.end(), 0);
+  std::fill(cloud.room.begin(), cloud.room.end(), 0);
+  std::vector<pcl::HorizontalPlane> planes;
+  for (const FileRoom& room : rooms) {
+    const BuildingRoom* const known = knownRoom(building, room.id);
+    const auto add = [&](const pcl::Indices& sheet, LevelKind kind, double height) {
+      const PointView points(*cloud.points);
+      const PlanSlab plane = mainPlane(points, sheet, height, parameters);
+      planes.push_back(listedPlane(kind, plane,
+                                   pointsOn(points, sheet, plane, parameters.tolerance),
+                                   points, grid));
+      return plane;
+    };
+    const PointView points(*cloud.points);
+    const PlanSlab ceiling =
+        add(room.ceiling, LevelKind::Ceiling,
+            known ? known->ceiling : ceilingLevel(points, room.ceiling));
+    label(StructureLabel::Ceiling, room.id, room.ceiling, cloud);
+    if (!room.floor.empty()) {
+      add(room.floor, LevelKind::Floor,
+          known ? known->floor : floorLevel(points, room.floor));
+      label(StructureLabel::Floor, room.id, planes.back().inliers.indices, cloud);
+    }
+    if (known)
+      addHiddenCeiling(*known, building.cell_size, room, ceiling, grid, cloud);
+  }
+  setField(cloud.blob, "label", cloud.label);
+  setField(cloud.blob, "room", cloud.room);
+  return planes;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "e57_packets.h"
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief Reads the values [first, first + size) of `field`, counted from the first one
+ * that `list` holds, scaled, as doubles. */
+void readE57Values(const E57Field& field,
+                   const E57Bytes& list,
+                   std::size_t first,
+                   std::size_t size,
+                   double* values);
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

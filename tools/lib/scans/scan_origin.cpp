@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_rows.h"
+#include "run_tool.h"
+#include "scan_file.h"
+#include "tool_error.h"
+
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/field_access.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <set>
+#include <sstream>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+constexpr double float_step = 1.0 / (1 << 23); // between floats, relative
+constexpr double coarsest = 0.001;             // metres
+constexpr double far_away = 1000;              // metres, where floats are 0.1 mm apart
+constexpr double farthest_grid = 1e8;          // metres, beyond all grids of the earth
+constexpr std::size_t sample_size = 20000;
+
+/** @brief Whether heights spread, but for a hundredth at each end, over more metres
+ * than any building has. */
+bool
+couldBeMillimetres(std::vector<double> heights)
+{
+  constexpr double highest = 200;
+  std::sort(heights.begin(), heights.end());
+  const std::size_t cut = heights.size() / 100;
+  return heights[heights.size() - 1 - cut] - heights[cut] > highest;
+}
+
+/** @brief The middle of all sizes along the axis that is farthest off, when counted
+ * from `shift`. */
+double
+farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
+{
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < places[0].size(); ++i)
+    sizes.push_back(std::max({std::abs(places[0][i] - shift.x()),
+                              std::abs(places[1][i] - shift.y()),
+                              std::abs(places[2][i] - shift.z())}));
+  return middleValue(sizes);
+}
+
+/** @brief The middle of the points in whole metres, along the axes on which that is far
+ * away. */
+Eigen::Vector3d
+wholeMetresNear(const ScanPlaces& places)
+{
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double middle = middleValue(places[axis]);
+    if (std::abs(middle) > far_away && std::abs(middle) < farthest_grid)
+      shift[static_cast<Eigen::Index>(axis)] = std::round(middle);
+  }
+  return shift;
+}
+
+/** @brief Says once for a file what its coordinates are counted from. */
+void
+tellOrigin(const std::string& path, const Origin& origin)
+{
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (told.insert(path + origin.text()).second)
+    tell("'" + path + "' lies far from 0: its coordinates are counted from (" +
+         origin.text(", ") + ") m, which every result tells as its origin");
+}
+
+[[noreturn]] void
+refuseTooLarge(const std::string& path,
+               double farthest,
+               const Eigen::Vector3d& shift,
+               const ScanPlaces& places)
+{
+  std::ostringstream sentence;
+  sentence.precision(2);
+  sentence << "the coordinates of '" << path << "' are too large: at "
+           << static_cast<long long>(std::min(farthest, 1e18)) << " m "
+           << (shift.isZero(0) ? "" : "from the origin that was asked for ")
+           << "a float resolves no finer than " << farthest * float_step * 1000
+           << " mm; subtract an origin first, say (";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    sentence << (axis > 0 ? ", " : "")
+             << static_cast<long long>(std::clamp(
+                    std::round(middleValue(places[axis]) / 1000) * 1000, -1e18, 1e18));
+  throw ToolError(sentence.str() + ") m");
+}
+
+} // namespace
+
+void
+ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const
+{
+  const pcl::PCLPointCloud2 blob = rawRows(first, size);
+  const std::array<const pcl::PCLPointField*, 3> xyz{
+      findField(blob, "x"), findField(blob, "y"), findField(blob, "z")};
+  for (std::size_t i = 0; i < blob.width; ++i) {
+    std::array<double, 3> p{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p[axis] = unit_ * readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
+                                  xyz[axis]->datatype);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places[axis].push_back(p[axis]);
+  }
+}
+
+ScanPlaces
+ScanFile::samplePlaces() const
+{
+  constexpr std::size_t run = 100; // rows beside one another share a page
+  ScanPlaces places;
+  const std::size_t step = std::max<std::size_t>(1, size() / (sample_size / run));
+  if (size() > sample_size)
+    for (std::size_t first = 0; first + run <= size(); first += step)
+      addPlaces(first, run, places);
+  // All of a small scan, and enough of one in which hardly a point is finite.
+  const bool is_enough = places[0].size() >= run;
+  if (!is_enough)
+    places = ScanPlaces();
+  for (std::size_t first = 0;
+       !is_enough && first < size() && places[0].size() < sample_size;
+       first += sample_size)
+    addPlaces(first, std::min(sample_size, size() - first), places);
+  if (unpacked_.empty())
+    file_.release(placeOf(0), placeOf(size()) - placeOf(0));
+  file_.checkWhole();
+  if (places[0].empty())
+    throw ToolError("'" + path_ + "' has no finite point among its " +
+                    std::to_string(size()));
+  return places;
+}
+
+void
+ScanFile::settleOrigin(const ScanSettings& settings)
+{
+  const ScanPlaces places = samplePlaces();
+  const auto isFloat = [&](const char* name) {
+    return findField(layout_.blob, name)->datatype == pcl::PCLPointField::FLOAT32;
+  };
+  const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
+  const double given = farthestFrom(Eigen::Vector3d::Zero(), places);
+  const bool finds_shift = settings.shifts && !settings.origin && !are_floats;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  if (settings.origin)
+    shift = settings.origin->place - layout_.counted_from.place;
+  else if (finds_shift)
+    shift = wholeMetresNear(places);
+  // What floats have lost already, no origin brings back.
+  const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
+                                     : farthestFrom(shift, places);
+  if (farthest * float_step > coarsest) {
+    if (unit_ == 1 && couldBeMillimetres(places[2]))
+      throw ToolError(
+          "the coordinates of '" + path_ +
+          "' are too large for metres; if the unit is the millimetre, scale by "
+          "0.001 (--unit 0.001 in pcl_sedr)");
+    refuseTooLarge(path_, farthest, are_floats ? Eigen::Vector3d(0, 0, 0) : shift,
+                   places);
+  }
+  shift_ = shift;
+  origin_ = {layout_.counted_from.place + shift};
+  if (finds_shift && !shift.isZero(0))
+    tellOrigin(path_, origin_);
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "point_reader.h"
+#include "text_columns.h"
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+/** @brief The points of a text, a line each: x, y, z, then `intensity`, `rgb` and other
+ * columns as floats. Empty lines and comments (# and //) are passed over. All lines are
+ * counted at first, and one in 64 KiB remembered, so that afterwards any of them can be
+ * had. A line with too few numbers is a ToolError that names it. */
+class TextReader : public PointReader {
+public:
+  TextReader(const MappedFile& file,
+             const std::string& path,
+             const std::string& columns);
+
+  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
+  std::size_t size() const override { return size_; }
+  void read(std::size_t first, std::size_t size, std::uint8_t* rows) const override;
+  std::size_t placeOf(std::size_t row) const override;
+
+private:
+  /** @brief A line that is remembered. */
+  struct Mark {
+    std::size_t place = 0; ///< byte of the file
+    std::size_t row = 0;   ///< number of the first row from there on
+  };
+
+  void layFields();
+  void countLines();
+  const Mark& markBefore(std::size_t row) const;
+  void writeRow(const double* numbers, std::uint8_t* row) const;
+
+  const MappedFile& file_;
+  std::string path_;
+  TextColumns columns_;
+  std::vector<pcl::PCLPointField> fields_;
+  std::vector<std::size_t> xyz_;    ///< columns
+  std::vector<std::size_t> colour_; ///< columns of blue, green, red; empty if not there
+  std::vector<std::size_t> others_; ///< columns of the fields after x, y and z, not rgb
+  std::vector<Mark> marks_;
+  std::size_t size_ = 0;
+};
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

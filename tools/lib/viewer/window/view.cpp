@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view.h"
+
+#include "poly_data.h"
+
+#include <vtkCamera.h>
+#include <vtkCoordinate.h>
+#include <vtkImageData.h>
+#include <vtkImageMapper.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+vtkSmartPointer<vtkActor>
+actorOf(vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  // The colours are lit already, or mean a number: VTK is to show them as they are.
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+/** @brief What the shapes of a layer depend on; clipping and sizes do not need new
+ * ones.
+ */
+std::string
+keyOf(const ViewState& state)
+{
+  return std::to_string(static_cast<int>(state.colouring)) +
+         (state.ceiling ? " with " : " without ") + std::to_string(state.storey);
+}
+
+void
+clip(vtkActor& actor, const ViewState& state)
+{
+  auto* mapper = actor.GetMapper();
+  mapper->RemoveAllClippingPlanes();
+  if (!state.isClipped())
+    return;
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0, 0, state.clip_height);
+  plane->SetNormal(0, 0, -1); // what lies towards it stays
+  mapper->AddClippingPlane(plane);
+}
+
+/** @brief Which sides of a surface are seen: both of a closed one, those that face the
+ * room of one that is opened to look inside. */
+void
+chooseSides(vtkActor& actor, Layer layer, const ViewState& state)
+{
+  const bool is_open = !state.ceiling || state.isClipped();
+  const bool faces_room = layer == Layer::Mesh; // a solid's triangles face out of it
+  actor.GetProperty()->SetBackfaceCulling(is_open && faces_room);
+  actor.GetProperty()->SetFrontfaceCulling(is_open && !faces_room);
+}
+
+/** @brief How far its text reaches to the right, in each row of an image and those near
+ * it; 0 where there is none. */
+std::vector<int>
+textEnds(const Image& image)
+{
+  constexpr int near = 6; // pixels
+  std::vector<int> ends(static_cast<std::size_t>(image.height), 0);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (image.at(x, y) != colours::paper)
+        for (int row = std::max(0, y - near);
+             row <= std::min(image.height - 1, y + near); ++row)
+          ends[static_cast<std::size_t>(row)] =
+              std::max(ends[static_cast<std::size_t>(row)], x + near);
+  return ends;
+}
+
+/** @brief An image whose paper veils what is behind its text, so that it can be read,
+ * and is seen through elsewhere. */
+vtkSmartPointer<vtkImageData>
+imageDataOf(const Image& image)
+{
+  constexpr unsigned char veil = 150; // of 255
+  const std::vector<int> ends = textEnds(image);
+  auto data = vtkSmartPointer<vtkImageData>::New();
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      auto* pixel = static_cast<unsigned char*>(
+          data->GetScalarPointer(x, image.height - 1 - y, 0));
+      const Colour colour = image.at(x, y);
+      const bool is_near_text = x < ends[static_cast<std::size_t>(y)];
+      pixel[0] = colour.red;
+      pixel[1] = colour.green;
+      pixel[2] = colour.blue;
+      pixel[3] = colour != colours::paper ? 255 : is_near_text ? veil : 0;
+    }
+  return data;
+}
+
+} // namespace
+
+View::View(vtkRenderer* renderer)
+    : renderer_(renderer)
+{
+  renderer_->SetBackground(1, 1, 1);
+}
+
+void
+View::addShapes(const ViewedResult& result,
+                const Painter& painter,
+                Layer layer,
+                const ViewState& state)
+{
+  Shapes& shapes = shapes_[layer];
+  shapes.made_for = keyOf(state);
+  if (result.cloudOf(layer))
+    shapes.body = actorOf(pointsData(painter.points(layer, state)));
+  else if (result.meshOf(layer))
+    shapes.body = actorOf(trianglesData(painter.triangles(layer, state)));
+  else
+    shapes.body = actorOf(linesData(painter.planLines(state)));
+  renderer_->AddActor(shapes.body);
+  if (layer != Layer::Solid)
+    return;
+  shapes.edges = actorOf(linesData(painter.solidEdges(state)));
+  shapes.edges->PickableOff();
+  // Before the faces that they lie on.
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(shapes.edges->GetMapper());
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
+  renderer_->AddActor(shapes.edges);
+}
+
+void
+View::showLayer(const ViewedResult& result,
+                const Painter& painter,
+                Layer layer,
+                const ViewState& state)
+{
+  const auto known = shapes_.find(layer);
+  if (known == shapes_.end() || known->second.made_for != keyOf(state)) {
+    hideLayer(layer);
+    addShapes(result, painter, layer, state);
+  }
+  Shapes& shapes = shapes_[layer];
+  shapes.body->GetProperty()->SetPointSize(static_cast<float>(state.point_size));
+  shapes.body->GetProperty()->SetLineWidth(3);
+  if (result.meshOf(layer))
+    chooseSides(*shapes.body, layer, state);
+  clip(*shapes.body, state);
+  if (!shapes.edges)
+    return;
+  shapes.edges->SetVisibility(state.edges);
+  shapes.edges->GetProperty()->SetLineWidth(1.5F);
+  clip(*shapes.edges, state);
+}
+
+void
+View::hideLayer(Layer layer)
+{
+  const auto known = shapes_.find(layer);
+  if (known == shapes_.end())
+    return;
+  renderer_->RemoveActor(known->second.body);
+  if (known->second.edges)
+    renderer_->RemoveActor(known->second.edges);
+  shapes_.erase(known);
+}
+
+void
+View::showLegend(const Image& image)
+{
+  if (legend_)
+    renderer_->RemoveActor2D(legend_);
+  legend_ = nullptr;
+  if (image.pixels.empty())
+    return;
+  vtkNew<vtkImageMapper> mapper;
+  mapper->SetInputData(imageDataOf(image));
+  mapper->SetColorWindow(255);
+  mapper->SetColorLevel(127.5);
+  legend_ = vtkSmartPointer<vtkActor2D>::New();
+  legend_->SetMapper(mapper);
+  constexpr int margin = 8; // pixels
+  const int* size = renderer_->GetSize();
+  legend_->SetPosition(margin, size[1] - image.height - margin);
+  renderer_->AddActor2D(legend_);
+}
+
+void
+View::place(const CameraPose& pose)
+{
+  auto* camera = renderer_->GetActiveCamera();
+  camera->SetPosition(pose.position.data());
+  camera->SetFocalPoint(pose.focus.data());
+  camera->SetViewUp(pose.up.data());
+  camera->SetViewAngle(pose.view_angle);
+  renderer_->ResetCameraClippingRange();
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

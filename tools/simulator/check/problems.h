@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/scene/scene.h"
+
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+/** @file The parts of problemsOf(): see scene_check.h. */
+
+namespace pcl::sedr::sim {
+
+/** @brief Sentences about what is wrong, each beginning with the place in the scene. */
+class Problems {
+public:
+  template <typename... Parts>
+  void report(const Parts&... parts)
+  {
+    std::ostringstream text;
+    (text << ... << parts);
+    sentences_.push_back(text.str());
+  }
+
+  bool empty() const { return sentences_.empty(); }
+
+  std::vector<std::string> take() { return std::move(sentences_); }
+
+private:
+  std::vector<std::string> sentences_;
+};
+
+/** @brief The place of an element of a list, as in "rooms[2]". */
+inline std::string
+placeOf(const std::string& list, std::size_t index)
+{
+  return list + '[' + std::to_string(index) + ']';
+}
+
+constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
+
+/** @brief Outlines, heights, details and columns; rooms that overlap. */
+void checkRooms(const Scene& scene, Problems& problems);
+
+/** @brief Holes in ceilings; rooms without problems are taken for granted. */
+void checkVoids(const Scene& scene, Problems& problems);
+
+/** @brief Openings and niches; rooms without problems are taken for granted. */
+void checkOpenings(const Scene& scene, Problems& problems);
+
+/** @brief Furniture and scanners; rooms without problems are taken for granted. */
+void checkObjects(const Scene& scene, Problems& problems);
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/scan/vec.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr::sim {
+
+/** @brief A value of a scene file together with its place, as in "rooms[2].openings".
+ *
+ * Whatever does not fit throws std::invalid_argument with a sentence that begins with
+ * the place. Refers to the document, which must live longer.
+ */
+class JsonView {
+public:
+  explicit JsonView(const nlohmann::json& value, std::string place = {})
+      : value_(value)
+      , place_(std::move(place))
+  {}
+
+  /** @brief The value of @p key, which must be there. */
+  JsonView at(const std::string& key) const;
+
+  /** @brief The value of @p key, if there is one. */
+  std::optional<JsonView> find(const std::string& key) const;
+
+  /** @brief The elements of a list of at least @p least. */
+  std::vector<JsonView> items(std::size_t least = 0) const;
+
+  /** @brief The elements of the list @p key; none if there is no such key. */
+  std::vector<JsonView> itemsOf(const std::string& key) const;
+
+  /** @brief The only key of an object and its value. */
+  std::pair<std::string, JsonView> single() const;
+
+  /** @brief Refuses an object that has other keys than these. */
+  void allowOnly(const std::vector<std::string>& keys) const;
+
+  bool isList() const { return value_.is_array(); }
+  bool isObject() const { return value_.is_object(); }
+
+  /** @brief A number from @p low to @p high; metres or degrees by default. */
+  double number(double low = -kFarthest, double high = kFarthest) const;
+
+  /** @brief A length of at least a tenth of a millimetre. */
+  double size() const;
+
+  /** @brief A whole number from @p least to @p most. */
+  std::size_t count(std::size_t least, std::size_t most) const;
+
+  /** @brief true or false. */
+  bool boolean() const;
+
+  /** @brief A text that is not empty. */
+  std::string text() const;
+
+  Vec2 point2() const; ///< [x, y]
+  Vec3 point3() const; ///< [x, y, z]
+  Vec3 size3() const;  ///< [x, y, z], all of them sizes
+
+  /** @brief Number at @p key or @p otherwise. */
+  double numberOr(const std::string& key, double otherwise) const;
+
+  /** @brief The place, or "the scene" for the whole document. */
+  std::string place() const { return place_.empty() ? "the scene" : place_; }
+
+  /** @brief Throws the place and @p sentence. */
+  [[noreturn]] void fail(const std::string& sentence) const;
+
+private:
+  static constexpr double kFarthest = 10000.0;
+
+  std::vector<double> numbers(std::size_t count) const;
+
+  const nlohmann::json& value_;
+  std::string place_;
+};
+
+} // namespace pcl::sedr::sim

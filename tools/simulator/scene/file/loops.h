@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "json_view.h"
+#include "simulator/scene/loop.h"
+
+namespace pcl::sedr::sim {
+
+/** @brief A loop: a list of corners, a rectangle, or a circle.
+ *
+ * A corner is [x, y], or {"at": [x, y], "radius": r} or {"at": [x, y], "bulge": b}
+ * where an arc leaves it. A positive radius turns left, and the arc is less than half a
+ * circle; a bulge is that of LoopVertex. {"rectangle": [[x, y], [x, y]]} gives two
+ * opposite corners, {"circle": [x, y], "radius": r} centre and radius.
+ */
+Loop readLoop(const JsonView& view);
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rooms.h"
+
+#include "loops.h"
+#include "objects.h"
+#include "openings.h"
+#include "simulator/scene/ribs.h"
+#include "simulator/scene/vaults.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+constexpr double kSteepest = 60.0; ///< degrees
+constexpr std::size_t kMostStoreys = 200;
+constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
+constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
+
+/** @brief A plane: its height, or its height, slope and direction.
+ * @param origin where the height is measured unless the file says where
+ */
+Slab
+readSlab(const JsonView& view, Vec2 origin)
+{
+  if (!view.isObject())
+    return {view.number()};
+  view.allowOnly({"height", "slope", "towards", "at"});
+  const auto at = view.find("at");
+  const double slope = view.at("slope").number(0.0, kSteepest) * pi / 180.0;
+  const double towards = view.at("towards").number() * pi / 180.0;
+  return {view.at("height").number(), rotated({std::tan(slope), 0.0}, towards),
+          at ? at->point2() : origin};
+}
+
+/** @brief A part of the floor or ceiling, by its own plane or parallel to the whole.
+ * @param offset key of the distance from @p whole
+ * @param upwards 1 or -1: where that distance is counted
+ */
+SlabDetail
+readSlabDetail(const JsonView& view, const Slab& whole, const char* offset, int upwards)
+{
+  view.allowOnly({"loop", "height", offset});
+  const auto height = view.find("height");
+  const auto distance = view.find(offset);
+  if (height.has_value() == distance.has_value())
+    view.fail(std::string("must have either \"height\" or \"") + offset + '"');
+  SlabDetail detail{readLoop(view.at("loop")), whole};
+  if (height)
+    detail.slab = readSlab(*height, whole.origin);
+  else
+    detail.slab.height += upwards * distance->number();
+  return detail;
+}
+
+Niche
+readNiche(const JsonView& view, const Room& room)
+{
+  view.allowOnly({"wall", "from", "to", "sill", "head", "depth"});
+  Niche niche;
+  niche.wall = view.at("wall").count(0, room.outline.size() - 1);
+  niche.from = view.at("from").number();
+  niche.to = view.at("to").number();
+  niche.sill = view.at("sill").number();
+  niche.head = view.at("head").number();
+  niche.depth = view.at("depth").size();
+  return niche;
+}
+
+RibFamily
+readRibFamily(const JsonView& view)
+{
+  view.allowOnly({"direction", "spacing", "width", "depth", "first"});
+  RibFamily family;
+  family.direction = view.at("direction").number() * pi / 180.0;
+  family.spacing = view.at("spacing").number(kNarrowest);
+  family.width = view.at("width").size();
+  family.depth = view.at("depth").size();
+  if (!(family.width < family.spacing))
+    view.at("width").fail("is not less than the spacing of the ribs");
+  if (const auto first = view.find("first"))
+    family.first = first->number();
+  return family;
+}
+
+/** @brief Adds the ribs of a ceiling to its details. */
+void
+readRibs(const std::vector<JsonView>& list, Room& room)
+{
+  std::vector<RibFamily> families;
+  for (const JsonView& view : list) {
+    families.push_back(readRibFamily(view));
+    for (const LoopVertex& vertex : room.outline)
+      if (vertex.bulge != 0.0)
+        view.fail("needs a room with straight walls");
+  }
+  const auto loops = ribLoops(room.outline, families);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const Loop& loop : loops[i]) {
+      room.details.push_back({loop, room.ceiling});
+      room.details.back().slab.height -= families[i].depth;
+    }
+    if (room.details.size() > kMostRibs)
+      list[i].fail("makes more than " + std::to_string(kMostRibs) + " ribs");
+  }
+}
+
+/** @brief A part of a ceiling that is not level: a slope, a vault or a dome. */
+void
+readFacet(const JsonView& view, Room& room)
+{
+  const auto append = [&](std::vector<SlabDetail> facets) {
+    room.details.insert(room.details.end(), facets.begin(), facets.end());
+  };
+  if (const auto dome = view.find("dome")) {
+    view.allowOnly({"dome"});
+    dome->allowOnly({"at", "height", "radius", "rim"});
+    Dome cap;
+    cap.at = dome->at("at").point2();
+    cap.height = dome->at("height").number();
+    cap.radius = dome->at("radius").size();
+    cap.rim = dome->at("rim").size();
+    if (cap.rim > cap.radius)
+      dome->at("rim").fail("is more than the radius of the dome");
+    append(facetsOf(cap));
+    return;
+  }
+  if (const auto vault = view.find("vault")) {
+    view.allowOnly({"loop", "vault"});
+    vault->allowOnly({"at", "direction", "height", "radius"});
+    Vault barrel;
+    barrel.at = vault->at("at").point2();
+    barrel.direction = vault->at("direction").number() * pi / 180.0;
+    barrel.height = vault->at("height").number();
+    barrel.radius = vault->at("radius").size();
+    try {
+      append(facetsOf(barrel, readLoop(view.at("loop"))));
+    }
+    catch (const std::invalid_argument& error) {
+      view.fail(std::string("cannot be built: ") + error.what());
+    }
+    return;
+  }
+  SlabDetail slope = readSlabDetail(view, room.ceiling, "drop", -1);
+  slope.is_facet = true;
+  room.details.push_back(slope);
+}
+
+/** @brief A hole in a ceiling; all rooms are known by name already. */
+CeilingVoid
+readVoid(const JsonView& view, const Scene& scene)
+{
+  view.allowOnly({"loop", "leads_to"});
+  CeilingVoid hole{readLoop(view.at("loop"))};
+  if (const auto target = view.find("leads_to"))
+    hole.leads_to = roomNamed(*target, scene);
+  return hole;
+}
+
+/** @brief All of a room but its openings, voids and furniture. */
+Room
+readShell(const JsonView& view)
+{
+  view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
+                  "ceiling_details", "facets", "ribs", "plenum", "voids", "columns",
+                  "niches", "openings", "furniture"});
+  Room room;
+  room.name = view.at("name").text();
+  room.outline = readLoop(view.at("outline"));
+  if (!(areaOf(room.outline) > 0.0)) // walls, and what stands at them, would be lost
+    view.at("outline").fail("does not run counter-clockwise");
+  const Vec2 origin = room.outline.front().position;
+  room.floor = readSlab(view.at("floor"), origin);
+  room.ceiling = readSlab(view.at("ceiling"), origin);
+  if (const auto storey = view.find("storey"))
+    room.storey = storey->count(1, kMostStoreys);
+  if (const auto plenum = view.find("plenum"))
+    room.plenum = plenum->size();
+  for (const JsonView& facet : view.itemsOf("facets"))
+    readFacet(facet, room);
+  readRibs(view.itemsOf("ribs"), room);
+  for (const JsonView& detail : view.itemsOf("floor_details"))
+    room.floor_details.push_back(readSlabDetail(detail, room.floor, "rise", 1));
+  for (const JsonView& detail : view.itemsOf("ceiling_details"))
+    room.details.push_back(readSlabDetail(detail, room.ceiling, "drop", -1));
+  for (const JsonView& column : view.itemsOf("columns"))
+    room.columns.push_back(readLoop(column));
+  for (const JsonView& niche : view.itemsOf("niches"))
+    room.niches.push_back(readNiche(niche, room));
+  return room;
+}
+
+void
+append(std::vector<Object>& objects, std::vector<Object> more)
+{
+  std::move(more.begin(), more.end(), std::back_inserter(objects));
+}
+
+} // namespace
+
+void
+readRooms(const JsonView& list, Scene& scene)
+{
+  const auto views = list.items(1);
+  for (const JsonView& view : views) {
+    Room room = readShell(view);
+    const bool is_known =
+        std::any_of(scene.rooms.begin(), scene.rooms.end(),
+                    [&room](const Room& other) { return other.name == room.name; });
+    if (is_known)
+      view.at("name").fail("is that of another room, too");
+    scene.rooms.push_back(std::move(room));
+  }
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    for (const JsonView& opening : views[i].itemsOf("openings"))
+      readOpening(opening, i, scene);
+    for (const JsonView& hole : views[i].itemsOf("voids"))
+      scene.rooms[i].voids.push_back(readVoid(hole, scene));
+    append(scene.furniture,
+           readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]));
+  }
+}
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "loop.h"
+#include "simulator/scan/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/** @file
+ * A scene to scan, as pure data: plain structures without behaviour, all lengths in
+ * metres, z up, plan loops as in loop.h. Nothing here refers to how a scene is scanned
+ * or meshed.
+ */
+
+namespace pcl::sedr::sim {
+
+/** @brief What a point or a face belongs to: the label field of the files. */
+enum class Label : std::uint32_t {
+  Other = 0,
+  Ceiling = 1,
+  Floor = 2,
+  Wall = 3,
+  Detail = 4,
+  Column = 5
+};
+
+/** @brief A floor or ceiling: a plane, level unless it has a gradient. */
+struct Slab {
+  double height = 0.0; ///< z at the origin
+  Vec2 gradient{};     ///< rise in metres per metre along x and y
+  Vec2 origin{};       ///< where the height is measured
+};
+
+/** @brief z of the slab at @p point. */
+inline double
+heightAt(const Slab& slab, Vec2 point)
+{
+  return slab.height + dot(slab.gradient, point - slab.origin);
+}
+
+/** @brief A part of a ceiling or floor with a plane of its own.
+ *
+ * Soffit, recess, coffer, beam; step, platform, pit. Edges of the loop that lie on a
+ * wall must coincide with a part of a wall element. Where the details of a ceiling (or
+ * of a floor) overlap the later one counts; their outlines may meet along edges, but
+ * not cross. What is above does not matter to what is below.
+ */
+struct SlabDetail {
+  Loop loop;
+  Slab slab;
+  bool is_facet = false; ///< of a ceiling that is not level: labelled as the ceiling
+};
+
+/** @brief The pane of a window, in the middle of the reveal. */
+struct Glazing {
+  double return_share = 0.03; ///< share of the rays that end on the pane
+  double mirror_share = 0.01; ///< share that is reflected and yields a mirrored point
+};
+
+/** @brief A door or window: a rectangle cut out of a wall element, with its reveal. */
+struct Opening {
+  std::size_t wall = 0; ///< element of the room's outline
+  double from = 0.0;    ///< start along the element
+  double to = 0.0;      ///< end along the element
+  double sill = 0.0;    ///< lower z; the floor height for a door
+  double head = 0.0;    ///< upper z
+  double depth = 0.1;   ///< thickness of the wall, that is, depth of the reveal
+  /// Room behind the wall, whose wall gets the same opening; empty: the outside.
+  std::optional<std::size_t> leads_to = std::nullopt;
+  std::optional<Glazing> glazing = std::nullopt;
+  bool is_shut = false; ///< a door with its leaf in the opening
+};
+
+/** @brief A recess in a wall, closed all around: back, sides, bottom and lid. */
+struct Niche {
+  std::size_t wall = 0; ///< element of the room's outline
+  double from = 0.0;    ///< start along the element
+  double to = 0.0;      ///< end along the element
+  double sill = 0.0;    ///< lower z
+  double head = 0.0;    ///< upper z
+  double depth = 0.0;   ///< behind the wall's face
+};
+
+/** @brief A hole in a ceiling: a stairwell, a well over two storeys, a missing tile. */
+struct CeilingVoid {
+  Loop loop;
+  /// Room above, whose floor gets the same hole; empty: the plenum of the room itself.
+  std::optional<std::size_t> leads_to = std::nullopt;
+};
+
+/** @brief A room: what is enclosed by floor, walls, ceiling and columns. */
+struct Room {
+  std::string name;
+  Loop outline; ///< counter-clockwise
+  Slab floor;
+  Slab ceiling;
+  std::vector<SlabDetail> details; ///< of the ceiling
+  std::vector<SlabDetail> floor_details;
+  std::vector<Loop> columns; ///< counter-clockwise, floor to ceiling, away from walls
+  std::vector<Opening> openings;
+  std::vector<Niche> niches;
+  std::vector<CeilingVoid> voids;
+  double plenum = 0.0; ///< height of the closed space above the ceiling; 0: none
+  std::optional<std::size_t> storey = std::nullopt; ///< from 1; empty: by its height
+};
+
+/** @brief A box that stands upright, turned about z. */
+struct Box {
+  Vec3 center;
+  Vec3 size;        ///< along its own x, y and z
+  double yaw = 0.0; ///< radians, counter-clockwise
+};
+
+/** @brief A vertical cylinder with lids. */
+struct Cylinder {
+  Vec3 base; ///< centre of the lower lid
+  double radius = 0.0;
+  double height = 0.0;
+};
+
+/** @brief Something that is no structure: furniture, a door leaf, a tree, a facade. */
+struct Object {
+  std::string name;
+  std::vector<Box> boxes;
+  std::vector<Cylinder> cylinders;
+  std::string place; ///< where its scene file describes it, for messages
+};
+
+/** @brief How the scene is scanned.
+ *
+ * Every station sends its rays in equal steps of azimuth and elevation, as a
+ * terrestrial scanner does. A walk with a backpack is a scanner of many stations with
+ * few rays each.
+ */
+struct Scanner {
+  std::vector<Vec3> stations;
+  std::size_t rays_per_station = 0;
+  double min_elevation = -65.0; ///< degrees; up to the zenith
+  double jitter = 0.1;          ///< random share of an angle step
+  double max_range = 60.0;
+  double noise = 0.0; ///< standard deviation along the ray
+};
+
+/** @brief From the frame in which a scene is described to that of the files. */
+struct Placement {
+  double yaw = 0.0; ///< degrees about z, before the shift
+  Vec3 shift;
+};
+
+/** @brief All there is to scan. */
+struct Scene {
+  std::string name;
+  std::string summary; ///< one line for people
+  std::vector<Room> rooms;
+  std::vector<Object> furniture; ///< inside the rooms
+  std::vector<Object> outside;   ///< what is seen through openings
+  std::vector<Scanner> scanners;
+  Placement placement;
+};
+
+/** @brief @p point in the frame of the files. */
+inline Vec3
+placed(const Placement& placement, Vec3 point)
+{
+  const Vec2 turned = rotated(plan(point), placement.yaw * pi / 180.0);
+  return lifted(turned, point.z) + placement.shift;
+}
+
+} // namespace pcl::sedr::sim

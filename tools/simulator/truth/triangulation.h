@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/scan/vec.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pcl::sedr::sim {
+
+/** @brief Indices of points, in order around the polygon. */
+using Ring = std::vector<std::size_t>;
+
+/** @brief A polygon: counter-clockwise outside, clockwise holes. */
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+using Triangle = std::array<std::size_t, 3>;
+
+/** @brief Signed area of a ring, positive for counter-clockwise ones. */
+double areaOf(const std::vector<Vec2>& points, const Ring& ring);
+
+/** @brief Groups rings (counter-clockwise: outer, clockwise: hole) into polygons.
+ * @throw std::invalid_argument if a hole lies in no outer ring.
+ */
+std::vector<Polygon> polygonsOf(const std::vector<Vec2>& points,
+                                const std::vector<Ring>& rings);
+
+/** @brief Triangulates a polygon by ear clipping, best shaped ear first.
+ *
+ * Every edge of the rings is an edge of exactly one triangle, also where several points
+ * lie on a straight line, so that neighbouring polygons fit together. Adds no points.
+ * Cost: quadratic in the number of points.
+ * @throw std::invalid_argument if the rings cross or touch.
+ */
+std::vector<Triangle> triangulate(const std::vector<Vec2>& points,
+                                  const Polygon& polygon);
+
+} // namespace pcl::sedr::sim
