@@ -4,6 +4,7 @@
 #include "pierced_surfaces.h"
 
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,14 @@ struct Pane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double offset = 0;                ///< normal.dot(p) of its points
   std::vector<std::uint32_t> cubes; ///< of PiercedSurfaces, that it is in
+
+  /** @brief Whether a ray ends at least `depth` metres behind the plane of a pane. */
+  bool parts(const ScanRay& ray, double depth) const
+  {
+    const double before = normal.dot(ray.from.cast<double>()) - offset;
+    const double behind = normal.dot(ray.to.cast<double>()) - offset;
+    return before * behind < 0 && std::abs(behind) >= depth;
+  }
 
   /** @brief What a place looks like in it. */
   Eigen::Vector3d imageOf(const Eigen::Vector3d& p) const

@@ -4,6 +4,10 @@
 #include <pcl/sedr_filters/mirrored_points.h>
 #include <pcl/sedr_filters/parallel.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
 namespace pcl {
 namespace sedr {
 
@@ -20,34 +24,38 @@ public:
       , filled_(filled)
       , mirrors_at_(cubes.size())
   {
+    boxes_.resize(mirrors.size());
     for (std::uint32_t k = 0; k < mirrors.size(); ++k)
-      for (const std::uint32_t cube : mirrors[k].cubes)
+      for (const std::uint32_t cube : mirrors[k].cubes) {
         mirrors_at_[cube].push_back(k);
+        boxes_[k].extend(Cube(cubes[cube] - Cube::Ones()));
+        boxes_[k].extend(Cube(cubes[cube] + Cube::Ones()));
+      }
   }
 
   bool isMirrored(const ScanRay& ray) const
   {
-    const Eigen::Vector3d from = ray.from.cast<double>();
     const Eigen::Vector3d to = ray.to.cast<double>();
     for (std::uint32_t k = 0; k < mirrors_.size(); ++k)
-      if (goesThrough(k, from, to) && isFilled(mirrors_[k].imageOf(to)))
+      if (goesThrough(k, ray) && isFilled(mirrors_[k].imageOf(to)))
         return true;
     return false;
   }
 
 private:
-  bool goesThrough(std::uint32_t k,
-                   const Eigen::Vector3d& from,
-                   const Eigen::Vector3d& to) const
+  bool goesThrough(std::uint32_t k, const ScanRay& ray) const
   {
-    constexpr double least = 0.1; // metres behind a mirror, beyond its own noise
+    constexpr double least = 0.2; // metres: nearer to a mirror all is like itself
     const Pane& mirror = mirrors_[k];
-    const double before = mirror.normal.dot(from) - mirror.offset;
-    const double behind = mirror.normal.dot(to) - mirror.offset;
-    if (before * behind >= 0 || std::abs(behind) < least)
+    if (!mirror.parts(ray, least))
       return false;
-    const Eigen::Vector3d at = from + before / (before - behind) * (to - from);
-    return cubes_.anyAround(cubes_.at(at), [&](std::uint32_t cube) {
+    const Eigen::Vector3d from = ray.from.cast<double>();
+    const Eigen::Vector3d whole = ray.to.cast<double>() - from;
+    const double share =
+        (mirror.offset - mirror.normal.dot(from)) / mirror.normal.dot(whole);
+    const Eigen::Vector3d at = from + share * whole;
+    const Cube there = cubes_.at(at);
+    return boxes_[k].contains(there) && cubes_.anyAround(there, [&](std::uint32_t cube) {
       return std::find(mirrors_at_[cube].begin(), mirrors_at_[cube].end(), k) !=
              mirrors_at_[cube].end();
     });
@@ -62,6 +70,7 @@ private:
   const CubeTable& cubes_;
   const CubeTable& filled_;
   std::vector<std::vector<std::uint32_t>> mirrors_at_; ///< of each cube
+  std::vector<Eigen::AlignedBox3i> boxes_;             ///< of each mirror, and its rim
 };
 
 /** @brief The cubes to which all rays are mirrored: 1. */
@@ -118,7 +127,7 @@ findMirroredPoints(const PointView& thinned,
                    unsigned threads)
 {
   constexpr double cube_size = 0.1;   // metres
-  constexpr unsigned most_a_cube = 8; // positions
+  constexpr unsigned most_a_cube = 4; // positions
   CubeTable filled(cube_size);
   for (std::size_t i = 0; i < thinned.size(); ++i)
     if (thinned.isFinite(i))

@@ -3,6 +3,8 @@
 
 #include <pcl/sedr_filters/parallel.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <limits>
 
