@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer's entry for one reader of scans, FUZZED_FORMAT: whatever bytes come, they are
-// read or refused with a ToolError, and nothing else.
+// libFuzzer's entry for one reader of scans, FUZZED_FORMAT: whatever bytes come, they
+// are read or refused with a ToolError, and nothing else.
 #include "scan_file.h"
 #include "tool_error.h"
 #include "tools/scans/e57_writer.h"
@@ -16,7 +16,8 @@ namespace {
 
 using namespace pcl::sedr::tools;
 
-/** What each reader is chosen by, kept in place: else most bytes would be of no format. */
+/** What each reader is chosen by, kept in place: else most bytes would be of no format.
+ */
 std::string
 withMagic(std::string bytes)
 {
@@ -51,8 +52,8 @@ public:
   explicit MemoryFile(const std::string& bytes)
       : file_(memfd_create("scan", 0))
   {
-    if (file_ < 0 || write(file_, bytes.data(), bytes.size()) !=
-                         static_cast<ssize_t>(bytes.size()))
+    if (file_ < 0 ||
+        write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
       std::abort();
   }
   ~MemoryFile() { close(file_); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes small good files of every format, which the fuzzers begin with:
-// write_fuzz_seeds FOLDER makes FOLDER/e57, FOLDER/las, FOLDER/pcd, FOLDER/ply and FOLDER/text.
+// write_fuzz_seeds FOLDER makes FOLDER/e57, FOLDER/las, FOLDER/pcd, FOLDER/ply and
+// FOLDER/text.
 #include "tools/scans/e57_writer.h"
 #include "tools/scans/las_writer.h"
 
@@ -53,23 +54,24 @@ writeE57(Seeds& seeds)
     real.push_back(0.05 * i);
   }
   const auto integers = [&](const char* name) {
-    return E57TestField::ofIntegers(name, whole, -250, 250, "scale=\"0.01\" offset=\"3\"");
+    return E57TestField::ofIntegers(name, whole, -250, 250,
+                                    "scale=\"0.01\" offset=\"3\"");
   };
   E57Writer cartesian;
   cartesian.packet_bytes = 150;
   cartesian.has_index = cartesian.is_uneven = true;
-  cartesian.addScan("a", {integers("cartesianX"), integers("cartesianY"),
-                          integers("cartesianZ"), integers("intensity")},
+  cartesian.addScan("a",
+                    {integers("cartesianX"), integers("cartesianY"),
+                     integers("cartesianZ"), integers("intensity")},
                     E57Writer::pose(1, 0, 0, 0, 1, 2, 3));
   seeds.write("e57", unsealed(cartesian.file()));
   E57Writer spherical;
-  spherical.addScan("b", {E57TestField::ofDoubles("sphericalRange", real),
-                          E57TestField::ofDoubles("sphericalAzimuth", real),
-                          E57TestField::ofFloats("sphericalElevation",
-                                                 std::vector<float>(60, 0.5F)),
-                          E57TestField::ofIntegers("sphericalInvalidState",
-                                                   std::vector<std::int64_t>(60, 0), 0,
-                                                   2)});
+  spherical.addScan(
+      "b", {E57TestField::ofDoubles("sphericalRange", real),
+            E57TestField::ofDoubles("sphericalAzimuth", real),
+            E57TestField::ofFloats("sphericalElevation", std::vector<float>(60, 0.5F)),
+            E57TestField::ofIntegers("sphericalInvalidState",
+                                     std::vector<std::int64_t>(60, 0), 0, 2)});
   spherical.addScan("c", {integers("cartesianX"), integers("cartesianY"),
                           integers("cartesianZ"), integers("colorRed"),
                           integers("colorGreen"), integers("colorBlue")});

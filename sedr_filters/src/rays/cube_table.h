@@ -74,6 +74,12 @@ public:
     return false;
   }
 
+  /** @brief Whether any of the 27 cubes around a place is in the set. */
+  bool isNear(const Eigen::Vector3d& place) const
+  {
+    return anyAround(at(place), [](std::uint32_t) { return true; });
+  }
+
 private:
   /** @brief The slot that holds a cube, or the empty one where it belongs. */
   std::size_t slotOf(const Cube& cube) const

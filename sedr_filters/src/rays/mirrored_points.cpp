@@ -37,7 +37,7 @@ public:
   {
     const Eigen::Vector3d to = ray.to.cast<double>();
     for (std::uint32_t k = 0; k < mirrors_.size(); ++k)
-      if (goesThrough(k, ray) && isFilled(mirrors_[k].imageOf(to)))
+      if (goesThrough(k, ray) && filled_.isNear(mirrors_[k].imageOf(to)))
         return true;
     return false;
   }
@@ -55,15 +55,11 @@ private:
         (mirror.offset - mirror.normal.dot(from)) / mirror.normal.dot(whole);
     const Eigen::Vector3d at = from + share * whole;
     const Cube there = cubes_.at(at);
-    return boxes_[k].contains(there) && cubes_.anyAround(there, [&](std::uint32_t cube) {
-      return std::find(mirrors_at_[cube].begin(), mirrors_at_[cube].end(), k) !=
-             mirrors_at_[cube].end();
-    });
-  }
-
-  bool isFilled(const Eigen::Vector3d& p) const
-  {
-    return filled_.anyAround(filled_.at(p), [](std::uint32_t) { return true; });
+    return boxes_[k].contains(there) &&
+           cubes_.anyAround(there, [&](std::uint32_t cube) {
+             return std::find(mirrors_at_[cube].begin(), mirrors_at_[cube].end(), k) !=
+                    mirrors_at_[cube].end();
+           });
   }
 
   const std::vector<Pane>& mirrors_;
@@ -133,16 +129,15 @@ findMirroredPoints(const PointView& thinned,
     if (thinned.isFinite(i))
       filled.add(filled.at(thinned[i].cast<double>()));
   const std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, most_a_cube);
-  const PiercedSurfaces surfaces(thinned, threads);
+  const PiercedSurfaces surfaces(thinned);
   const std::vector<std::uint32_t> pierced = surfaces.firstPierced(rays, threads);
   const std::vector<Pane> mirrors = mirrorsAmong(panesOf(surfaces, pierced), surfaces,
                                                  rays, pierced, filled, threads);
   MirroredPoints found;
   found.rays = rays.size();
   found.mirrors = mirrors.size();
-  const std::vector<std::uint8_t> chosen =
-      mirroredCubes(rays, MirroredRays(mirrors, surfaces.cubes(), filled),
-                    filled.size(), threads);
+  const std::vector<std::uint8_t> chosen = mirroredCubes(
+      rays, MirroredRays(mirrors, surfaces.cubes(), filled), filled.size(), threads);
   found.of_thinned = pointsIn(filled, chosen, thinned, threads);
   found.of_rows = pointsIn(filled, chosen, rows, threads);
   return found;

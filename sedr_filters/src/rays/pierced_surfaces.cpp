@@ -47,8 +47,8 @@ public:
     for (int axis = 0; axis < 3; ++axis) {
       const double speed = std::abs(direction[axis]);
       step_[axis] = direction[axis] < 0 ? -1 : 1;
-      stride_[axis] = speed > 1e-9 ? cubes.edge() / speed
-                                   : std::numeric_limits<double>::infinity();
+      stride_[axis] =
+          speed > 1e-9 ? cubes.edge() / speed : std::numeric_limits<double>::infinity();
       const double wall = cubes.edge() * (cube_[axis] + (step_[axis] > 0 ? 1 : 0));
       next_[axis] = speed > 1e-9 ? std::abs(wall - from[axis]) / speed
                                  : std::numeric_limits<double>::infinity();
@@ -77,10 +77,9 @@ private:
 
 } // namespace
 
-PiercedSurfaces::PiercedSurfaces(const PointView& points, unsigned threads)
+PiercedSurfaces::PiercedSurfaces(const PointView& points)
     : cubes_(cube_size)
 {
-  static_cast<void>(threads);
   std::vector<std::uint32_t> cube_of(points.size(), CubeTable::none);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.isFinite(i))

@@ -12,8 +12,8 @@ namespace sedr {
  * whatever else has gaps. Points are kept by cubes of a quarter of a metre. */
 class PiercedSurfaces {
 public:
-  /** @param points of the scan, thinned; must outlive this */
-  PiercedSurfaces(const PointView& points, unsigned threads);
+  /** @param points of the scan, thinned */
+  explicit PiercedSurfaces(const PointView& points);
 
   const CubeTable& cubes() const { return cubes_; }
 

@@ -13,8 +13,8 @@ namespace sedr {
 
 /** @brief A ray of a scanner and what it ended on. */
 struct ScanRay {
-  Eigen::Vector3f from;  ///< the position
-  Eigen::Vector3f to;    ///< the point
+  Eigen::Vector3f from;   ///< the position
+  Eigen::Vector3f to;     ///< the point
   std::uint32_t cube = 0; ///< that the point is in
 };
 

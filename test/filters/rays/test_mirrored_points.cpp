@@ -10,16 +10,16 @@
 
 namespace {
 
+using Eigen::Vector3d;
 using pcl::sedr::findMirroredPoints;
 using pcl::sedr::MirroredPoints;
 using pcl::sedr::PointView;
 using pcl::sedr::positionOfRow;
 using pcl::sedr::ScanPositions;
-using Eigen::Vector3d;
 
-/** A room with some boxes in it, 6 x 5 x 2.6 m, seen from a place in it. The wall at x =
- * 6 has a pane of 3.4 x 2 m, which returns few of the rays; behind it are a second room
- * and, in a mirror, the first one again. */
+/** A room with some boxes in it, 6 x 5 x 2.6 m, seen from a place in it. The wall at x
+ * = 6 has a pane of 3.4 x 2 m, which returns few of the rays; behind it are a second
+ * room and, in a mirror, the first one again. */
 class GlazedRoom {
 public:
   double mirrored = 0.25; ///< share of the rays at the pane
@@ -55,14 +55,16 @@ private:
   using Box = Eigen::AlignedBox3d;
 
   /** How far a ray goes until it leaves a box. */
-  static double exitFrom(const Box& box, const Vector3d& from, const Vector3d& direction)
+  static double
+  exitFrom(const Box& box, const Vector3d& from, const Vector3d& direction)
   {
     double exit = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis)
       if (direction[axis] != 0)
-        exit = std::min(
-            exit, ((direction[axis] > 0 ? box.max()[axis] : box.min()[axis]) - from[axis]) /
-                      direction[axis]);
+        exit =
+            std::min(exit, ((direction[axis] > 0 ? box.max()[axis] : box.min()[axis]) -
+                            from[axis]) /
+                               direction[axis]);
     return exit;
   }
 
@@ -80,9 +82,10 @@ private:
     return low < high ? low : std::numeric_limits<double>::infinity();
   }
 
-  static double
-  rangeIn(const Box& room, const std::vector<Box>& boxes, const Vector3d& from,
-          const Vector3d& direction)
+  static double rangeIn(const Box& room,
+                        const std::vector<Box>& boxes,
+                        const Vector3d& from,
+                        const Vector3d& direction)
   {
     double range = exitFrom(room, from, direction);
     for (const Box& box : boxes)
@@ -100,7 +103,8 @@ private:
       return add(hit, false);
     if (fate < 0.05 + mirrored) {
       const Vector3d turned(-direction.x(), direction.y(), direction.z());
-      Vector3d image = hit + rangeIn(room_, boxes_, hit - 1e-6 * direction, turned) * turned;
+      Vector3d image =
+          hit + rangeIn(room_, boxes_, hit - 1e-6 * direction, turned) * turned;
       image.x() = 12 - image.x();
       return add(image, true);
     }
@@ -171,7 +175,8 @@ TEST(MirroredPoints, WhatIsSeenFreelyTooStays)
   room.scanFrom({2.8, 2.4, 1.5}, 1);
   const std::size_t mirrored = countOf(room.found().of_rows);
   ASSERT_GT(mirrored, 300u);
-  // The same points once more, from a place behind the pane, to which nothing is between.
+  // The same points once more, from a place behind the pane, to which nothing is
+  // between.
   const std::size_t rows = room.rows.size();
   room.positions.push_back({rows, Eigen::Vector3f(9, 2.4F, 1.5F)});
   for (std::size_t i = 0; i < rows; ++i)
@@ -205,9 +210,11 @@ TEST(MirroredPoints, TheNumberOfThreadsMakesNoDifference)
 
 TEST(MirroredPoints, NoPointsAndNaNAreNone)
 {
-  EXPECT_TRUE(findMirroredPoints({}, {}, 1, {{0, Eigen::Vector3f::Zero()}}).of_rows.empty());
+  EXPECT_TRUE(
+      findMirroredPoints({}, {}, 1, {{0, Eigen::Vector3f::Zero()}}).of_rows.empty());
   GlazedRoom room;
-  room.rows.assign(5, Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  room.rows.assign(5,
+                   Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   room.positions = {{0, Eigen::Vector3f::Zero()}};
   EXPECT_EQ(countOf(room.found().of_rows), 0u);
 }

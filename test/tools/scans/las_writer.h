@@ -20,7 +20,7 @@ struct LasSample {
   std::vector<std::array<std::int32_t, 3>> points;
   std::array<std::uint16_t, 3> colour{0, 0, 0};
   std::uint16_t intensity = 0;
-  std::string before; ///< bytes between header and points
+  std::string before;                ///< bytes between header and points
   std::uint32_t claimed_records = 0; ///< variable-length ones, in `before`
   long long claimed_points = -1;
 

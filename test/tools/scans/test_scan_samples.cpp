@@ -147,8 +147,9 @@ TEST_F(ScanSamples, LasThatIsCutOffOrCompressedOrMiscountsIsRefused)
             std::string::npos);
   EXPECT_NE(refusal("garbage_nVariableLength.las").find("1069128089 records"),
             std::string::npos);
-  EXPECT_NE(refusal("bad_vlr_count.las").find("3 records before its points, but number "
-                                              "3, from byte 429 on"),
+  EXPECT_NE(refusal("bad_vlr_count.las")
+                .find("3 records before its points, but number "
+                      "3, from byte 429 on"),
             std::string::npos);
   EXPECT_NE(refusal("simple.laz").find("is LAZ"), std::string::npos);
 }

@@ -5,8 +5,8 @@
 #include "tool_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace pcl {

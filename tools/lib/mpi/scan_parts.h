@@ -41,8 +41,8 @@ std::vector<ScanInput> findInputs(const std::vector<std::string>& paths,
 std::size_t rowsOf(const std::vector<ScanInput>& inputs);
 
 /** @brief Where the rows of the whole scan were taken from, each file its own, NaN of
- * those that do not tell; empty if none does. A file of positions is for one scan alone,
- * or a ToolError. */
+ * those that do not tell; empty if none does. A file of positions is for one scan
+ * alone, or a ToolError. */
 ScanPositions positionsOf(const std::vector<ScanInput>& inputs,
                           const ScanSettings& settings);
 

@@ -92,9 +92,9 @@ public:
    */
   std::vector<ScanStation> stations() const;
 
-  /** @brief Where the rows were scanned from, metres, in their frame: by the file of the
-   * settings, else by what the scan tells, which may be nothing. A file that is amiss, or
-   * that tells of other than all rows, is a ToolError. */
+  /** @brief Where the rows were scanned from, metres, in their frame: by the file of
+   * the settings, else by what the scan tells, which may be nothing. A file that is
+   * amiss, or that tells of other than all rows, is a ToolError. */
   ScanPositions positions() const;
 
 private:

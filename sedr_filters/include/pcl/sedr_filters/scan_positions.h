@@ -29,9 +29,10 @@ using ScanPositions = std::vector<ScanPosition>;
 inline std::size_t
 positionOfRow(const ScanPositions& positions, std::size_t row)
 {
-  const auto after = std::upper_bound(
-      positions.begin(), positions.end(), row,
-      [](std::size_t r, const ScanPosition& position) { return r < position.first_row; });
+  const auto after = std::upper_bound(positions.begin(), positions.end(), row,
+                                      [](std::size_t r, const ScanPosition& position) {
+                                        return r < position.first_row;
+                                      });
   return after == positions.begin()
              ? positions.size()
              : static_cast<std::size_t>(after - positions.begin()) - 1;

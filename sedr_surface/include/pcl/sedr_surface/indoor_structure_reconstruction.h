@@ -34,7 +34,8 @@ struct ThinnedScan {
 
 /** @brief From an indoor scan to the closed model of its ceilings, floors and walls:
  * all stages of the paper (section 2.1) as one SurfaceReconstruction. Frame: z up,
- * metres; no trajectory or scanner position is needed, see setScanPositions(). Non-finite points are left out.
+ * metres; no trajectory or scanner position is needed, see setScanPositions().
+ * Non-finite points are left out.
  *
  * A thin composition: getVoxelGrid() and getChain() reach every stage, to be set as it
  * is set alone; the setters here carry the names of the paper's Table 1 and pass on

@@ -219,9 +219,9 @@ IndoorStructureReconstruction<PointT>::leaveOutMirrored(
     chain_.on_stage("MirroredPoints");
   const std::size_t before = thinned.size();
   const std::size_t rows = source_ || thinning_ ? scan_size_ : input_->size();
-  chain_.leaveOutMirrored(
-      positions_, sedr::rawStep(rows, sedr::RefitParameters().most_points), thinned,
-      *excerpt_);
+  chain_.leaveOutMirrored(positions_,
+                          sedr::rawStep(rows, sedr::RefitParameters().most_points),
+                          thinned, *excerpt_);
   if (before > thinned.size())
     chain_.floorplan_fitting.setRawPoints(excerpt_);
   const std::chrono::duration<double> seconds =
