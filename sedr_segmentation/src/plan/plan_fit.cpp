@@ -160,12 +160,13 @@ leaveToOthers(const PointView& points,
 /** @brief The ceiling of a room as it is known before its walls are: a relief of its
  * facets; null where there are none, or they explain too little of it. */
 std::shared_ptr<const PlanSlab>
-seenSheet(const std::vector<Eigen::Vector3d>& points)
+seenSheet(const std::vector<Eigen::Vector3d>& points, unsigned threads)
 {
   constexpr double least_explained = 0.6;
   SheetParameters parameters; // coarse: only the tops of walls are asked for
   parameters.cell_size = 0.15;
   parameters.most_cells = 6000;
+  parameters.threads = threads;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
     box.extend(p.head<2>());
@@ -269,10 +270,11 @@ fitPlan(const PointView& points,
                          std::move(behind[r])},
                         {}});
   if (sheets)
-    parallelBlocks(
-        numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
-          all_work[r].evidence.sheet = seenSheet(placesOf(points, of_sheets[r]));
-        });
+    parallelBlocks(numbers.size(), 1, parameters.threads,
+                   [&](std::size_t r, std::size_t) {
+                     all_work[r].evidence.sheet =
+                         seenSheet(placesOf(points, of_sheets[r]), parameters.threads);
+                   });
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);
@@ -327,7 +329,8 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
                      [&](const PlanRoom& other) { return other.id == sheets[k].room; });
     if (room == plan.rooms.end())
       return;
-    const SheetParameters parameters;
+    SheetParameters parameters;
+    parameters.threads = threads;
     Eigen::AlignedBox2d box;
     for (const PlanElement& element : room->boundary.elements)
       box.extend(boxAround(element));

@@ -3,9 +3,12 @@
 
 #include "sheet_relief.h"
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -17,25 +20,20 @@ namespace {
 constexpr ShapeKind kinds[] = {ShapeKind::Plane, ShapeKind::Cylinder, ShapeKind::Sphere,
                                ShapeKind::EllipticCylinder, ShapeKind::Ellipsoid};
 
+constexpr std::size_t least_cells = 10; ///< that another shape is tried for
+
 /** @brief Chooses among proposals, round by round. */
 class Chooser {
 public:
-  Chooser(const CellPoints& cells,
-          const std::vector<double>& directions,
-          double deviation,
-          const SheetParameters& parameters)
-      : cells_(cells)
-      , directions_(directions)
-      , deviation_(deviation)
-      , parameters_(parameters)
+  explicit Chooser(const FacetEvidence& evidence)
+      : evidence_(evidence)
+      , cells_(evidence.cells)
   {
-    const double weight = std::pow(cells.grid().size / parameters.patch, 2);
-    for (std::size_t cell = 0; cell < cells.grid().count(); ++cell)
-      if (cells.isInside(cell) && !cells.isEmpty(cell))
-        patches_ += weight;
-    outlier_ = static_cast<float>(weight * parameters.outlier);
-    const double strays = parameters.unevenness;
-    noise_ = std::sqrt(std::max(0.0, deviation * deviation - strays * strays));
+    for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
+      if (isSeen(cell))
+        patches_ += evidence.weight();
+    const double strays = evidence.parameters.unevenness / evidence.deviation;
+    noise_share_ = std::max(0.0, 1 - strays * strays);
   }
 
   FacetChoice run(std::vector<FacetProposal> proposals)
@@ -47,7 +45,7 @@ public:
       FacetChoice choice = chosen(proposals);
       if (choice.facets.empty())
         break;
-      labelCells(choice.costs, cells_, parameters_, choice.label);
+      labelCells(choice.costs, evidence_, choice.label);
       refit(choice);
       const double total = totalOf(choice);
       if (total >= least - 1e-3)
@@ -69,27 +67,40 @@ public:
 
   double totalOf(const FacetChoice& choice) const
   {
-    double total = energyOf(choice.costs, cells_, parameters_, choice.label);
+    double total = energyOf(choice.costs, evidence_, choice.label);
     for (const FacetProposal& facet : choice.facets)
       total += penaltyOf(parametersOf(facet.kind));
     return total;
   }
 
-  /** @brief What a cell with points costs that no facet explains. */
-  float outlier() const { return outlier_; }
-
 private:
+  bool isSeen(std::size_t cell) const
+  {
+    return cells_.isInside(cell) && !cells_.isEmpty(cell);
+  }
+
+  /** @brief Calls `body(k)` for the numbers below n, on all threads. */
+  template <typename Body>
+  void forEach(std::size_t n, Body body) const
+  {
+    parallelBlocks(n, 1, evidence_.parameters.threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t k = begin; k < end; ++k)
+                       body(k);
+                   });
+  }
+
   /** @brief One proposal after the other, always that which lowers the costs most. */
   FacetChoice chosen(const std::vector<FacetProposal>& proposals) const
   {
     const std::size_t count = cells_.grid().count();
-    std::vector<FacetCosts> costs;
-    for (const FacetProposal& facet : proposals)
-      costs.push_back(costsOf(facet.slab, cells_, deviation_, parameters_));
+    std::vector<FacetCosts> costs(proposals.size());
+    forEach(proposals.size(),
+            [&](std::size_t k) { costs[k] = costsOf(proposals[k].slab, evidence_); });
     std::vector<float> lowest(count, 0);
     for (std::size_t cell = 0; cell < count; ++cell)
-      if (cells_.isInside(cell) && !cells_.isEmpty(cell))
-        lowest[cell] = outlier_;
+      if (isSeen(cell))
+        lowest[cell] = evidence_.outlier();
     FacetChoice choice;
     choice.label.assign(count, 0);
     std::vector<bool> is_chosen(proposals.size(), false);
@@ -124,7 +135,7 @@ private:
   {
     std::vector<std::vector<std::size_t>> own(choice.facets.size());
     for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
-      if (cells_.isInside(cell) && !cells_.isEmpty(cell))
+      if (isSeen(cell))
         own[static_cast<std::size_t>(choice.label[cell])].push_back(cell);
     return own;
   }
@@ -132,7 +143,7 @@ private:
   double costOver(const FacetProposal& facet,
                   const std::vector<std::size_t>& cells) const
   {
-    const FacetCosts costs = costsOf(facet.slab, cells_, deviation_, parameters_);
+    const FacetCosts costs = costsOf(facet.slab, evidence_);
     double sum = penaltyOf(parametersOf(facet.kind));
     for (const std::size_t cell : cells)
       sum += costs.cost[cell];
@@ -145,10 +156,10 @@ private:
   {
     FacetProposal best = known;
     double least = costOver(known, own);
-    if (own.size() < 10)
+    if (own.size() < least_cells)
       return best;
     const auto consider = [&](FacetProposal facet) {
-      if (!isBuilt(facet, parameters_))
+      if (!isBuilt(facet, evidence_.parameters))
         return;
       const double cost = costOver(facet, own);
       if (cost >= least)
@@ -157,13 +168,14 @@ private:
       best = std::move(facet);
     };
     FacetProposal refined = known;
-    refineShape(known.kind, cells_.pointsOf(own, 5000), deviation_, refined.slab);
+    refineShape(known.kind, cells_.pointsOf(own, 5000), evidence_.deviation,
+                refined.slab);
     consider(refined);
     for (const ShapeKind kind : kinds) {
       // What is left is noise, at least: another shape must earn its parameters.
       const double cost_of_kind = penaltyOf(parametersOf(kind)) + noiseOver(own);
       if (cost_of_kind < least)
-        consider(fitFacet(kind, cells_, own, directions_, deviation_));
+        consider(fitFacet(kind, evidence_, own));
     }
     return best;
   }
@@ -171,88 +183,106 @@ private:
   /** @brief What the noise of the points alone costs over some cells. */
   double noiseOver(const std::vector<std::size_t>& cells) const
   {
-    const double weight = outlier_ / parameters_.outlier;
-    const double share = noise_ / deviation_;
-    return 0.5 * share * share * weight * static_cast<double>(cells.size());
+    return 0.5 * noise_share_ * evidence_.weight() * static_cast<double>(cells.size());
   }
 
   /** @brief Fits every facet to its cells, and drops those without any. */
   void refit(FacetChoice& choice) const
   {
     const auto own = cellsOf(choice);
+    std::vector<FacetCosts> costs(own.size());
+    forEach(own.size(), [&](std::size_t k) {
+      if (own[k].empty())
+        return;
+      choice.facets[k] = bestShape(choice.facets[k], own[k]);
+      costs[k] = costsOf(choice.facets[k].slab, evidence_);
+    });
     std::vector<std::int32_t> number(choice.facets.size(), 0);
     FacetChoice kept;
     for (std::size_t k = 0; k < choice.facets.size(); ++k) {
       if (own[k].empty())
         continue;
       number[k] = static_cast<std::int32_t>(kept.facets.size());
-      kept.facets.push_back(bestShape(choice.facets[k], own[k]));
-      kept.costs.push_back(
-          costsOf(kept.facets.back().slab, cells_, deviation_, parameters_));
+      kept.facets.push_back(std::move(choice.facets[k]));
+      kept.costs.push_back(std::move(costs[k]));
     }
     for (const std::int32_t label : choice.label)
       kept.label.push_back(number[static_cast<std::size_t>(label)]);
     choice = std::move(kept);
   }
 
-  /** @brief Neighbouring facets as one. */
-  std::vector<FacetProposal> others(const FacetChoice& choice) const
+  /** @brief Pairs of facets that share a border. */
+  std::set<std::pair<std::size_t, std::size_t>>
+  neighbours(const FacetChoice& choice) const
   {
-    const SheetGrid& grid = cells_.grid();
-    std::map<std::pair<std::int32_t, std::int32_t>, int> borders;
+    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    const auto facetOf = [&](std::size_t cell) {
+      return static_cast<std::size_t>(choice.label[cell]);
+    };
     for (std::size_t cell = 0; cell + 1 < choice.label.size(); ++cell)
       for (const std::size_t next :
-           {cell + 1, cell + static_cast<std::size_t>(grid.columns)})
+           {cell + 1, cell + static_cast<std::size_t>(cells_.grid().columns)})
         if (next < choice.label.size() && cells_.isInside(cell) &&
-            cells_.isInside(next) && choice.label[cell] != choice.label[next])
-          ++borders[std::minmax(choice.label[cell], choice.label[next])];
-    const auto own = cellsOf(choice);
+            cells_.isInside(next) && facetOf(cell) != facetOf(next))
+          pairs.insert(std::minmax(facetOf(cell), facetOf(next)));
+    return pairs;
+  }
+
+  /** @brief The shapes that explain most of some cells as one facet. */
+  std::vector<FacetProposal> asOne(const std::vector<std::size_t>& own) const
+  {
+    constexpr std::size_t few_points = 300; // most pairs are no one shape
+    constexpr double least_share = 0.8;
     std::vector<FacetProposal> found;
-    for (const auto& [pair, length] : borders) {
-      const auto a = static_cast<std::size_t>(pair.first);
-      const auto b = static_cast<std::size_t>(pair.second);
-      std::vector<std::size_t> both = own[a];
-      both.insert(both.end(), own[b].begin(), own[b].end());
-      std::sort(both.begin(), both.end());
-      if (both.size() < 10)
+    FacetEvidence coarse = evidence_;
+    coarse.deviation *= 2;
+    for (const ShapeKind kind : kinds) {
+      FacetProposal facet = fitFacet(kind, evidence_, own, few_points);
+      if (!isBuilt(facet, evidence_.parameters) ||
+          shareExplained(facet, coarse, own) <= least_share)
         continue;
-      for (const ShapeKind kind : kinds) {
-        constexpr std::size_t few_points = 300; // most pairs are no one shape
-        constexpr double least_share = 0.8;
-        FacetProposal facet =
-            fitFacet(kind, cells_, both, directions_, deviation_, few_points);
-        if (!isBuilt(facet, parameters_) ||
-            shareExplained(facet, cells_, both, 2 * deviation_) <= least_share)
-          continue;
-        facet = fitFacet(kind, cells_, both, directions_, deviation_);
-        if (isBuilt(facet, parameters_))
-          found.push_back(std::move(facet));
-      }
+      facet = fitFacet(kind, evidence_, own);
+      if (isBuilt(facet, evidence_.parameters))
+        found.push_back(std::move(facet));
     }
     return found;
   }
 
+  /** @brief Neighbouring facets as one. */
+  std::vector<FacetProposal> others(const FacetChoice& choice) const
+  {
+    const auto own = cellsOf(choice);
+    const auto pairs = neighbours(choice);
+    const std::vector<std::pair<std::size_t, std::size_t>> listed(pairs.begin(),
+                                                                  pairs.end());
+    std::vector<std::vector<FacetProposal>> found(listed.size());
+    forEach(listed.size(), [&](std::size_t k) {
+      const auto& [a, b] = listed[k];
+      std::vector<std::size_t> both = own[a];
+      both.insert(both.end(), own[b].begin(), own[b].end());
+      std::sort(both.begin(), both.end());
+      if (both.size() >= least_cells)
+        found[k] = asOne(both);
+    });
+    std::vector<FacetProposal> all;
+    for (auto& few : found)
+      std::move(few.begin(), few.end(), std::back_inserter(all));
+    return all;
+  }
+
+  const FacetEvidence& evidence_;
   const CellPoints& cells_;
-  const std::vector<double>& directions_;
-  double deviation_;
-  const SheetParameters& parameters_;
-  double patches_ = 0; ///< with points
-  float outlier_ = 0;
-  double noise_ = 0; ///< of the points, metres
+  double patches_ = 0;     ///< with points
+  double noise_share_ = 0; ///< of the points' noise in the variance of the deviation
 };
 
 } // namespace
 
 FacetChoice
-chooseFacets(const CellPoints& cells,
-             std::vector<FacetProposal> proposals,
-             const std::vector<double>& directions,
-             double deviation,
-             const SheetParameters& parameters)
+chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals)
 {
-  Chooser chooser(cells, directions, deviation, parameters);
-  FacetChoice choice = chooser.run(std::move(proposals));
-  addReliefs(cells, deviation, parameters, chooser.outlier(), choice);
+  FacetChoice choice = Chooser(evidence).run(std::move(proposals));
+  addReliefs(evidence, choice);
   return choice;
 }
 

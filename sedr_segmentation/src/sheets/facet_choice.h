@@ -20,11 +20,8 @@ struct FacetChoice {
  * the cells, fits each to its cells, tries them one by one as other shapes and pairs of
  * them as one, and goes on until the costs fall no more. What none explains becomes a
  * relief. */
-FacetChoice chooseFacets(const CellPoints& cells,
-                         std::vector<FacetProposal> proposals,
-                         const std::vector<double>& directions,
-                         double deviation,
-                         const SheetParameters& parameters);
+FacetChoice chooseFacets(const FacetEvidence& evidence,
+                         std::vector<FacetProposal> proposals);
 
 } // namespace sedr
 } // namespace pcl

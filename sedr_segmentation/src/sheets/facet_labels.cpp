@@ -15,12 +15,10 @@ namespace {
 /** @brief The borders between cells of the domain, and what they cost. */
 class Borders {
 public:
-  Borders(const std::vector<FacetCosts>& facets,
-          const CellPoints& cells,
-          const SheetParameters& parameters)
+  Borders(const std::vector<FacetCosts>& facets, const FacetEvidence& evidence)
       : facets_(facets)
-      , cells_(cells)
-      , parameters_(parameters)
+      , cells_(evidence.cells)
+      , parameters_(evidence.parameters)
   {}
 
   /** @brief Calls `use(a, b)` for all neighbours in the domain. */
@@ -63,13 +61,12 @@ private:
 } // namespace
 
 FacetCosts
-costsOf(const PlanSlab& facet,
-        const CellPoints& cells,
-        double deviation,
-        const SheetParameters& parameters)
+costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
 {
+  const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
-  const double weight = std::pow(grid.size / parameters.patch, 2);
+  const double weight = evidence.weight();
+  const double outlier = evidence.parameters.outlier;
   FacetCosts costs;
   costs.cost.assign(grid.count(), 0);
   costs.height.assign(grid.count(), 0);
@@ -81,8 +78,8 @@ costsOf(const PlanSlab& facet,
       continue;
     double sum = 0;
     for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
-      const double share = distanceOf(facet, *p) / deviation;
-      sum += std::min(share * share / 2, parameters.outlier);
+      const double share = distanceOf(facet, *p) / evidence.deviation;
+      sum += std::min(share * share / 2, outlier);
     }
     costs.cost[cell] = static_cast<float>(
         weight * sum / static_cast<double>(cells.end(cell) - cells.begin(cell)));
@@ -92,15 +89,15 @@ costsOf(const PlanSlab& facet,
 
 double
 energyOf(const std::vector<FacetCosts>& facets,
-         const CellPoints& cells,
-         const SheetParameters& parameters,
+         const FacetEvidence& evidence,
          const std::vector<std::int32_t>& label)
 {
+  const CellPoints& cells = evidence.cells;
   double energy = 0;
   for (std::size_t cell = 0; cell < label.size(); ++cell)
     if (cells.isInside(cell))
       energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
-  const Borders borders(facets, cells, parameters);
+  const Borders borders(facets, evidence);
   borders.forAll([&](std::size_t a, std::size_t b) {
     energy += borders.costOf(a, b, label[a], label[b]);
   });
@@ -109,14 +106,14 @@ energyOf(const std::vector<FacetCosts>& facets,
 
 void
 labelCells(const std::vector<FacetCosts>& facets,
-           const CellPoints& cells,
-           const SheetParameters& parameters,
+           const FacetEvidence& evidence,
            std::vector<std::int32_t>& label)
 {
+  const CellPoints& cells = evidence.cells;
   constexpr int most_sweeps = 4;
   constexpr double worth = 1e-6;
-  const Borders borders(facets, cells, parameters);
-  double energy = energyOf(facets, cells, parameters, label);
+  const Borders borders(facets, evidence);
+  double energy = energyOf(facets, evidence, label);
   const auto count = static_cast<std::int32_t>(facets.size());
   std::int32_t idle = 0; // expansions in a row that changed nothing
   for (std::int32_t k = 0; k < most_sweeps * count && idle < count; ++k) {
@@ -137,7 +134,7 @@ labelCells(const std::vector<FacetCosts>& facets,
     for (std::size_t cell = 0; cell < label.size(); ++cell)
       if (cells.isInside(cell) && takes[cell])
         next[cell] = own;
-    const double there = energyOf(facets, cells, parameters, next);
+    const double there = energyOf(facets, evidence, next);
     ++idle;
     if (there >= energy - worth)
       continue;

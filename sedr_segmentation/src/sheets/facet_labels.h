@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_points.h"
+#include "facet_evidence.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,17 +17,12 @@ struct FacetCosts {
 };
 
 /** @brief The costs of a facet. In cells without points, and beside the domain, it is
- * nothing.
- * @param deviation of points from their facet, metres */
-FacetCosts costsOf(const PlanSlab& facet,
-                   const CellPoints& cells,
-                   double deviation,
-                   const SheetParameters& parameters);
+ * nothing. */
+FacetCosts costsOf(const PlanSlab& facet, const FacetEvidence& evidence);
 
 /** @brief What all the labels cost: cells, and borders between them. */
 double energyOf(const std::vector<FacetCosts>& facets,
-                const CellPoints& cells,
-                const SheetParameters& parameters,
+                const FacetEvidence& evidence,
                 const std::vector<std::int32_t>& label);
 
 /** @brief Gives every cell of the domain its facet, such that costs of cells and of
@@ -35,8 +30,7 @@ double energyOf(const std::vector<FacetCosts>& facets,
  * none lowers the costs.
  * @param[in,out] label of each cell, of those in the domain 0 or more */
 void labelCells(const std::vector<FacetCosts>& facets,
-                const CellPoints& cells,
-                const SheetParameters& parameters,
+                const FacetEvidence& evidence,
                 std::vector<std::int32_t>& label);
 
 } // namespace sedr

@@ -2,9 +2,6 @@
 #include "shape_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -17,139 +14,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-using Parameters = Eigen::VectorXd;
-
-Eigen::Vector3d
-meanOf(const std::vector<Eigen::Vector3d>& points)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points)
-    sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
-PlanSlab
-planeFrom(const Eigen::Vector2d& slope, const Eigen::Vector3d& through)
-{
-  PlanSlab slab;
-  const Eigen::Vector3d normal =
-      Eigen::Vector3d(-slope.x(), -slope.y(), 1).normalized();
-  slab.plane << normal, -normal.dot(through);
-  return slab;
-}
-
-PlanSlab
-slabFrom(SlabCurve curve, const PlanSlab& plane)
-{
-  PlanSlab slab = plane;
-  slab.curve = std::make_shared<const SlabCurve>(std::move(curve));
-  return slab;
-}
-
-/** @brief The circle of least squares through places (v, z), by its algebraic equation:
- * centre and radius.
- * @return whether there is one, seen from within */
-bool
-fitCircle(const std::vector<Eigen::Vector2d>& places,
-          Eigen::Vector2d& centre,
-          double& radius)
-{
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : places)
-    mean += p / static_cast<double>(places.size());
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector2d& place : places) {
-    const Eigen::Vector2d p = place - mean;
-    const Eigen::Vector3d row(p.x(), p.y(), 1);
-    normal += row * row.transpose();
-    right += row * p.squaredNorm();
-  }
-  const Eigen::Vector3d solution = normal.ldlt().solve(right);
-  const Eigen::Vector2d middle = solution.head<2>() / 2;
-  const double square = solution[2] + middle.squaredNorm();
-  if (!solution.allFinite() || !(square > 0))
-    return false;
-  centre = mean + middle;
-  radius = std::sqrt(square);
-  return middle.y() < 0; // the centre lies below the points
-}
-
-/** @brief The direction in which points curve least, by a parabola of two directions.
- */
-double
-directionOfAxis(const std::vector<Eigen::Vector3d>& points)
-{
-  const Eigen::Vector3d mean = meanOf(points);
-  Eigen::MatrixXd rows(points.size(), 6);
-  Eigen::VectorXd heights(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d p = points[i] - mean;
-    rows.row(static_cast<Eigen::Index>(i)) << 1, p.x(), p.y(), p.x() * p.x(),
-        p.x() * p.y(), p.y() * p.y();
-    heights[static_cast<Eigen::Index>(i)] = p.z();
-  }
-  const Eigen::VectorXd c =
-      (rows.transpose() * rows).ldlt().solve(rows.transpose() * heights);
-  Eigen::Matrix2d bend;
-  bend << 2 * c[3], c[4], c[4], 2 * c[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(bend);
-  const int flat =
-      std::abs(solver.eigenvalues()[0]) < std::abs(solver.eigenvalues()[1]) ? 0 : 1;
-  const Eigen::Vector2d axis = solver.eigenvectors().col(flat);
-  return std::atan2(axis.y(), axis.x());
-}
-
-/** @brief The round cylinder along a direction; false where there is none. */
-bool
-cylinderAlong(const std::vector<Eigen::Vector3d>& points,
-              double direction,
-              SlabCurve& curve)
-{
-  const Eigen::Rotation2Dd turn(-direction);
-  std::vector<Eigen::Vector2d> places;
-  places.reserve(points.size());
-  double along = 0;
-  for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector2d local = turn * p.head<2>();
-    along += local.x() / static_cast<double>(points.size());
-    places.emplace_back(local.y(), p.z());
-  }
-  Eigen::Vector2d centre;
-  curve = SlabCurve();
-  if (!fitCircle(places, centre, curve.across))
-    return false;
-  curve.up = curve.across;
-  curve.setDirection(direction);
-  curve.centre = turn.inverse() * Eigen::Vector2d(along, centre.x());
-  curve.base = centre.y();
-  return true;
-}
-
-bool
-sphereThrough(const std::vector<Eigen::Vector3d>& points, SlabCurve& curve)
-{
-  const Eigen::Vector3d mean = meanOf(points);
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d p = point - mean;
-    const Eigen::Vector4d row(p.x(), p.y(), p.z(), 1);
-    normal += row * row.transpose();
-    right += row * p.squaredNorm();
-  }
-  const Eigen::Vector4d solution = normal.ldlt().solve(right);
-  const Eigen::Vector3d middle = solution.head<3>() / 2;
-  const double square = solution[3] + middle.squaredNorm();
-  if (!solution.allFinite() || !(square > 0) || middle.z() >= 0)
-    return false;
-  curve = SlabCurve();
-  curve.kind = CurveKind::Ellipsoid;
-  curve.centre = mean.head<2>() + middle.head<2>();
-  curve.base = mean.z() + middle.z();
-  curve.along = curve.across = curve.up = std::sqrt(square);
-  return true;
-}
+/** @brief The numbers of a shape, seven at most. */
+using Parameters = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
+using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 
 /** @brief The numbers that say what a slab is, about a place of it, and back. */
 Parameters
@@ -195,7 +62,8 @@ takeNumbers(ShapeKind kind,
     return false;
   if (kind == ShapeKind::Plane) {
     slab.plane =
-        planeFrom(numbers.head<2>(), about + Eigen::Vector3d(0, 0, numbers[2])).plane;
+        planeThrough(about + Eigen::Vector3d(0, 0, numbers[2]), numbers.head<2>())
+            .plane;
     return true;
   }
   SlabCurve c = *slab.curve;
@@ -232,17 +100,148 @@ biweight(double share)
   return std::abs(share) < 1 ? rest * rest : 0;
 }
 
-/** @brief Tukey's cost of all distances, and the sums of a step towards less. */
+/** @brief Distances from a shape, and how they grow with its numbers. */
+class ShapeDistance {
+public:
+  ShapeDistance(ShapeKind kind, const PlanSlab& slab, const Eigen::Vector3d& about)
+      : kind_(kind)
+      , about_(about)
+      , plane_(slab.plane)
+  {
+    if (kind == ShapeKind::Plane)
+      return;
+    const SlabCurve& c = *slab.curve;
+    axis_ = c.axis;
+    aside_ = Eigen::Vector2d(-c.axis.y(), c.axis.x());
+    centre_ = Eigen::Vector3d(c.centre.x(), c.centre.y(), c.base);
+    const double along = c.kind == CurveKind::Ellipsoid ? 1 / c.along : 0;
+    inverse_ = Eigen::Vector3d(along, 1 / c.across, 1 / c.up);
+  }
+
+  /** @brief As distanceOf(). */
+  double operator()(const Eigen::Vector3d& p) const
+  {
+    if (kind_ == ShapeKind::Plane)
+      return plane_.head<3>().dot(p) + plane_[3];
+    return at(p).distance;
+  }
+
+  /** @brief The distance, and its derivative by each number. */
+  double operator()(const Eigen::Vector3d& p, Parameters& growth) const
+  {
+    if (kind_ == ShapeKind::Plane) {
+      const double distance = plane_.head<3>().dot(p) + plane_[3];
+      growth = -plane_[2] * Eigen::Vector3d(p.x() - about_.x(), p.y() - about_.y(), 1);
+      growth.head<2>() += distance * plane_[2] * plane_.head<2>();
+      return distance;
+    }
+    const Place place = at(p);
+    // The distance is (out^2 - out) / |slope|, all of the unit sphere. How it grows
+    // with x, y and z of the place, and with the three inverse extents.
+    const double outwards = (2 * place.out - 1) / (place.out * place.slope.norm());
+    const double turning = place.distance / place.slope.squaredNorm();
+    const Eigen::Vector3d by_place =
+        outwards * place.slope -
+        turning * place.slope.cwiseProduct(inverse_).cwiseProduct(inverse_);
+    Eigen::Vector3d by_extent = outwards * place.unit.cwiseProduct(place.local) -
+                                2 * turning * place.slope.cwiseProduct(place.unit);
+    // The crown stays where it is.
+    by_extent.z() -= by_place.z() / (inverse_.z() * inverse_.z());
+    switch (kind_) {
+    case ShapeKind::Cylinder:
+    case ShapeKind::EllipticCylinder:
+      growth.head<3>() << -by_place.y() * axis_.dot(p.head<2>() - about_.head<2>()),
+          -by_place.y(), -by_place.z();
+      if (kind_ == ShapeKind::Cylinder)
+        growth[3] = by_extent.y() + by_extent.z();
+      else
+        growth.tail<2>() = by_extent.tail<2>();
+      break;
+    case ShapeKind::Sphere:
+    default:
+      growth.head<2>() = -by_place.x() * axis_ - by_place.y() * aside_;
+      growth[2] = -by_place.z();
+      if (kind_ == ShapeKind::Sphere) {
+        growth[3] = by_extent.sum();
+        break;
+      }
+      growth[3] = by_place.x() * place.local.y() - by_place.y() * place.local.x();
+      growth.tail<3>() = by_extent;
+    }
+    return place.distance;
+  }
+
+private:
+  /** @brief A point in the frame of a curve. */
+  struct Place {
+    Eigen::Vector3d local; ///< metres: along the axis, to its left, up
+    Eigen::Vector3d unit;  ///< where the curve is the unit sphere, or cylinder
+    double out = 1;        ///< of there from the middle
+    Eigen::Vector3d slope; ///< how the square of `out` grows with `local`, halved
+    double distance = 0;
+  };
+
+  Place at(const Eigen::Vector3d& p) const
+  {
+    constexpr double at_axis = 1e-9;
+    Place place;
+    const Eigen::Vector3d off = p - centre_;
+    place.local << axis_.dot(off.head<2>()), aside_.dot(off.head<2>()), off.z();
+    place.unit = place.local.cwiseProduct(inverse_);
+    place.slope = place.unit.cwiseProduct(inverse_);
+    place.out = std::max(at_axis, place.unit.norm());
+    place.distance =
+        (place.out - 1) * place.out / std::max(at_axis, place.slope.norm());
+    return place;
+  }
+
+  ShapeKind kind_;
+  Eigen::Vector3d about_;
+  Eigen::Vector4d plane_;
+  Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d aside_ = Eigen::Vector2d::UnitY();
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d inverse_ = Eigen::Vector3d::Zero(); ///< of the extents; 0: endless
+};
+
+/** @brief Tukey's cost of all distances. */
 double
-costOf(const std::vector<Eigen::Vector3d>& points, const PlanSlab& slab, double band)
+costOf(const std::vector<Eigen::Vector3d>& points,
+       const ShapeDistance& distance,
+       double band)
 {
   double cost = 0;
   for (const Eigen::Vector3d& p : points) {
-    const double share = distanceOf(slab, p) / band;
+    const double share = distance(p) / band;
     const double rest = 1 - share * share;
     cost += std::abs(share) < 1 ? 1 - rest * rest * rest : 1;
   }
   return cost;
+}
+
+/** @brief The normal equations of a step towards less. */
+struct StepSums {
+  Normal normal;
+  Parameters right;
+};
+
+StepSums
+sumsOf(const std::vector<Eigen::Vector3d>& points,
+       const ShapeDistance& distance,
+       double band,
+       Eigen::Index count)
+{
+  StepSums sums{Normal::Zero(count, count), Parameters::Zero(count)};
+  Parameters row(count);
+  for (const Eigen::Vector3d& p : points) {
+    const double off = distance(p, row);
+    const double weight = biweight(off / band);
+    if (weight <= 0)
+      continue;
+    sums.normal.noalias() += weight * row * row.transpose();
+    sums.right -= weight * off * row;
+  }
+  return sums;
 }
 
 } // namespace
@@ -271,99 +270,35 @@ distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p)
                     : slab.plane.head<3>().dot(p) + slab.plane[3];
 }
 
-PlanSlab
-fitPlane(const std::vector<Eigen::Vector3d>& points)
-{
-  const Eigen::Vector3d mean = meanOf(points);
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d p = point - mean;
-    normal += p.head<2>() * p.head<2>().transpose();
-    right += p.head<2>() * p.z();
-  }
-  const Eigen::Vector2d slope = normal.ldlt().solve(right);
-  return planeFrom(slope.allFinite() ? slope : Eigen::Vector2d(0, 0), mean);
-}
-
-PlanSlab
-startShape(ShapeKind kind,
-           const std::vector<Eigen::Vector3d>& points,
-           const std::vector<double>& directions)
-{
-  const PlanSlab plane = fitPlane(points);
-  if (kind == ShapeKind::Plane)
-    return plane;
-  SlabCurve curve;
-  if (kind == ShapeKind::Sphere || kind == ShapeKind::Ellipsoid)
-    return sphereThrough(points, curve) ? slabFrom(curve, plane) : plane;
-  std::vector<double> tried = directions;
-  tried.push_back(directionOfAxis(points));
-  PlanSlab best = plane;
-  double least = infinity;
-  for (const double direction : tried) {
-    if (!cylinderAlong(points, direction, curve))
-      continue;
-    const PlanSlab slab = slabFrom(curve, plane);
-    double sum = 0;
-    for (const Eigen::Vector3d& p : points)
-      sum += std::abs(distanceOf(slab, p));
-    if (sum < least) {
-      least = sum;
-      best = slab;
-    }
-  }
-  return best;
-}
-
 double
 refineShape(ShapeKind kind,
             const std::vector<Eigen::Vector3d>& points,
             double deviation,
-            PlanSlab& slab)
+            PlanSlab& slab,
+            double settled)
 {
   constexpr int most_steps = 30;
-  constexpr double settled = 1e-6; // of the cost
-  constexpr double cut = 4.7;      // of Tukey's biweight, standard deviations
+  constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
   if (points.empty() || (kind != ShapeKind::Plane && !slab.curve))
     return infinity;
   const Eigen::Vector3d about = meanOf(points);
   Parameters numbers = numbersOf(kind, slab, about);
-  const Eigen::Index count = numbers.size();
-  double cost = costOf(points, slab, band);
+  double cost = costOf(points, {kind, slab, about}, band);
   double damping = 1e-6;
   for (int step = 0; step < most_steps; ++step) {
-    std::vector<PlanSlab> moved(static_cast<std::size_t>(count), slab);
-    constexpr double nudge = 1e-6;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      Parameters near = numbers;
-      near[k] += nudge;
-      takeNumbers(kind, near, about, moved[static_cast<std::size_t>(k)]);
-    }
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
-    Eigen::VectorXd row(count);
-    for (const Eigen::Vector3d& p : points) {
-      const double distance = distanceOf(slab, p);
-      const double weight = biweight(distance / band);
-      if (weight <= 0)
-        continue;
-      for (Eigen::Index k = 0; k < count; ++k)
-        row[k] = (distanceOf(moved[static_cast<std::size_t>(k)], p) - distance) / nudge;
-      normal.noalias() += weight * row * row.transpose();
-      right -= weight * distance * row;
-    }
+    const StepSums sums = sumsOf(points, {kind, slab, about}, band, numbers.size());
     bool is_better = false;
     double gain = 0;
     for (int tries = 0; tries < 8 && !is_better; ++tries) {
-      Eigen::MatrixXd damped = normal;
+      Normal damped = sums.normal;
       damped.diagonal() *= 1 + damping;
-      damped.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-      const Parameters next = numbers + damped.ldlt().solve(right);
+      damped.diagonal().array() += 1e-12 * sums.normal.diagonal().maxCoeff();
+      const Parameters next = numbers + damped.ldlt().solve(sums.right);
       PlanSlab there = slab;
       is_better = takeNumbers(kind, next, about, there);
-      const double cost_there = is_better ? costOf(points, there, band) : infinity;
+      const double cost_there =
+          is_better ? costOf(points, {kind, there, about}, band) : infinity;
       is_better = cost_there < cost;
       damping = is_better ? damping / 10 : damping * 20 + 1e-9;
       if (!is_better)

@@ -20,6 +20,11 @@ int parametersOf(ShapeKind kind);
 /** @brief Distance of a point from a slab to first order, positive above it. */
 double distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p);
 
+Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points);
+
+/** @brief The plane through a place that rises by `slope` along x and y. */
+PlanSlab planeThrough(const Eigen::Vector3d& place, const Eigen::Vector2d& slope);
+
 /** @brief The plane of least squares in z. At least three points. */
 PlanSlab fitPlane(const std::vector<Eigen::Vector3d>& points);
 
@@ -36,12 +41,14 @@ PlanSlab startShape(ShapeKind kind,
 /** @brief Least squares of distances by Tukey's biweight: what is farther than 4.7
  * `deviation` counts for nothing. Gauss and Newton's way, damped.
  * @param[in,out] slab of the kind; where the fit fails it stays
+ * @param settled share of the costs by which the last step lowers them
  * @return the root mean square distance of what counts, metres; infinite where there is
  * none */
 double refineShape(ShapeKind kind,
                    const std::vector<Eigen::Vector3d>& points,
                    double deviation,
-                   PlanSlab& slab);
+                   PlanSlab& slab,
+                   double settled = 1e-6);
 
 } // namespace sedr
 } // namespace pcl

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_proposals.h"
 
+#include <pcl/sedr_filters/parallel.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace pcl {
@@ -11,6 +14,7 @@ namespace sedr {
 namespace {
 
 constexpr double band = 3;                ///< deviations that a point of a facet is off
+constexpr std::size_t few_points = 250;   ///< that a shape in a window is fitted to
 constexpr std::size_t most_points = 1500; ///< that a growing shape is fitted to
 
 bool
@@ -66,14 +70,10 @@ isCurve(ShapeKind kind)
 /** @brief Grows shapes from one window. */
 class Grower {
 public:
-  Grower(const CellPoints& cells,
-         const std::vector<double>& directions,
-         double deviation,
-         const SheetParameters& parameters)
-      : cells_(cells)
-      , directions_(directions)
-      , deviation_(deviation)
-      , parameters_(parameters)
+  explicit Grower(const FacetEvidence& evidence)
+      : evidence_(evidence)
+      , cells_(evidence.cells)
+      , deviation_(evidence.deviation)
   {}
 
   /** @return whether a shape was found, which is then the last of `found` */
@@ -90,10 +90,10 @@ public:
       return false;
     if (isCurve(kind) && isFlat(window))
       return false;
-    FacetProposal facet = fitFacet(kind, cells_, window, directions_, deviation_);
+    FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
     for (int round = 0; round < rounds; ++round) {
-      if (!isBuilt(facet, parameters_) ||
-          shareExplained(facet, cells_, window, deviation_) < least_share)
+      if (!isBuilt(facet, evidence_.parameters) ||
+          shareExplained(facet, evidence_, window) < least_share)
         return false;
       std::vector<std::size_t> grown = grownCells(facet.slab, cells_, seed, deviation_);
       const bool has_settled = grown == facet.cells;
@@ -119,11 +119,37 @@ private:
     return sum < deviation_ * deviation_ * static_cast<double>(points.size());
   }
 
+  const FacetEvidence& evidence_;
   const CellPoints& cells_;
-  const std::vector<double>& directions_;
   double deviation_;
-  const SheetParameters& parameters_;
 };
+
+/** @brief Grows shapes from windows all over the plan, but where there are some. */
+void
+growFromSeeds(const FacetEvidence& evidence,
+              ShapeKind kind,
+              int reach,
+              std::vector<FacetProposal>& found)
+{
+  constexpr std::size_t most_seeds = 600;
+  const SheetGrid& grid = evidence.cells.grid();
+  const int stride = std::max(
+      4, static_cast<int>(std::sqrt(static_cast<double>(grid.count()) / most_seeds)));
+  const Grower grower(evidence);
+  std::vector<std::uint8_t> is_covered(grid.count(), 0);
+  const auto cover = [&](const FacetProposal& facet) {
+    for (const std::size_t cell : facet.cells)
+      is_covered[cell] = 1;
+  };
+  std::for_each(found.begin(), found.end(), cover);
+  for (int y = stride / 2; y < grid.rows; y += stride)
+    for (int x = stride / 2; x < grid.columns; x += stride) {
+      const std::size_t seed = grid.indexOf(x, y);
+      if (!is_covered[seed] && !evidence.cells.isEmpty(seed) &&
+          grower.grow(kind, seed, reach, found))
+        cover(found.back());
+    }
+}
 
 } // namespace
 
@@ -148,74 +174,56 @@ isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
 
 double
 shareExplained(const FacetProposal& facet,
-               const CellPoints& cells,
-               const std::vector<std::size_t>& among,
-               double deviation)
+               const FacetEvidence& evidence,
+               const std::vector<std::size_t>& among)
 {
   const auto explained =
       std::count_if(among.begin(), among.end(), [&](std::size_t cell) {
-        return explainsCell(facet.slab, cells, cell, deviation);
+        return explainsCell(facet.slab, evidence.cells, cell, evidence.deviation);
       });
   return static_cast<double>(explained) / static_cast<double>(among.size());
 }
 
 FacetProposal
 fitFacet(ShapeKind kind,
-         const CellPoints& cells,
+         const FacetEvidence& evidence,
          std::vector<std::size_t> own,
-         const std::vector<double>& directions,
-         double deviation,
          std::size_t most_points)
 {
-  const auto points = cells.pointsOf(own, most_points);
+  const auto points = evidence.cells.pointsOf(own, most_points);
   FacetProposal facet;
   facet.kind = kind;
   facet.cells = std::move(own);
-  facet.slab = startShape(kind, points, directions);
+  facet.slab = startShape(kind, points, evidence.directions);
   if (isCurve(kind) && !facet.slab.curve)
     return facet; // is not built
   // Wide at first: a window may hold a lamp, or reach over a crease.
+  constexpr double roughly = 1e-3;
   for (const double widening : {4.0, 2.0, 1.0})
-    refineShape(kind, points, widening * deviation, facet.slab);
+    refineShape(kind, points, widening * evidence.deviation, facet.slab, roughly);
   return facet;
 }
 
 std::vector<FacetProposal>
-proposeFacets(const CellPoints& cells,
-              const std::vector<double>& directions,
-              double deviation,
-              const SheetParameters& parameters)
+proposeFacets(const FacetEvidence& evidence)
 {
-  struct Scale {
+  struct Search {
     ShapeKind kind;
-    int reach; // cells
+    std::vector<int> reaches; // cells, one search after the other
   };
-  const std::vector<Scale> scales{{ShapeKind::Plane, 3},     {ShapeKind::Cylinder, 5},
-                                  {ShapeKind::Cylinder, 10}, {ShapeKind::Cylinder, 16},
-                                  {ShapeKind::Sphere, 10},   {ShapeKind::Sphere, 16}};
-  constexpr std::size_t most_seeds = 600;
-  const SheetGrid& grid = cells.grid();
-  const int stride = std::max(
-      4, static_cast<int>(std::sqrt(static_cast<double>(grid.count()) / most_seeds)));
-  const Grower grower(cells, directions, deviation, parameters);
-  std::vector<FacetProposal> found;
-  for (const Scale& scale : scales) {
-    std::vector<std::uint8_t> is_covered(grid.count(), 0);
-    for (const FacetProposal& facet : found)
-      if (facet.kind == scale.kind)
-        for (const std::size_t cell : facet.cells)
-          is_covered[cell] = 1;
-    for (int y = stride / 2; y < grid.rows; y += stride)
-      for (int x = stride / 2; x < grid.columns; x += stride) {
-        const std::size_t seed = grid.indexOf(x, y);
-        if (is_covered[seed] || cells.isEmpty(seed) ||
-            !grower.grow(scale.kind, seed, scale.reach, found))
-          continue;
-        for (const std::size_t cell : found.back().cells)
-          is_covered[cell] = 1;
-      }
-  }
-  return found;
+  const std::vector<Search> searches{{ShapeKind::Plane, {3}},
+                                     {ShapeKind::Cylinder, {5, 10, 16}},
+                                     {ShapeKind::Sphere, {10, 16}}};
+  std::vector<std::vector<FacetProposal>> found(searches.size());
+  parallelBlocks(searches.size(), 1, evidence.parameters.threads,
+                 [&](std::size_t k, std::size_t) {
+                   for (const int reach : searches[k].reaches)
+                     growFromSeeds(evidence, searches[k].kind, reach, found[k]);
+                 });
+  std::vector<FacetProposal> all;
+  for (auto& of_kind : found)
+    std::move(of_kind.begin(), of_kind.end(), std::back_inserter(all));
+  return all;
 }
 
 } // namespace sedr

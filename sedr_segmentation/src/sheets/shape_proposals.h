@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_points.h"
+#include "facet_evidence.h"
 #include "shape_fit.h"
 
 #include <cstddef>
@@ -24,27 +24,19 @@ bool isBuilt(const FacetProposal& facet, const SheetParameters& parameters);
 /** @brief The share of some cells of which a shape explains at least half of the
  * points. */
 double shareExplained(const FacetProposal& facet,
-                      const CellPoints& cells,
-                      const std::vector<std::size_t>& among,
-                      double deviation);
+                      const FacetEvidence& evidence,
+                      const std::vector<std::size_t>& among);
 
 /** @brief Fits a shape of a kind to some cells, to no more than about `most_points` of
  * their points. */
 FacetProposal fitFacet(ShapeKind kind,
-                       const CellPoints& cells,
+                       const FacetEvidence& evidence,
                        std::vector<std::size_t> own,
-                       const std::vector<double>& directions,
-                       double deviation,
                        std::size_t most_points = 1500);
 
 /** @brief Shapes that explain parts of a ceiling: planes and curves through windows of
- * the plan, grown over the cells around that agree with them.
- * @param directions that cylinders may have beside those that are seen: the walls'
- * @param deviation of points from their facet, metres */
-std::vector<FacetProposal> proposeFacets(const CellPoints& cells,
-                                         const std::vector<double>& directions,
-                                         double deviation,
-                                         const SheetParameters& parameters);
+ * the plan, grown over the cells around that agree with them. */
+std::vector<FacetProposal> proposeFacets(const FacetEvidence& evidence);
 
 } // namespace sedr
 } // namespace pcl

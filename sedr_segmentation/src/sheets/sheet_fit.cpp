@@ -233,9 +233,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     return sheet;
   sheet.noise = cells.noise();
   const double deviation = std::hypot(sheet.noise, parameters.unevenness);
-  FacetChoice choice =
-      chooseFacets(cells, proposeFacets(cells, directions, deviation, parameters),
-                   directions, deviation, parameters);
+  const FacetEvidence evidence{cells, directions, deviation, parameters};
+  FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = Sheet::none;
@@ -250,7 +249,6 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   sheet.label = choice.label;
   fillNearest(grid, sheet.label);
 
-  const double weight = std::pow(grid.size / parameters.patch, 2);
   std::size_t with_points = 0;
   std::size_t seen = 0;
   sheet.is_seen.assign(grid.count(), 0);
@@ -259,7 +257,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
       continue;
     const auto facet = static_cast<std::size_t>(sheet.label[cell]);
     sheet.is_seen[cell] =
-        choice.costs[facet].cost[cell] < unexplained * weight * parameters.outlier;
+        choice.costs[facet].cost[cell] < unexplained * evidence.outlier() ? 1 : 0;
     ++with_points;
     seen += sheet.is_seen[cell];
   }

@@ -76,70 +76,62 @@ spread(SlabCurve& relief)
   }
 }
 
-/** @brief Heights on a grid through the points of some cells: at each the plane through
- * the points about it, without outliers. */
+} // namespace
+
 PlanSlab
-reliefThrough(const CellPoints& cells,
-              const std::vector<std::size_t>& own,
-              const SheetParameters& parameters)
+reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
 {
+  constexpr double deviation = 0.02;
+  constexpr std::size_t least_points = 6;
+  PlanSlab slab = fitPlane(points);
   Eigen::AlignedBox2d box;
-  const Eigen::Vector2d half = Eigen::Vector2d::Constant(cells.grid().size / 2);
-  for (const std::size_t cell : own) {
-    box.extend(cells.grid().centre(cell) - half);
-    box.extend(cells.grid().centre(cell) + half);
-  }
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p.head<2>());
   SlabCurve relief;
   relief.kind = CurveKind::Relief;
-  relief.spacing = parameters.relief_spacing;
-  relief.centre = box.min() - Eigen::Vector2d::Constant(relief.spacing);
-  const Eigen::Vector2d extent = box.sizes() / relief.spacing;
+  relief.spacing = spacing;
+  relief.centre = box.min() - Eigen::Vector2d::Constant(spacing);
+  const Eigen::Vector2d extent = box.sizes() / spacing;
   relief.columns = static_cast<std::size_t>(extent.x()) + 4;
   const auto rows = static_cast<std::size_t>(extent.y()) + 4;
   relief.heights.assign(relief.columns * rows,
                         std::numeric_limits<double>::quiet_NaN());
-  const auto points = cells.pointsOf(own, 200000);
   std::vector<std::vector<Eigen::Vector3d>> near(relief.heights.size());
   for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector2d at = (p.head<2>() - relief.centre) / relief.spacing;
+    const Eigen::Vector2d at = (p.head<2>() - relief.centre) / spacing;
     for (const double y : {std::floor(at.y()), std::floor(at.y()) + 1})
       for (const double x : {std::floor(at.x()), std::floor(at.x()) + 1})
         near[static_cast<std::size_t>(y) * relief.columns + static_cast<std::size_t>(x)]
             .push_back(p);
   }
   for (std::size_t k = 0; k < near.size(); ++k) {
-    if (near[k].size() < 6)
+    if (near[k].size() < least_points)
       continue;
     PlanSlab plane = fitPlane(near[k]);
-    refineShape(ShapeKind::Plane, near[k], 0.02, plane);
+    refineShape(ShapeKind::Plane, near[k], deviation, plane);
     const Eigen::Vector2d place =
         relief.centre +
-        relief.spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
-                                         static_cast<double>(k / relief.columns));
-    std::vector<double> heights;
-    for (const Eigen::Vector3d& p : near[k])
-      heights.push_back(p.z());
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    relief.heights[k] = std::clamp(plane.heightAt(place), *low, *high);
+        spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
+                                  static_cast<double>(k / relief.columns));
+    const auto [low, high] =
+        std::minmax_element(near[k].begin(), near[k].end(),
+                            [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    relief.heights[k] = std::clamp(plane.heightAt(place), low->z(), high->z());
   }
   spread(relief);
-  PlanSlab slab = fitPlane(points);
   if (relief.isFinite())
     slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
   return slab;
 }
 
-} // namespace
-
 void
-addReliefs(const CellPoints& cells,
-           double deviation,
-           const SheetParameters& parameters,
-           float outlier,
-           FacetChoice& choice)
+addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
 {
   constexpr float unexplained = 0.7F; // of what an outlier costs
+  constexpr std::size_t most_points = 200000;
+  const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
+  const float outlier = evidence.outlier();
   std::vector<std::uint8_t> is_left(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
     is_left[cell] =
@@ -147,16 +139,17 @@ addReliefs(const CellPoints& cells,
         (choice.facets.empty() ||
          choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell] >
              unexplained * outlier);
-  const auto least =
-      static_cast<std::size_t>(parameters.least_relief / (grid.size * grid.size));
+  const auto least = static_cast<std::size_t>(evidence.parameters.least_relief /
+                                              (grid.size * grid.size));
   choice.label.resize(grid.count(), 0);
   const std::size_t before = choice.facets.size();
   for (const std::vector<std::size_t>& piece : piecesOf(grid, is_left)) {
     if (piece.size() < least && !(before == 0 && choice.facets.empty()))
       continue;
     FacetProposal facet;
-    facet.slab = reliefThrough(cells, piece, parameters);
-    FacetCosts costs = costsOf(facet.slab, cells, deviation, parameters);
+    facet.slab = reliefOf(cells.pointsOf(piece, most_points),
+                          evidence.parameters.relief_spacing);
+    FacetCosts costs = costsOf(facet.slab, evidence);
     // It is known where it was seen: elsewhere it explains nothing.
     std::vector<std::uint8_t> is_own(grid.count(), 0);
     for (const std::size_t cell : piece)
@@ -170,7 +163,7 @@ addReliefs(const CellPoints& cells,
     choice.costs.push_back(std::move(costs));
   }
   if (choice.facets.size() > before)
-    labelCells(choice.costs, cells, parameters, choice.label);
+    labelCells(choice.costs, evidence, choice.label);
 }
 
 } // namespace sedr

@@ -207,8 +207,9 @@ StructureChain::sheetPoints() const
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (!hasSheet(r))
       continue;
-    const pcl::Indices seen = seenCeiling(r);
-    sheets->insert(sheets->end(), seen.begin(), seen.end());
+    for (const int i : seenCeiling(r))
+      if (rooms[static_cast<std::size_t>(i)] == r + 1) // not the floor of one above it
+        sheets->push_back(i);
   }
   std::sort(sheets->begin(), sheets->end());
   return sheets;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
-#include "slab_creases.h"
 #include "subdivision_mending.h"
+#include "visible_creases.h"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ collectSegments(const std::vector<FacetChain>& chains,
   }
 }
 
-/** @brief Adds the creases of curved slabs, as far as the grid reaches. */
+/** @brief Adds the creases of curved slabs. */
 void
 collectCreases(const RoomLayers& layers,
                const std::vector<FacetChain>& chains,
@@ -45,21 +45,12 @@ collectCreases(const RoomLayers& layers,
                std::vector<GridSegment>& segments,
                std::vector<SegmentSource>& sources)
 {
-  for (const RoomLayers::Slab& slab : layers.slabs) {
-    if (!slab.slab.curve)
-      continue;
-    Eigen::AlignedBox2d bounds;
-    for (std::size_t l = 0; l < chains.size(); ++l)
-      if (layers.loops[l].loop == slab.loop)
-        for (const Eigen::Vector2d& corner : chains[l].corners)
-          bounds.extend(corner);
-    if (bounds.isEmpty())
-      continue;
-    for (const auto& [from, to] : creasesOf(*slab.slab.curve, bounds, tolerance)) {
+  const VisibleCreases creases(layers, chains);
+  for (std::size_t slab = 0; slab < layers.slabs.size(); ++slab)
+    for (const auto& [from, to] : creases.of(slab, tolerance)) {
       segments.push_back({grid.toGrid(from), grid.toGrid(to)});
-      sources.push_back({SegmentSource::no_loop, slab.element});
+      sources.push_back({SegmentSource::no_loop, layers.slabs[slab].element});
     }
-  }
 }
 
 FacetCorners

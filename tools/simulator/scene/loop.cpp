@@ -150,6 +150,12 @@ offsetRight(const Element& element, double distance)
 std::optional<double>
 locate(const Element& element, Vec2 point, double tolerance)
 {
+  if (element.bulge == 0.0) {
+    const Vec2 chord = element.end - element.start;
+    const double aside = cross(chord, point - element.start);
+    if (aside * aside > 4 * tolerance * tolerance * dot(chord, chord))
+      return std::nullopt; // far beside its line
+  }
   const double end = lengthOf(element);
   double s = 0.0;
   if (element.bulge == 0.0) {
@@ -173,12 +179,17 @@ bool
 contains(const Loop& loop, Vec2 point)
 {
   bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Element element = elementOf(loop, i);
-    if (crossesChord(element, point))
-      inside = !inside;
-    if (element.bulge != 0.0 && inCircularSegment(element, point))
-      inside = !inside;
+  const LoopVertex* from = loop.empty() ? nullptr : &loop.back();
+  for (const LoopVertex& to : loop) {
+    const bool is_level = (from->position.y > point.y) == (to.position.y > point.y);
+    if (!is_level || from->bulge != 0.0) {
+      const Element element{from->position, to.position, from->bulge};
+      if (crossesChord(element, point))
+        inside = !inside;
+      if (element.bulge != 0.0 && inCircularSegment(element, point))
+        inside = !inside;
+    }
+    from = &to;
   }
   return inside;
 }

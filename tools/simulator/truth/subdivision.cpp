@@ -76,10 +76,11 @@ private:
 
   std::size_t findNode(Vec2 point) const
   {
-    std::size_t i = 0;
-    while (i < plan_.nodes.size() && length(plan_.nodes[i] - point) > kTolerance)
-      ++i;
-    return i;
+    const auto isHere = [point](Vec2 node) {
+      return dot(node - point, node - point) <= kTolerance * kTolerance;
+    };
+    const auto node = std::find_if(plan_.nodes.begin(), plan_.nodes.end(), isHere);
+    return static_cast<std::size_t>(node - plan_.nodes.begin());
   }
 
   void addLoop(const Loop& loop, EdgeSource source)
