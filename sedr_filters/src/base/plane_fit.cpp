@@ -159,7 +159,7 @@ fitParallel(const Positions& points,
   if (!offsets.empty())
     slab.plane[3] -= middleValue(std::move(offsets));
   const double widest = band;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 6; ++round) {
     keepWithinBand(points, slab, band, inside);
     if (inside.empty())
       break;
@@ -203,7 +203,7 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
   const double widest = band;
   Positions inside;
   Positions fitted;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 6; ++round) {
     keepWithinBand(points, slab, band, inside);
     if (inside.size() < 3 || inside == fitted) // the same again gives the same
       break;
