@@ -41,6 +41,7 @@ piercedRegions(const CubeTable& cubes, const std::vector<std::uint32_t>& pierced
     if (rays[k] >= fewest_rays)
       regions[sets.find(k)].push_back(k);
   std::vector<std::vector<std::uint32_t>> all;
+  all.reserve(regions.size());
   for (auto& region : regions)
     all.push_back(std::move(region.second));
   return all;

@@ -68,15 +68,16 @@ noteRelief(const PointView& points,
   map.relief.assign(seen.size(), unknown);
   std::vector<std::uint8_t> steps(seen.size(), 0);
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    map.relief[room.indexOf(cells[k])] = smooth[k];
-    steps[room.indexOf(cells[k])] = edges[k];
+    const std::size_t at = room.indexOf(cells[k]);
+    map.relief[at] = smooth[k];
+    steps[at] = edges[k] != 0 || seen[at].high - seen[at].low > most_spread ? 1 : 0;
   }
   return steps;
 }
 
 /** @brief Where two labels meet. */
 struct Meeting {
-  double cells = 0; ///< edges between seen cells of the two
+  double cells = 0; ///< edges between cells of the two, seen ones and steps
   double bends = 0; ///< those where the ceiling goes on without a step
   double drop = 0;  ///< between their planes there, sum of metres
 
@@ -98,9 +99,11 @@ grownLabels(const HeightMap& map)
   return label;
 }
 
-/** @brief Where seen cells of two labels meet. */
+/** @brief Where cells of two labels meet that were seen, or hold a step. */
 std::vector<CellPair>
-borderOf(const HeightMap& map, const std::vector<std::int32_t>& label)
+borderOf(const HeightMap& map,
+         const std::vector<std::int32_t>& label,
+         const std::vector<std::uint8_t>& steps)
 {
   std::vector<CellPair> border;
   for (std::size_t i = 0; i < label.size(); ++i) {
@@ -113,7 +116,7 @@ borderOf(const HeightMap& map, const std::vector<std::int32_t>& label)
         continue;
       const std::size_t j = map.room.indexOf(to);
       if (label[j] >= 0 && label[j] != label[i] &&
-          !std::isnan(map.relief[i] - map.relief[j]))
+          (steps[i] || steps[j] || !std::isnan(map.relief[i] - map.relief[j])))
         border.emplace_back(i, j);
     }
   }
@@ -181,7 +184,7 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
   constexpr double widest = 1.0; // square metres
   // Where labels grow to does not depend on what they are: joined ones stay there.
   std::vector<std::int32_t> label = grownLabels(map);
-  const std::vector<CellPair> border = borderOf(map, label);
+  const std::vector<CellPair> border = borderOf(map, label, steps);
   std::vector<double> area(map.details.size() + 1, 0);
   for (const std::int32_t l : map.label)
     if (l >= 0)

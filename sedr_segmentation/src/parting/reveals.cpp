@@ -41,6 +41,8 @@ public:
   }
 
 private:
+  static constexpr int beside = 3; ///< columns: more than what noise hides of a wall
+
   bool isLow(std::uint32_t g) const { return room_[g] >= 0 && dip_[g] >= lintel_; }
 
   std::vector<std::uint32_t> partFrom(std::uint32_t start)
@@ -71,6 +73,16 @@ private:
     return air_.overlapping(column, air_[like].low, air_[like].high) != AirGaps::none;
   }
 
+  /** @brief Whether a wall, or a pier between two windows, is beside a gap.
+   * @param out to the next column */
+  bool isWallBeside(std::uint32_t g, const Eigen::Vector2d& out) const
+  {
+    for (int k = 1; k <= beside; ++k)
+      if (!isAir(placeOf(g) + k * out, g))
+        return true;
+    return false;
+  }
+
   bool isReveal(const std::vector<std::uint32_t>& part) const
   {
     // Where the part opens to its room, and which way.
@@ -95,10 +107,9 @@ private:
     for (const double side : {-1.0, 1.0}) {
       const std::uint32_t end = endOf(mouth, side * along);
       const std::uint32_t deepest = endOf(part, side * along - 0.5 * into_room);
-      constexpr int beside = 3; // columns: more than what noise hides of a wall
-      const Eigen::Vector2d out = side * beside * cell * along;
-      walls += !isAir(placeOf(deepest) + out, deepest) ? 1 : 0;
-      jambs += isAir(placeOf(end) + out + 2 * cell * into_room, end) ? 1 : 0;
+      const Eigen::Vector2d out = side * cell * along;
+      walls += isWallBeside(deepest, out) ? 1 : 0;
+      jambs += isAir(placeOf(end) + beside * out + 2 * cell * into_room, end) ? 1 : 0;
     }
     return walls == 2 && jambs > 0;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "doc/tutorials/sources/own_stage/impl/storey_band.hpp"
+#include "impl/storey_band.hpp"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/impl/pcl_base.hpp>

@@ -58,5 +58,5 @@ private:
 };
 
 #ifdef PCL_NO_PRECOMPILE
-#include "doc/tutorials/sources/own_stage/impl/storey_band.hpp"
+#include "impl/storey_band.hpp"
 #endif
