@@ -34,6 +34,7 @@ main(int argc, char** argv)
           std::make_shared<ScanFile>(settings.input, settings.scan.resolved());
       chain.setInputSource(scan);
       chain.setOrigin(scan->origin());
+      chain.setScanPositions(scan->positions());
       return scan->size();
     });
   });

@@ -118,6 +118,7 @@ makeModelTogether(const std::string& tool,
       if (!reading.origin) // one frame for all files
         reading.origin = ScanFile(inputs.front().path, reading).origin();
       chain.setOrigin(*reading.origin);
+      chain.setScanPositions(positionsOf(inputs, reading));
       auto thin_orders =
           thinOrders(inputs, reading, static_cast<std::size_t>(mail.size()));
       chain.setThinning([&orders, &chain, thin_orders]() mutable {

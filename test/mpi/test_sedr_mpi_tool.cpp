@@ -3,6 +3,8 @@
 #include "tools/box_room.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
+#include "tools/scans/e57_writer.h"
+#include "tools/scans/las_writer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -115,6 +117,62 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
     EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
     expectSame(in("alone"), arguments[1]);
     EXPECT_EQ(reportIn(arguments[1] + "/report.json").at("rooms").size(), 2u);
+  }
+}
+
+/** The points as E57 of two scans, the first half from one place and the rest from
+ * another. */
+std::string
+asE57(const RoomScan& scan)
+{
+  E57Writer writer;
+  writer.packet_bytes = 60000;
+  const std::size_t half = scan.points.size() / 2;
+  for (const std::size_t begin : {std::size_t{0}, half}) {
+    const Eigen::Vector3d place(1.5 + (begin > 0 ? 1 : 0), 1.5, 1.4);
+    std::vector<std::vector<double>> local(3);
+    for (std::size_t i = begin; i < (begin > 0 ? scan.points.size() : half); ++i) {
+      local[0].push_back(scan.points[i].x - place.x());
+      local[1].push_back(scan.points[i].y - place.y());
+      local[2].push_back(scan.points[i].z - place.z());
+    }
+    writer.addScan("station",
+                   {E57TestField::ofDoubles("cartesianX", local[0]),
+                    E57TestField::ofDoubles("cartesianY", local[1]),
+                    E57TestField::ofDoubles("cartesianZ", local[2])},
+                   E57Writer::pose(1, 0, 0, 0, place.x(), place.y(), place.z()));
+  }
+  return writer.file();
+}
+
+std::string
+asLas(const RoomScan& scan)
+{
+  LasSample las;
+  for (const auto& p : scan.points)
+    las.points.push_back({static_cast<std::int32_t>(std::lround(p.x * 1000)),
+                          static_cast<std::int32_t>(std::lround(p.y * 1000)),
+                          static_cast<std::int32_t>(std::lround(p.z * 1000))});
+  return las.bytes();
+}
+
+TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessOfE57AndLas)
+{
+  writeFile(in("scan.e57"), asE57(twoRooms()));
+  writeFile(in("scan.las"), asLas(twoRooms()));
+  for (const std::string scan : {"scan.e57", "scan.las"}) {
+    Strings arguments{in(scan), in(scan + "_alone"), "--no-mesh", "--threads", "1"};
+    ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
+    arguments[1] = in(scan + "_ranks");
+    const ProgramRun result = mpirun(2, arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expectSame(in(scan + "_alone"), arguments[1]);
+    const auto report = reportIn(arguments[1] + "/report.json");
+    EXPECT_EQ(report.at("rooms").size(), 2u);
+    if (scan == "scan.e57")
+      EXPECT_EQ(report.at("positions").at("known"), 2);
+    else
+      EXPECT_TRUE(report.at("positions").is_null());
   }
 }
 

@@ -87,6 +87,7 @@ printHelp(const po::options_description& options)
       << "       pcl_simulate_indoor_scan --print SCENE\n\n"
       << "Scans an indoor scene: SCENE is the name of a built-in one or a scene file,\n"
       << "which ends in .json. Writes OUTPUT_DIR/scan.pcd (x y z label room),\n"
+      << "OUTPUT_DIR/positions.txt (x y z points: where they were scanned from),\n"
       << "OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
       << "and OUTPUT_DIR/truth.json (rooms, storeys and what joins them).\n"
       << "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
@@ -222,6 +223,7 @@ simulate(Arguments& arguments)
                  sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth),
                                        sim::roomLinks(scene)));
   sim::writePcd(arguments.folder / "scan.pcd", scan.points);
+  sim::writePositions(arguments.folder / "positions.txt", scan.positions);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
             << " rays, truth of " << truth.faces.size() << " triangles\n";
 }

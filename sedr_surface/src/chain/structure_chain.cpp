@@ -175,6 +175,12 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +
         std::to_string(stray_limit) + " points were left out");
+  if (mirrored.points > 0)
+    warnings.push_back(std::to_string(mirrored.mirrors) +
+                       " surfaces mirror, as the scanner's "
+                       "positions tell: " +
+                       std::to_string(mirrored.points) +
+                       " thinned points seen in them were left out");
   if (!checkScan())
     return false;
   levelScan();

@@ -67,6 +67,28 @@ TEST(Scan, noiseFreeStructureLiesOnTheTruth)
   }
 }
 
+TEST(Scan, everyPointIsWithinTheRangeOfItsPosition)
+{
+  const Scene scene = sceneNamed("long_corridor");
+  ScanOptions options;
+  options.rays_per_station = 700;
+  options.noise = 0.0;
+  options.max_range = 1.5;
+  const Scan scanned = scan(scene, options);
+  std::size_t stations = 0;
+  for (const Scanner& scanner : scene.scanners)
+    stations += scanner.stations.size();
+  ASSERT_EQ(scanned.positions.size(), stations);
+  std::size_t next = 0;
+  for (const ScanPosition& position : scanned.positions)
+    for (std::size_t k = 0; k < position.points; ++k, ++next) {
+      ASSERT_LT(next, scanned.points.size());
+      EXPECT_LT(length(positionOf(scanned.points[next]) - position.place), 1.501);
+    }
+  EXPECT_EQ(next, scanned.points.size());
+  EXPECT_GT(next, 1000U);
+}
+
 TEST(Scan, sameSeedGivesTheSameBytesForAnyNumberOfThreads)
 {
   const Scene scene = sceneNamed("bls_room");

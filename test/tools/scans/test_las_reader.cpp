@@ -144,6 +144,16 @@ TEST_F(LasFiles, WhatIsBrokenIsToldWithNumbers)
   las.scale[1] = 0;
   expect(las, "the scale of y is 0.0");
   las = good;
+  las.before.assign(60, '\0');
+  las.claimed_records = 1; // of 54 bytes and none of its own
+  EXPECT_EQ(load(las.bytes()).size(), 3u);
+  las.claimed_records = 2;
+  expect(las, "2 records before its points, but number 2, from byte 281 on, does not "
+              "end before byte 287");
+  las.claimed_records = 1;
+  las.before[20] = 7; // its length
+  expect(las, "1 records before its points, but number 1, from byte 227 on");
+  las = good;
   las.points.clear();
   expect(las, "has 0 points");
   las = good;

@@ -9,6 +9,8 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -276,6 +278,29 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
   const ProgramRun broken = run(LAS_TO_PCD, {in("scan.e57") + "x", in("no.pcd")});
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_FALSE(std::filesystem::exists(in("no.pcd")));
+}
+
+TEST_F(ScansAsTheyCome, PositionsTellWhatWindowsMirror)
+{
+  ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {"big_windows", in("glass"), "--rays", "8000"})
+                .exit_code,
+            0);
+  const std::string scan = in("glass/scan.pcd");
+  const auto positionsOf = [&](const std::string& folder) {
+    return nlohmann::json::parse(bytesOf(in(folder) + "/report.json")).at("positions");
+  };
+  ASSERT_EQ(model(scan, "unknown").exit_code, 0);
+  EXPECT_TRUE(positionsOf("unknown").is_null());
+  const ProgramRun made =
+      model(scan, "known", {"--positions", in("glass/positions.txt")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.err.find("surfaces mirror"), std::string::npos) << made.err;
+  EXPECT_EQ(positionsOf("known").at("known"), 40);
+  EXPECT_GE(positionsOf("known").at("mirrors"), 1);
+  EXPECT_GT(positionsOf("known").at("mirrored_points"), 1000);
+  const ProgramRun refused = model(scan, "no", {"--positions", scan});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(refused.failsInOneSentence()) << refused.err;
 }
 
 TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)

@@ -93,6 +93,15 @@ addScanOptions(Options& options, ScanOptions& scan)
 }
 
 void
+addPositionsOption(Options& options, ScanOptions& scan)
+{
+  options.text("positions", scan.settings.positions,
+               "text of the scanner's positions: a line each of x y z, in the unit and "
+               "frame of the scan, and how many points are from there, in their order; "
+               "else as an E57 or a PCD tells them");
+}
+
+void
 addE57Options(Options& options, ScanOptions& scan)
 {
   options.number("scan", scan.settings.scan, "",

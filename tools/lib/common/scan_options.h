@@ -33,7 +33,10 @@ void addColumnsOption(Options& options, ScanOptions& scan);
 /** @brief Declares --unit. */
 void addUnitOption(Options& options, ScanOptions& scan);
 
-/** @brief Declares all of them. */
+/** @brief Declares --positions. */
+void addPositionsOption(Options& options, ScanOptions& scan);
+
+/** @brief Declares all of them but --positions. */
 void addScanOptions(Options& options, ScanOptions& scan);
 
 /** @brief What the coordinates of a model are counted from: a folder that pcl_sedr has

@@ -56,6 +56,7 @@ addModelOptions(Options& options, ModelSettings& s)
                  Range::between(0, 1024));
   options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
   addScanOptions(options, s.scan);
+  addPositionsOption(options, s.scan);
   options.flag("z-up", s.z_up,
                "take z as up even if another axis seems to be, or the scan leans");
   options.flag("levelled", s.levelled,

@@ -112,6 +112,18 @@ levellingOf(const StructureChain& chain)
           {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
+/** @brief What the scanner's positions told, or null. */
+Json
+positionsOf(const MirrorFigures& mirrored)
+{
+  if (mirrored.positions == 0)
+    return nullptr;
+  return {{"known", mirrored.positions},
+          {"rays", mirrored.rays},
+          {"mirrors", mirrored.mirrors},
+          {"mirrored_points", mirrored.points}};
+}
+
 Json
 stagesOf(const RunRecord& run)
 {
@@ -251,6 +263,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"storeys", storeysOf(chain)},
             {"origin", nullptr}, // has its place here
             {"levelling", levellingOf(chain.getChain())},
+            {"positions", positionsOf(chain.getChain().mirrored)},
             {"rooms", roomsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace pcl {
@@ -92,6 +93,27 @@ std::size_t
 rowsOf(const std::vector<ScanInput>& inputs)
 {
   return inputs.empty() ? 0 : inputs.back().first + inputs.back().head.rows;
+}
+
+ScanPositions
+positionsOf(const std::vector<ScanInput>& inputs, const ScanSettings& settings)
+{
+  if (inputs.size() > 1 && !settings.positions.empty())
+    throw ToolError("--positions is for a scan in one file, there are " +
+                    std::to_string(inputs.size()));
+  ScanPositions all;
+  bool is_any_known = false;
+  for (const ScanInput& input : inputs) {
+    ScanPositions own = ScanFile(input.path, settings).positions();
+    is_any_known = is_any_known || !own.empty();
+    if (own.empty())
+      own.push_back({0, Eigen::Vector3f::Constant(NAN)});
+    for (ScanPosition& position : own) {
+      position.first_row += input.first;
+      all.push_back(position);
+    }
+  }
+  return is_any_known ? all : ScanPositions();
 }
 
 std::vector<std::vector<RowRange>>

@@ -40,6 +40,12 @@ std::vector<ScanInput> findInputs(const std::vector<std::string>& paths,
 
 std::size_t rowsOf(const std::vector<ScanInput>& inputs);
 
+/** @brief Where the rows of the whole scan were taken from, each file its own, NaN of
+ * those that do not tell; empty if none does. A file of positions is for one scan
+ * alone, or a ToolError. */
+ScanPositions positionsOf(const std::vector<ScanInput>& inputs,
+                          const ScanSettings& settings);
+
 /** @brief Deals the rows out to `ranks`, in their order and as evenly as can be: a file
  * whose rows cannot be had one without the others goes to one rank, with the size of
  * what that has to unpack. */

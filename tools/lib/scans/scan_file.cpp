@@ -109,6 +109,7 @@ ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes
 
 ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     : path_(path)
+    , positions_(settings.positions)
     , unit_(settings.unit)
     , piece_bytes_(settings.piece_bytes)
     , file_(path)

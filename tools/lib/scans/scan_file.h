@@ -5,6 +5,7 @@
 #include "row_plan.h"
 
 #include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/scan_positions.h>
 
 #include <array>
 #include <memory>
@@ -91,6 +92,11 @@ public:
    */
   std::vector<ScanStation> stations() const;
 
+  /** @brief Where the rows were scanned from, metres, in their frame: by the file of
+   * the settings, else by what the scan tells, which may be nothing. A file that is
+   * amiss, or that tells of other than all rows, is a ToolError. */
+  ScanPositions positions() const;
+
 private:
   class PageTurner;
 
@@ -111,6 +117,7 @@ private:
   std::size_t placeOf(std::size_t row) const;
 
   std::string path_;
+  std::string positions_; ///< file of them, may be empty
   double unit_;
   std::size_t piece_bytes_;
   MappedFile file_;

@@ -170,8 +170,13 @@ scan(const Scene& scene, const ScanOptions& options)
   scan.points.reserve(count);
   for (const auto& points : results)
     scan.points.insert(scan.points.end(), points.begin(), points.end());
-  for (const Block& block : blocks)
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Block& block = blocks[i];
     scan.rays += (block.last - block.first) * block.raster.elevations;
+    if (block.first == 0) // of a position the first
+      scan.positions.push_back({placed(scene.placement, block.station), 0});
+    scan.positions.back().points += results[i].size();
+  }
   return scan;
 }
 

@@ -23,9 +23,17 @@ struct ScanOptions {
   std::function<void(double)> progress;
 };
 
+/** @brief A position of a scanner, in the frame of the files, and how many points it
+ * gave. */
+struct ScanPosition {
+  Vec3 place;
+  std::size_t points = 0;
+};
+
 /** @brief The points of a scan and how many rays it took. */
 struct Scan {
-  std::vector<ScanPoint> points;
+  std::vector<ScanPoint> points;       ///< one position after the other
+  std::vector<ScanPosition> positions; ///< in that order
   std::size_t rays = 0;
 };
 

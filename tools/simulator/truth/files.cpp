@@ -171,6 +171,19 @@ writePly(const std::filesystem::path& path,
 }
 
 void
+writePositions(const std::filesystem::path& path,
+               const std::vector<ScanPosition>& positions)
+{
+  std::ostringstream text;
+  text.precision(10);
+  text << "# x y z points\n";
+  for (const ScanPosition& position : positions)
+    text << position.place.x << ' ' << position.place.y << ' ' << position.place.z
+         << ' ' << position.points << '\n';
+  writeText(path, text.str());
+}
+
+void
 writeText(const std::filesystem::path& path, const std::string& text)
 {
   writeWhole(path, text, nullptr, 0);

@@ -48,6 +48,11 @@ void writePly(const std::filesystem::path& path,
               const Mesh& mesh,
               const Placement& placement);
 
+/** @brief Writes a line for each position: x y z in metres, and how many of the points
+ * of the scan, which stand in the same order, are from there. */
+void writePositions(const std::filesystem::path& path,
+                    const std::vector<ScanPosition>& positions);
+
 /** @brief Writes the text as it is. */
 void writeText(const std::filesystem::path& path, const std::string& text);
 

@@ -48,7 +48,7 @@ public:
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
   /** @brief Every k-th point, those that are not finite too. */
-  std::shared_ptr<const std::vector<Eigen::Vector3f>> points() const { return points_; }
+  std::shared_ptr<std::vector<Eigen::Vector3f>> points() const { return points_; }
 
 private:
   /** @brief Shows a piece to `see`, and its rows to `see_run` meanwhile. */

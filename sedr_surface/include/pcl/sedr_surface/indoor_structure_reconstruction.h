@@ -34,7 +34,8 @@ struct ThinnedScan {
 
 /** @brief From an indoor scan to the closed model of its ceilings, floors and walls:
  * all stages of the paper (section 2.1) as one SurfaceReconstruction. Frame: z up,
- * metres; no trajectory or scanner position is needed. Non-finite points are left out.
+ * metres; no trajectory or scanner position is needed, see setScanPositions().
+ * Non-finite points are left out.
  *
  * A thin composition: getVoxelGrid() and getChain() reach every stage, to be set as it
  * is set alone; the setters here carry the names of the paper's Table 1 and pass on
@@ -81,6 +82,15 @@ public:
    * sedr::floorplanToJson() does. Default 0, 0, 0. */
   void setOrigin(const sedr::Origin& origin) { chain_.origin = origin; }
   const sedr::Origin& getOrigin() const { return chain_.origin; }
+
+  /** @brief Where the points of the scan were taken from, by their place in the input
+   * cloud or source: what glass and mirrors show a second time is left out then, see
+   * sedr::findMirroredPoints(). Default none: nothing is. */
+  void setScanPositions(const sedr::ScanPositions& positions)
+  {
+    positions_ = positions;
+  }
+  const sedr::ScanPositions& getScanPositions() const { return positions_; }
 
   /** @brief Size of a voxel in down-sampling, metres. Default 0.05. */
   void setVoxelSize(float size);
@@ -213,11 +223,21 @@ private:
 
   bool thin(sedr::StructureChain::Cloud& thinned);
 
+  /** @brief Every k-th point of the input cloud, NaN where it is not among the indices.
+   */
+  std::shared_ptr<std::vector<Eigen::Vector3f>> excerptOfCloud() const;
+
+  /** @brief Leaves out of what was thinned, and of the points of the fit, what mirrors
+   * show, if the positions of the scan are known. */
+  void leaveOutMirrored(sedr::StructureChain::Cloud& thinned);
+
   /** @brief Thins a scan that stands here. */
   bool thinHere(sedr::StructureChain::Cloud& thinned);
 
   std::function<sedr::ThinnedScan()> thinning_;
   std::size_t scan_size_ = 0; ///< points
+  sedr::ScanPositions positions_;
+  std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt_; ///< of the last run
   std::shared_ptr<const sedr::RowSource> source_;
   ParallelVoxelGrid<PointT> voxel_grid_;
   sedr::StructureChain chain_;

@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/levelling.h>
 #include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_positions.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -36,6 +37,14 @@ struct StageReport {
   std::size_t points_in = 0;  ///< points it looked at
   std::size_t points_out = 0; ///< points it found or made
   double seconds = 0;
+};
+
+/** @brief What the positions of the scanner told. */
+struct MirrorFigures {
+  std::size_t positions = 0; ///< that are known
+  std::size_t rays = 0;      ///< that were followed
+  std::size_t mirrors = 0;   ///< surfaces that showed rooms a second time
+  std::size_t points = 0;    ///< thinned points that were left out
 };
 
 /** @brief The stages 2 to 11 on a thinned cloud, one after the other (paper,
@@ -83,6 +92,17 @@ public:
   /** @brief Voxels of fewer points were taken for strays when the scan was thinned, as
    * ParallelVoxelGrid::getStrayLimit() says; a warning tells it. */
   unsigned stray_limit = 0;
+
+  /** @brief What leaveOutMirrored() found before the run; a warning tells it. */
+  MirrorFigures mirrored;
+
+  /** @brief Leaves out what glass and mirrors show a second time, before
+   * findStructure(): of `thinned`, and of every `step`-th point of the scan, where it
+   * becomes NaN. */
+  void leaveOutMirrored(const ScanPositions& positions,
+                        std::size_t step,
+                        Cloud& thinned,
+                        std::vector<Eigen::Vector3f>& rows);
 
   /** @brief Whether the mesh is made of samples of the plan instead of the repaired
    * points: its edges round off less. */

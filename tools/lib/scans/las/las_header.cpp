@@ -39,6 +39,7 @@ constexpr unsigned newest_minor = 4;
 constexpr std::size_t version_place = 24;
 constexpr std::size_t header_size_place = 94;
 constexpr std::size_t begin_place = 96;
+constexpr std::size_t records_place = 100;
 constexpr std::size_t format_place = 104;
 constexpr std::size_t record_place = 105;
 constexpr std::size_t points_place = 107;
@@ -114,6 +115,31 @@ pointsOf(const MappedFile& file, std::size_t header_size)
   return many > 0 ? many : valueAt<std::uint32_t>(file, points_place);
 }
 
+/** @brief Goes through the variable-length records between header and points: they say
+ * how long they are themselves, so that a wrong number of them shows. */
+void
+checkRecords(const MappedFile& file,
+             const std::string& path,
+             std::size_t header_size,
+             std::uint64_t begin)
+{
+  constexpr std::size_t record_header = 54;
+  constexpr std::size_t length_place = 20;
+  const std::uint64_t records = valueAt<std::uint32_t>(file, records_place);
+  std::uint64_t at = header_size;
+  for (std::uint64_t k = 0; k < records; ++k) {
+    const std::uint64_t start = at;
+    at += record_header;
+    if (at <= begin)
+      at += valueAt<std::uint16_t>(file, start + length_place);
+    if (at > begin)
+      refuse(path, "it is said to have " + text(records) +
+                       " records before its points, but number " + text(k + 1) +
+                       ", from byte " + text(start) + " on, does not end before byte " +
+                       text(begin) + ", where the points begin");
+  }
+}
+
 } // namespace
 
 bool
@@ -149,6 +175,7 @@ readLasHeader(const MappedFile& file, const std::string& path)
     refuse(path, "its points are said to begin at byte " + text(header.begin) +
                      ", the header has " + text(header_size) + " bytes and the file " +
                      text(file.size()));
+  checkRecords(file, path, header_size, header.begin);
   readScales(file, path, header);
   const std::uint64_t left = file.size() - header.begin;
   if (header.points > left / header.record)

@@ -11,6 +11,7 @@
 #include <pcl/conversions.h>
 
 #include <chrono>
+#include <limits>
 
 namespace pcl {
 
@@ -116,6 +117,8 @@ IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
   voxel_grid_.setIndices(indices_);
   voxel_grid_.filter(means);
   chain_.floorplan_fitting.template setRawCloud<PointT>(input_, indices_);
+  if (!positions_.empty())
+    excerpt_ = excerptOfCloud();
   return true;
 }
 
@@ -132,7 +135,8 @@ IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
   const std::string problem = scan.problem();
   if (!problem.empty())
     return refuseInput(problem);
-  chain_.floorplan_fitting.setRawPoints(scan.points());
+  excerpt_ = scan.points();
+  chain_.floorplan_fitting.setRawPoints(excerpt_);
   return true;
 }
 
@@ -150,7 +154,8 @@ IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& 
   thinned.swap(*scan.points);
   scan_size_ = scan.size;
   chain_.stray_limit = scan.stray_limit;
-  chain_.floorplan_fitting.setRawPoints(scan.excerpt);
+  excerpt_ = scan.excerpt;
+  chain_.floorplan_fitting.setRawPoints(excerpt_);
   return true;
 }
 
@@ -187,6 +192,44 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
 }
 
 template <typename PointT>
+std::shared_ptr<std::vector<Eigen::Vector3f>>
+IndoorStructureReconstruction<PointT>::excerptOfCloud() const
+{
+  const std::size_t step =
+      sedr::rawStep(input_->size(), sedr::RefitParameters().most_points);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto excerpt = std::make_shared<std::vector<Eigen::Vector3f>>(
+      (input_->size() + step - 1) / step, Eigen::Vector3f::Constant(nan));
+  for (const auto i : *indices_)
+    if (static_cast<std::size_t>(i) % step == 0)
+      (*excerpt)[static_cast<std::size_t>(i) / step] =
+          (*input_)[static_cast<std::size_t>(i)].getVector3fMap();
+  return excerpt;
+}
+
+template <typename PointT>
+void
+IndoorStructureReconstruction<PointT>::leaveOutMirrored(
+    sedr::StructureChain::Cloud& thinned)
+{
+  if (positions_.empty())
+    return;
+  const auto start = std::chrono::steady_clock::now();
+  if (chain_.on_stage)
+    chain_.on_stage("MirroredPoints");
+  const std::size_t before = thinned.size();
+  const std::size_t rows = source_ || thinning_ ? scan_size_ : input_->size();
+  chain_.leaveOutMirrored(positions_,
+                          sedr::rawStep(rows, sedr::RefitParameters().most_points),
+                          thinned, *excerpt_);
+  if (before > thinned.size())
+    chain_.floorplan_fitting.setRawPoints(excerpt_);
+  const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+  reports_.push_back({"MirroredPoints", before, thinned.size(), seconds.count()});
+}
+
+template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::findStructure()
 {
@@ -200,14 +243,17 @@ IndoorStructureReconstruction<PointT>::findStructure()
     chain_.failed_stage = "input";
     return fail(name, "no input cloud was set");
   }
+  chain_.mirrored = sedr::MirrorFigures();
   bool is_done = thin(*thinned);
   if (is_done) {
+    leaveOutMirrored(*thinned);
     is_done = chain_.findStructure(thinned);
     reports_.insert(reports_.end(), chain_.reports.begin(), chain_.reports.end());
     if (!is_done)
       fail(name, chain_.failed_stage + ": " + chain_.problem);
   }
   chain_.floorplan_fitting.setRawPoints(nullptr);
+  excerpt_.reset();
   if (has_cloud)
     this->deinitCompute();
   return is_done;

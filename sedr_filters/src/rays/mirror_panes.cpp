@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mirror_panes.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief What was met behind a pane at places that say something: their like elsewhere
+ * is not there by chance, as that of a floor behind an upright pane would be. */
+std::vector<Eigen::Vector3d>
+tellingPlaces(const Pane& pane,
+              const std::vector<Eigen::Vector3d>& behind,
+              const CubeTable& filled)
+{
+  constexpr double aside = 0.5; // metres
+  std::vector<Eigen::Vector3d> telling;
+  for (const Eigen::Vector3d& p : behind)
+    if (!filled.isNear(p + aside * pane.normal) &&
+        !filled.isNear(p - aside * pane.normal))
+      telling.push_back(p);
+  return telling;
+}
+
+/** @brief How much of what is met behind a pane has its like in front of it. */
+struct Likeness {
+  double share = 0;  ///< at best
+  double chance = 0; ///< the same of planes beside it, on average
+
+  /** @brief 0 where it is what planes beside the pane have too, 1 where it is all. */
+  double beyondChance() const
+  {
+    return chance < 1 ? (share - chance) / (1 - chance) : 0;
+  }
+};
+
+/** @brief Share of places that have their like in front of a pane: the mean of those of
+ * layers at different depths, so that one wall there that happens to be as far from the
+ * pane as one here is not enough. */
+double
+mirroredShare(const Pane& pane,
+              const std::vector<Eigen::Vector3d>& places,
+              const CubeTable& filled)
+{
+  constexpr double layer = 0.5;     // metres
+  constexpr std::size_t fewest = 8; // places of a layer
+  struct Layer {
+    std::size_t places = 0;
+    std::size_t mirrored = 0;
+  };
+  std::map<long, Layer> layers;
+  for (const Eigen::Vector3d& p : places) {
+    Layer& at = layers[std::lround((pane.normal.dot(p) - pane.offset) / layer)];
+    ++at.places;
+    at.mirrored += filled.isNear(pane.imageOf(p)) ? 1 : 0;
+  }
+  double sum = 0;
+  std::size_t counted = 0;
+  for (const auto& [depth, at] : layers)
+    if (at.places >= fewest) {
+      sum += static_cast<double>(at.mirrored) / static_cast<double>(at.places);
+      ++counted;
+    }
+  return counted > 0 ? sum / static_cast<double>(counted) : 0;
+}
+
+/** @brief Moves a pane, whose normal points away from the scanner, to where it mirrors
+ * most: it may stand behind its wall's face. */
+Likeness
+moveToMirror(Pane& pane,
+             const std::vector<Eigen::Vector3d>& behind,
+             const CubeTable& filled)
+{
+  constexpr std::size_t fewest = 30;
+  constexpr double step = 0.05; // metres
+  constexpr int before = -1;    // steps
+  constexpr int after = 6;
+  constexpr int beside = 10; // too far for the same pane
+  constexpr int farthest = 20;
+  const std::vector<Eigen::Vector3d> telling = tellingPlaces(pane, behind, filled);
+  Likeness likeness;
+  if (telling.size() < fewest)
+    return likeness;
+  const double offset = pane.offset;
+  const auto shareAt = [&](int k) {
+    Pane moved = pane;
+    moved.offset = offset + k * step;
+    return mirroredShare(moved, telling, filled);
+  };
+  for (int k = before; k <= after; ++k) {
+    const double share = shareAt(k);
+    if (share <= likeness.share)
+      continue;
+    likeness.share = share;
+    pane.offset = offset + k * step;
+  }
+  for (int k = beside; k <= farthest; ++k)
+    for (const int side : {-1, 1})
+      likeness.chance += shareAt(side * k) / (2 * (farthest - beside + 1));
+  return likeness;
+}
+
+/** @brief What the rays through each pane met far behind it; the normals of the panes
+ * are turned away from the scanner. */
+std::vector<std::vector<Eigen::Vector3d>>
+placesBehind(std::vector<Pane>& panes,
+             const PiercedSurfaces& surfaces,
+             const std::vector<ScanRay>& rays,
+             const std::vector<std::uint32_t>& pierced)
+{
+  constexpr double least_depth = 0.6; // metres: nearer to a pane all is like itself
+  std::vector<std::uint32_t> pane_of(surfaces.cubes().size(), CubeTable::none);
+  for (std::uint32_t k = 0; k < panes.size(); ++k)
+    for (const std::uint32_t cube : panes[k].cubes)
+      pane_of[cube] = k;
+  std::vector<std::vector<Eigen::Vector3d>> behind(panes.size());
+  std::vector<long> away(panes.size(),
+                         0); // rays along the normal less those against it
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    const std::uint32_t k =
+        pierced[r] == CubeTable::none ? CubeTable::none : pane_of[pierced[r]];
+    if (k == CubeTable::none || !panes[k].parts(rays[r], least_depth))
+      continue;
+    behind[k].push_back(rays[r].to.cast<double>());
+    away[k] +=
+        panes[k].normal.dot((rays[r].to - rays[r].from).cast<double>()) > 0 ? 1 : -1;
+  }
+  for (std::size_t k = 0; k < panes.size(); ++k)
+    if (away[k] < 0) {
+      panes[k].normal = -panes[k].normal;
+      panes[k].offset = -panes[k].offset;
+    }
+  return behind;
+}
+
+} // namespace
+
+std::vector<Pane>
+mirrorsAmong(std::vector<Pane> panes,
+             const PiercedSurfaces& surfaces,
+             const std::vector<ScanRay>& rays,
+             const std::vector<std::uint32_t>& pierced,
+             const CubeTable& filled,
+             unsigned threads)
+{
+  constexpr double least_likeness = 0.5;
+  constexpr std::size_t enough = 3000; // places behind a pane
+  const auto behind = placesBehind(panes, surfaces, rays, pierced);
+  std::vector<Likeness> likeness(panes.size());
+  parallelBlocks(panes.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    std::vector<Eigen::Vector3d> some;
+    for (std::size_t i = 0; i < behind[k].size(); i += behind[k].size() / enough + 1)
+      some.push_back(behind[k][i]);
+    likeness[k] = moveToMirror(panes[k], some, filled);
+  });
+  std::vector<Pane> mirrors;
+  for (std::size_t k = 0; k < panes.size(); ++k)
+    if (likeness[k].beyondChance() >= least_likeness)
+      mirrors.push_back(std::move(panes[k]));
+  return mirrors;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pierced_surfaces.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double cube_size = 0.25; // metres
+constexpr float around = 0.3F;     // metres: how far from a ray its points may be
+constexpr float before_end = 0.4F; // metres of a ray in which it meets what it ends on
+
+/** @brief Which eighth of a turn a direction is in. */
+unsigned
+eighthOf(float x, float y)
+{
+  const unsigned half = y < 0 ? 4 : 0;
+  const unsigned quarter = (x < 0) != (y < 0) ? 2 : 0;
+  const bool is_second = (std::abs(y) > std::abs(x)) != (quarter != 0);
+  return half + quarter + (is_second ? 1 : 0);
+}
+
+/** @brief Whether no three eighths side by side are empty: no half of a turn is. */
+bool
+surrounds(unsigned eighths)
+{
+  const unsigned empty = ~eighths & 0xffU;
+  const unsigned twice = empty | empty << 8;
+  return (twice & twice >> 1 & twice >> 2 & 0xffU) == 0;
+}
+
+/** @brief Goes along a ray from cube to cube. */
+class CubeWalk {
+public:
+  CubeWalk(const CubeTable& cubes,
+           const Eigen::Vector3d& from,
+           const Eigen::Vector3d& direction)
+      : cube_(cubes.at(from))
+  {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double speed = std::abs(direction[axis]);
+      step_[axis] = direction[axis] < 0 ? -1 : 1;
+      stride_[axis] =
+          speed > 1e-9 ? cubes.edge() / speed : std::numeric_limits<double>::infinity();
+      const double wall = cubes.edge() * (cube_[axis] + (step_[axis] > 0 ? 1 : 0));
+      next_[axis] = speed > 1e-9 ? std::abs(wall - from[axis]) / speed
+                                 : std::numeric_limits<double>::infinity();
+    }
+  }
+
+  const Cube& cube() const { return cube_; }
+
+  /** @brief Where the ray leaves the cube, metres. */
+  double end() const { return next_.minCoeff(); }
+
+  void goOn()
+  {
+    Eigen::Index axis = 0;
+    next_.minCoeff(&axis);
+    cube_[axis] += step_[axis];
+    next_[axis] += stride_[axis];
+  }
+
+private:
+  Cube cube_;
+  Cube step_;
+  Eigen::Vector3d stride_;
+  Eigen::Vector3d next_;
+};
+
+} // namespace
+
+PiercedSurfaces::PiercedSurfaces(const PointView& points)
+    : cubes_(cube_size)
+{
+  std::vector<std::uint32_t> cube_of(points.size(), CubeTable::none);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points.isFinite(i))
+      cube_of[i] = cubes_.add(cubes_.at(points[i].cast<double>()));
+  first_.assign(cubes_.size() + 1, 0);
+  for (const std::uint32_t cube : cube_of)
+    if (cube != CubeTable::none)
+      ++first_[cube + 1];
+  for (std::size_t k = 1; k < first_.size(); ++k)
+    first_[k] += first_[k - 1];
+  places_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (cube_of[i] != CubeTable::none)
+      places_[next[cube_of[i]]++] = points[i];
+}
+
+bool
+PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
+                              const Eigen::Vector3f& direction,
+                              float along,
+                              const Cube& cube) const
+{
+  constexpr auto depth = static_cast<float>(1.5 * cube_size);
+  const Eigen::Vector3f u = direction.unitOrthogonal();
+  const Eigen::Vector3f v = direction.cross(u);
+  unsigned eighths = 0;
+  return cubes_.anyAround(cube, [&](std::uint32_t near_cube) {
+    for (std::uint32_t k = first_[near_cube]; k < first_[near_cube + 1]; ++k) {
+      const Eigen::Vector3f to = places_[k] - from;
+      if (std::abs(to.dot(direction) - along) > depth)
+        continue;
+      const float x = to.dot(u);
+      const float y = to.dot(v);
+      if (x * x + y * y < around * around)
+        eighths |= 1U << eighthOf(x, y);
+    }
+    return surrounds(eighths);
+  });
+}
+
+std::uint32_t
+PiercedSurfaces::firstPierced(const ScanRay& ray) const
+{
+  const Eigen::Vector3f whole = ray.to - ray.from;
+  const float length = whole.norm() - before_end;
+  if (!(length > before_end))
+    return CubeTable::none;
+  const Eigen::Vector3f direction = whole.normalized();
+  CubeWalk walk(cubes_, ray.from.cast<double>(), direction.cast<double>());
+  float begin = 0;
+  while (begin < length) {
+    const auto end = static_cast<float>(walk.end());
+    const std::uint32_t cube = cubes_.find(walk.cube());
+    if (cube != CubeTable::none && end > before_end &&
+        isSurrounded(ray.from, direction, (begin + end) / 2, walk.cube()))
+      return cube;
+    begin = end;
+    walk.goOn();
+  }
+  return CubeTable::none;
+}
+
+std::vector<std::uint32_t>
+PiercedSurfaces::firstPierced(const std::vector<ScanRay>& rays, unsigned threads) const
+{
+  constexpr std::size_t rays_a_block = 1024;
+  std::vector<std::uint32_t> pierced(rays.size());
+  parallelBlocks(rays.size(), rays_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t r = begin; r < end; ++r)
+                     pierced[r] = firstPierced(rays[r]);
+                 });
+  return pierced;
+}
+
+} // namespace sedr
+} // namespace pcl

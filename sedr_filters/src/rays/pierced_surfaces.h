@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scan_rays.h"
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What rays of a scan go through: panes of glass, which return few points, and
+ * whatever else has gaps. Points are kept by cubes of a quarter of a metre. */
+class PiercedSurfaces {
+public:
+  /** @param points of the scan, thinned */
+  explicit PiercedSurfaces(const PointView& points);
+
+  const CubeTable& cubes() const { return cubes_; }
+
+  /** @brief Calls `see(place)` for the points of a cube. */
+  template <typename See>
+  void forEachPoint(std::uint32_t cube, See see) const
+  {
+    for (std::uint32_t k = first_[cube]; k < first_[cube + 1]; ++k)
+      see(places_[k]);
+  }
+
+  /** @brief The first cube in which a ray has points on all sides around it, at least
+   * 0.4 m before its end; CubeTable::none where it has none. */
+  std::uint32_t firstPierced(const ScanRay& ray) const;
+
+  /** @brief firstPierced() of all rays. O(rays times their length). */
+  std::vector<std::uint32_t> firstPierced(const std::vector<ScanRay>& rays,
+                                          unsigned threads) const;
+
+private:
+  /** @brief Whether points stand on all sides around a ray near `along` metres from its
+   * start. */
+  bool isSurrounded(const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& direction,
+                    float along,
+                    const Cube& cube) const;
+
+  CubeTable cubes_;
+  std::vector<std::uint32_t> first_;    ///< point of each cube, and the end
+  std::vector<Eigen::Vector3f> places_; ///< of points, cube by cube
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// libFuzzer's entry for one reader of scans, FUZZED_FORMAT: whatever bytes come, they
+// are read or refused with a ToolError, and nothing else.
+#include "scan_file.h"
+#include "tool_error.h"
+#include "tools/scans/e57_writer.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+
+/** What each reader is chosen by, kept in place: else most bytes would be of no format.
+ */
+std::string
+withMagic(std::string bytes)
+{
+  const std::string format = FUZZED_FORMAT;
+  const std::string magic = format == "e57"   ? "ASTM-E57"
+                            : format == "las" ? "LASF"
+                            : format == "ply" ? "ply\n"
+                            : format == "pcd" ? "# .PCD"
+                                              : "";
+  if (bytes.size() >= magic.size())
+    bytes.replace(0, magic.size(), magic);
+  return bytes;
+}
+
+/** The bytes of an E57 file with its checksums, which no chance would find. */
+std::string
+sealed(const std::string& payload)
+{
+  using programs::E57Writer;
+  std::string file;
+  for (std::size_t at = 0; at < payload.size(); at += E57Writer::payload) {
+    std::string page = payload.substr(at, E57Writer::payload);
+    page.resize(E57Writer::payload, '\0');
+    file += E57Writer::sealed(page);
+  }
+  return file;
+}
+
+/** A file in memory that has a path. */
+class MemoryFile {
+public:
+  explicit MemoryFile(const std::string& bytes)
+      : file_(memfd_create("scan", 0))
+  {
+    if (file_ < 0 ||
+        write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+      std::abort();
+  }
+  ~MemoryFile() { close(file_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
+
+private:
+  int file_;
+};
+
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  constexpr std::size_t most_points = 100000; // zeros of no bits cost no bytes
+  std::string bytes = withMagic({reinterpret_cast<const char*>(data), size});
+  if (std::strcmp(FUZZED_FORMAT, "e57") == 0)
+    bytes = sealed(bytes);
+  const MemoryFile file(bytes);
+  try {
+    ScanSettings settings;
+    settings.skip_broken = size % 2 == 1;
+    settings.piece_bytes = 4096;
+    if (readScanHead(file.path(), settings).rows > most_points)
+      return 0;
+    const ScanFile scan(file.path(), settings);
+    scan.stations();
+    unsigned sum = 0;
+    scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+      for (std::size_t i = 0; i < piece.size * scan.rowSize(); ++i)
+        sum += piece.rows[i];
+      return true;
+    });
+    static volatile unsigned seen;
+    seen = sum; // every byte was looked at
+  }
+  catch (const ToolError&) {
+    return 0;
+  }
+  return 0;
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_file.h"
+#include "tool_error.h"
+#include "tools/run_program.h"
+#include "tools/sample_files.h"
+#include "tools/scans/e57_writer.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+using pcl::sedr::ScanPositions;
+using programs::E57TestField;
+using programs::E57Writer;
+using programs::TemporaryFolder;
+using programs::writeFile;
+
+class ScanPositionFiles : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  /** Three points as text, with a file of positions. */
+  ScanPositions positionsBy(const std::string& positions,
+                            ScanSettings settings = {}) const
+  {
+    writeFile(in("scan.xyz"), "2000 0 0\n2001 0 0\n2000 2 1\n");
+    writeFile(in("positions.txt"), positions);
+    settings.positions = in("positions.txt");
+    return ScanFile(in("scan.xyz"), settings).positions();
+  }
+
+  std::string refusal(const std::string& positions) const
+  {
+    try {
+      positionsBy(positions);
+    }
+    catch (const ToolError& error) {
+      return error.what();
+    }
+    return "it was read";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ScanPositionFiles, ALineIsAPositionInTheFrameOfTheScan)
+{
+  // The scan lies more than 1 km from 0 along x: it is counted from 2000 there.
+  const ScanPositions positions =
+      positionsBy("# x y z points\n2003.5 -1 1.5 1\n\n2004 1.25 1.6 2\n");
+  ASSERT_EQ(positions.size(), 2u);
+  EXPECT_EQ(positions[0].first_row, 0u);
+  EXPECT_EQ(positions[0].place, Eigen::Vector3f(3.5F, -1, 1.5F));
+  EXPECT_EQ(positions[1].first_row, 1u);
+  EXPECT_EQ(positions[1].place, Eigen::Vector3f(4, 1.25F, 1.6F));
+  ScanSettings millimetres;
+  millimetres.unit = 0.001;
+  const ScanPositions small = positionsBy("3000 500 -250", millimetres);
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_TRUE(small[0].place.isApprox(Eigen::Vector3f(3, 0.5F, -0.25F)));
+}
+
+TEST_F(ScanPositionFiles, WhatIsAmissIsOneSentenceWithTheNumbers)
+{
+  EXPECT_NE(refusal("1 2 3 1\n1 2 3 1\n").find("are of 2 points"), std::string::npos);
+  EXPECT_NE(refusal("1 2 3 1\n1 2 3\n").find("of 2 positions"), std::string::npos);
+  EXPECT_NE(refusal("1 2 3 3\n1 2\n").find("line 2 of"), std::string::npos);
+  EXPECT_NE(refusal("1 2 3 -3\n").find("line 1 of"), std::string::npos);
+  EXPECT_NE(refusal("1 2 3m 3\n").find("line 1 of"), std::string::npos);
+  EXPECT_NE(refusal("# none\n").find("has no positions"), std::string::npos);
+}
+
+TEST_F(ScanPositionFiles, AViewpointOfPcdIsOneUnlessItIsZero)
+{
+  std::string pcd = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});
+  writeFile(in("scan.pcd"), pcd);
+  EXPECT_TRUE(ScanFile(in("scan.pcd"), 1).positions().empty());
+  pcd.replace(pcd.find("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 2 1.5");
+  writeFile(in("scan.pcd"), pcd);
+  const ScanPositions positions = ScanFile(in("scan.pcd"), 1).positions();
+  ASSERT_EQ(positions.size(), 1u);
+  EXPECT_EQ(positions[0].first_row, 0u);
+  EXPECT_EQ(positions[0].place, Eigen::Vector3f(1, 2, 1.5F));
+}
+
+TEST_F(ScanPositionFiles, PosesOfE57AreThoseOfItsScansIfAllHaveOne)
+{
+  const std::vector<E57TestField> fields{E57TestField::ofFloats("cartesianX", {1, 2}),
+                                         E57TestField::ofFloats("cartesianY", {1, 2}),
+                                         E57TestField::ofFloats("cartesianZ", {1, 2})};
+  E57Writer writer;
+  writer.addScan("a", fields, E57Writer::pose(1, 0, 0, 0, 5, 6, 1.5));
+  writer.addScan("b", fields, E57Writer::pose(1, 0, 0, 0, -5, 6, 1.5));
+  writeFile(in("scan.e57"), writer.file());
+  const ScanPositions positions = ScanFile(in("scan.e57"), 1).positions();
+  ASSERT_EQ(positions.size(), 2u);
+  EXPECT_EQ(positions[1].first_row, 2u);
+  EXPECT_EQ(positions[1].place, Eigen::Vector3f(-5, 6, 1.5F));
+  writer.addScan("c", fields);
+  writeFile(in("scan.e57"), writer.file());
+  EXPECT_TRUE(ScanFile(in("scan.e57"), 1).positions().empty());
+}
+
+} // namespace

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_readers.h"
+#include "scan_file.h"
+#include "tool_error.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+/** @brief A line of a file of positions. */
+struct PositionLine {
+  Eigen::Vector3d place;
+  std::optional<std::size_t> points;
+};
+
+std::optional<PositionLine>
+positionIn(const std::vector<std::string_view>& words)
+{
+  PositionLine line;
+  if (words.size() != 3 && words.size() != 4)
+    return {};
+  const auto isWhole = [](std::string_view word, auto& value) {
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+    return result.ec == std::errc() && result.ptr == word.data() + word.size();
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!isWhole(words[axis], line.place[static_cast<Eigen::Index>(axis)]))
+      return {};
+  if (words.size() == 4 && !isWhole(words[3], line.points.emplace()))
+    return {};
+  return line;
+}
+
+/** @brief The lines of a file of positions; a position without a number of points must
+ * be the only one. */
+std::vector<PositionLine>
+readPositionLines(const std::string& path)
+{
+  const MappedFile file(path);
+  TextCursor cursor(file, 0);
+  std::vector<PositionLine> lines;
+  std::string_view text;
+  for (std::size_t number = 1; cursor.nextLine(text); ++number) {
+    const std::vector<std::string_view> words = wordsOf(text);
+    if (words.empty() || words.front().front() == '#')
+      continue;
+    const std::optional<PositionLine> line = positionIn(words);
+    if (!line)
+      throw ToolError("line " + std::to_string(number) + " of '" + path +
+                      "' is not x y z and a number of points");
+    lines.push_back(*line);
+  }
+  if (lines.empty())
+    throw ToolError("'" + path + "' has no positions");
+  for (const PositionLine& line : lines)
+    if (lines.size() > 1 && !line.points)
+      throw ToolError("of " + std::to_string(lines.size()) + " positions in '" + path +
+                      "' each must tell its number of points");
+  return lines;
+}
+
+} // namespace
+
+ScanPositions
+ScanFile::positions() const
+{
+  ScanPositions positions;
+  const auto add = [&](std::size_t first_row, const Eigen::Vector3d& place) {
+    positions.push_back({first_row, (unit_ * place - shift_).cast<float>()});
+  };
+  if (positions_.empty()) {
+    if (layout_.reader)
+      for (const ScanStation& station : layout_.reader->stations())
+        add(station.first_row, station.position);
+    else if (!layout_.viewpoint.isZero(0)) // 0 is what a PCD says that knows of none
+      add(0, layout_.viewpoint);
+    return positions;
+  }
+  std::size_t row = 0;
+  for (const PositionLine& line : readPositionLines(positions_)) {
+    add(row, line.place);
+    row += line.points.value_or(size());
+  }
+  if (row != size())
+    throw ToolError("the positions in '" + positions_ + "' are of " +
+                    std::to_string(row) + " points, '" + path_ + "' has " +
+                    std::to_string(size()));
+  return positions;
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
