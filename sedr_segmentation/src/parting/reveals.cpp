@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -102,16 +103,31 @@ private:
       return false; // open on several sides: a beam
     into_room.normalize();
     const Eigen::Vector2d along(-into_room.y(), into_room.x());
+    const std::vector<std::uint32_t> inner = innerHalf(part, into_room);
     int walls = 0;
     int jambs = 0;
     for (const double side : {-1.0, 1.0}) {
       const std::uint32_t end = endOf(mouth, side * along);
-      const std::uint32_t deepest = endOf(part, side * along - 0.5 * into_room);
+      const std::uint32_t deepest = endOf(inner, side * along);
       const Eigen::Vector2d out = side * cell * along;
       walls += isWallBeside(deepest, out) ? 1 : 0;
       jambs += isAir(placeOf(end) + beside * out + 2 * cell * into_room, end) ? 1 : 0;
     }
     return walls == 2 && jambs > 0;
+  }
+
+  /** @brief The half of a part that is farther from the room. */
+  std::vector<std::uint32_t> innerHalf(std::vector<std::uint32_t> part,
+                                       const Eigen::Vector2d& into_room) const
+  {
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    std::nth_element(part.begin(), middle, part.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double off = into_room.dot(placeOf(a) - placeOf(b));
+                       return off != 0 ? off < 0 : a < b;
+                     });
+    part.erase(middle + 1, part.end());
+    return part;
   }
 
   /** @brief The gap of some that is farthest in a direction. */
