@@ -104,6 +104,8 @@ private:
     into_room.normalize();
     const Eigen::Vector2d along(-into_room.y(), into_room.x());
     const std::vector<std::uint32_t> inner = innerHalf(part, into_room);
+    if (meanTop(inner) < meanTop(mouth) - 0.5 * air_.voxels(lintel_))
+      return false; // a ceiling that slopes down to a wall
     int walls = 0;
     int jambs = 0;
     for (const double side : {-1.0, 1.0}) {
@@ -114,6 +116,15 @@ private:
       jambs += isAir(placeOf(end) + beside * out + 2 * cell * into_room, end) ? 1 : 0;
     }
     return walls == 2 && jambs > 0;
+  }
+
+  /** @brief Of the ceilings of some gaps, voxels. */
+  double meanTop(const std::vector<std::uint32_t>& gaps) const
+  {
+    double sum = 0;
+    for (const std::uint32_t g : gaps)
+      sum += air_[g].high;
+    return sum / static_cast<double>(gaps.size());
   }
 
   /** @brief The half of a part that is farther from the room. */
