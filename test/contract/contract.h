@@ -134,6 +134,28 @@ between(const Cloud& cloud, float low, float high)
   return indices;
 }
 
+/** Gives a stage the points at 2.5 m for its ceiling and those at 0 m for its floor,
+ * among the indices that its input has. */
+template <typename Stage>
+void
+setSlabs(const pcl::Indices& indices, Stage& stage)
+{
+  const Cloud& cloud = *stage.getInputCloud();
+  const auto ceiling = std::make_shared<pcl::Indices>();
+  const auto floor = std::make_shared<pcl::Indices>();
+  for (const auto i : indices) {
+    if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
+      continue;
+    const float z = cloud[static_cast<std::size_t>(i)].z;
+    if (std::abs(z - 2.5f) < 0.01f)
+      ceiling->push_back(i);
+    else if (std::abs(z) < 0.01f)
+      floor->push_back(i);
+  }
+  stage.setCeilingIndices(ceiling);
+  stage.setFloorIndices(floor);
+}
+
 /** What an adaptor of a class may inherit: the answers most classes give. An adaptor
  * has
  *

@@ -13,7 +13,8 @@ import unittest
 
 import step_reader
 from express_schema import Check, Schema
-from ifc_samples import house, rectangle, room, slab, write
+from ifc_samples import house, write
+from plan_samples import rectangle, room, slab
 
 TOOL = sys.argv[1]
 SCHEMA = os.path.join(os.environ.get("SEDR_DATA", ""), "formats", "IFC4_ADD2_TC1.exp")

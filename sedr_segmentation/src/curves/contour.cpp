@@ -123,6 +123,16 @@ simplify(const std::vector<Eigen::Vector2d>& p,
   }
 }
 
+std::vector<Eigen::Vector2d>
+only(const std::vector<Eigen::Vector2d>& places, const std::vector<std::uint8_t>& kept)
+{
+  std::vector<Eigen::Vector2d> result;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (kept[i])
+      result.push_back(places[i]);
+  return result;
+}
+
 } // namespace
 
 std::vector<Contour>
@@ -202,11 +212,18 @@ simplified(const std::vector<Eigen::Vector2d>& polygon, double tolerance)
   kept[first] = kept[far % polygon.size()] = 1;
   simplify(polygon, first, far, tolerance, kept);
   simplify(polygon, far, first + polygon.size(), tolerance, kept);
-  std::vector<Eigen::Vector2d> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (kept[i])
-      result.push_back(polygon[i]);
-  return result;
+  return only(polygon, kept);
+}
+
+std::vector<Eigen::Vector2d>
+simplifiedLine(const std::vector<Eigen::Vector2d>& line, double tolerance)
+{
+  if (line.size() < 3)
+    return line;
+  std::vector<std::uint8_t> kept(line.size(), 0);
+  kept.front() = kept.back() = 1;
+  simplify(line, 0, line.size() - 1, tolerance, kept);
+  return only(line, kept);
 }
 
 } // namespace sedr

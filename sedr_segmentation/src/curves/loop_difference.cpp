@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_difference.h"
 
+#include "plan_segment.h"
+
 #include <pcl/sedr_segmentation/plan_curve.h>
 
 #include <algorithm>
@@ -142,15 +144,6 @@ shifted(const PlanElement& e, double by)
   if (e.isArc())
     moved.radius += e.counter_clockwise ? by : -by;
   return moved;
-}
-
-PlanElement
-segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement e;
-  e.start = start;
-  e.end = end;
-  return e;
 }
 
 } // namespace

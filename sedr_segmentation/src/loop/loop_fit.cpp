@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../curves/plan_segment.h"
 #include "../links/link_fit.h"
 #include "../links/loop_chain.h"
 #include "../links/loop_path_cost.h"
@@ -82,15 +83,6 @@ isSound(const PlanLoop& loop, const Contour& contour, const LoopParameters& para
   const double rim = parameters.corner_reach * loop.length() + 0.01;
   return std::abs(loop.area() - area) < std::min(rim, 0.5 * std::abs(area) + 0.01) &&
          (loop.area() > 0) == (area > 0);
-}
-
-PlanElement
-segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement e;
-  e.start = start;
-  e.end = end;
-  return e;
 }
 
 /** @brief The contour itself, its staircase evened out. */

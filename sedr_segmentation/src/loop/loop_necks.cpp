@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_necks.h"
 
+#include "../curves/plan_segment.h"
+
 #include <pcl/sedr_segmentation/contour.h>
 
 #include <algorithm>
@@ -22,15 +24,6 @@ struct Neck {
   double along = 0; ///< distance from that element's start
   double length = 0;
 };
-
-PlanElement
-between(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement e;
-  e.start = start;
-  e.end = end;
-  return e;
-}
 
 /** @brief The part of a loop from the neck's corner to its other end, closed by it, or
  * the rest. */
@@ -59,7 +52,7 @@ partOf(const PlanLoop& loop, const Neck& neck, bool is_rest)
     keep(touched, touched.start, place);
   }
   if (!part.elements.empty())
-    keep(between({}, {}), part.elements.back().end, part.elements.front().start);
+    keep(segment({}, {}), part.elements.back().end, part.elements.front().start);
   return part;
 }
 

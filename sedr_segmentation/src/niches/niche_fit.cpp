@@ -3,6 +3,7 @@
 
 #include "niche_fit.h"
 
+#include "../curves/plan_segment.h"
 #include "../profiles/cell_count.h"
 #include <pcl/sedr_filters/cell_mask.h>
 #include <pcl/sedr_filters/parallel.h>
@@ -76,15 +77,6 @@ unroll(const PointView& points,
   return wall;
 }
 
-PlanElement
-side(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement e;
-  e.start = start;
-  e.end = end;
-  return e;
-}
-
 PlanNiche
 nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
 {
@@ -92,8 +84,9 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
   const Eigen::Vector2d left = wall.element.pointAt(recess.left);
   const Eigen::Vector2d right = wall.element.pointAt(recess.right);
   PlanNiche niche;
-  niche.boundary.elements = {side(left, left + out), side(left + out, right + out),
-                             side(right + out, right), side(right, left)};
+  niche.boundary.elements = {segment(left, left + out),
+                             segment(left + out, right + out),
+                             segment(right + out, right), segment(right, left)};
   const Eigen::Vector2d inside = (left + right) / 2 + 0.01 * wall.element.normalAt(0);
   const double floor = room.floorAt(inside);
   niche.bottom = recess.low > 0.02 ? horizontalSlab(floor + recess.low)

@@ -21,13 +21,13 @@ public:
   void setInput(const Cloud::ConstPtr& cloud)
   {
     growing_.setInputCloud(cloud);
-    setSlabs(*between(*cloud, -10.f, 10.f));
+    setSlabs(*between(*cloud, -10.f, 10.f), growing_);
   }
 
   void setIndices(const pcl::IndicesPtr& indices)
   {
     growing_.setIndices(indices);
-    setSlabs(*indices);
+    setSlabs(*indices, growing_);
   }
 
   void setThreads(unsigned threads) { growing_.setNumberOfThreads(threads); }
@@ -78,25 +78,6 @@ public:
 
 protected:
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> growing_;
-
-private:
-  void setSlabs(const pcl::Indices& indices)
-  {
-    const auto& cloud = *growing_.getInputCloud();
-    const auto ceiling = std::make_shared<pcl::Indices>();
-    const auto floor = std::make_shared<pcl::Indices>();
-    for (const auto i : indices) {
-      if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
-        continue;
-      const float z = cloud[static_cast<std::size_t>(i)].z;
-      if (std::abs(z - 2.5f) < 0.01f)
-        ceiling->push_back(i);
-      else if (std::abs(z) < 0.01f)
-        floor->push_back(i);
-    }
-    growing_.setCeilingIndices(ceiling);
-    growing_.setFloorIndices(floor);
-  }
 };
 
 /** With a slice, and support asked for. */

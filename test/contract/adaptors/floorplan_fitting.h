@@ -19,7 +19,7 @@ public:
   void setInput(const Cloud::ConstPtr& cloud)
   {
     fitting_.setInputCloud(cloud);
-    setParts(*between(*cloud, -10.f, 10.f));
+    setSlabs(*between(*cloud, -10.f, 10.f), fitting_);
     rooms_.clear();
     for (const auto& p : *cloud)
       rooms_.push_back(p.x > 4096.f ? 2 : 1);
@@ -29,7 +29,7 @@ public:
   void setIndices(const pcl::IndicesPtr& indices)
   {
     fitting_.setIndices(indices);
-    setParts(*indices);
+    setSlabs(*indices, fitting_);
   }
 
   void setThreads(unsigned threads) { fitting_.setNumberOfThreads(threads); }
@@ -86,24 +86,6 @@ public:
   }
 
 private:
-  void setParts(const pcl::Indices& indices)
-  {
-    const auto& cloud = *fitting_.getInputCloud();
-    const auto ceiling = std::make_shared<pcl::Indices>();
-    const auto floor = std::make_shared<pcl::Indices>();
-    for (const auto i : indices) {
-      if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
-        continue;
-      const float z = cloud[static_cast<std::size_t>(i)].z;
-      if (std::abs(z - 2.5f) < 0.01f)
-        ceiling->push_back(i);
-      else if (std::abs(z) < 0.01f)
-        floor->push_back(i);
-    }
-    fitting_.setCeilingIndices(ceiling);
-    fitting_.setFloorIndices(floor);
-  }
-
   pcl::FloorplanFitting<pcl::PointXYZ> fitting_;
   std::vector<std::uint32_t> rooms_;
 };

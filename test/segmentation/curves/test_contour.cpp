@@ -189,6 +189,21 @@ TEST(Simplified, LeavesNoCornerFartherThanTheTolerance)
   EXPECT_LT(last, 40u);
 }
 
+TEST(SimplifiedLine, KeepsItsEndsAndTheCornersBeyondTheTolerance)
+{
+  const Corners line{{0, 0}, {1, 0.05}, {2, 0}, {2.05, 1}, {2, 2}, {3, 2.3}};
+  EXPECT_EQ(simplifiedLine(line, 0.1), (Corners{{0, 0}, {2, 0}, {2, 2}, {3, 2.3}}));
+  const Corners shortest{{0, 0}, {1, 1}};
+  EXPECT_EQ(simplifiedLine(shortest, 10), shortest);
+}
+
+TEST(SimplifiedLine, OfALineThatEndsWhereItStartsKeepsWhatLiesFarFromThere)
+{
+  const Corners line{{0, 0}, {2, 0}, {2, 2}, {1, 2.01}, {0, 2}, {0, 0}};
+  EXPECT_EQ(simplifiedLine(line, 0.1),
+            (Corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}));
+}
+
 TEST(Simplified, LeavesATriangleAsItIs)
 {
   const Corners triangle{{0, 0}, {1, 0}, {0, 1}};

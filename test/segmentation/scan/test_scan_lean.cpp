@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
-
 #include "sedr_segmentation/src/scan/scan_lean.h"
+
+#include "turned_room.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -22,17 +22,8 @@ turnedRoom(double degrees,
            double noise = 0,
            const PlanRoom& plan = roomOf(rectangle(0, 0, 6, 4), 2.5))
 {
-  RoomPoints room(0.05, noise);
-  room.room(plan);
-  const Eigen::Matrix3d turn(
-      Eigen::AngleAxisd(degrees * M_PI / 180, axis.normalized()));
-  RoomPoints result;
-  for (const int i : room.all()) {
-    const Eigen::Vector3d p =
-        turn * room[i].cast<double>().eval() + Eigen::Vector3d(30, -20, 5);
-    result.point(p.x(), p.y(), p.z());
-  }
-  return result;
+  const Eigen::AngleAxisd turn(degrees * M_PI / 180, axis.normalized());
+  return turned(plan, turn.toRotationMatrix(), noise);
 }
 
 /** The turn that a sentence names. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
-
 #include "sedr_segmentation/src/scan/scan_tilt.h"
+
+#include "turned_room.h"
 #include <pcl/sedr_filters/levelling.h>
 
 #include <Eigen/Geometry>
@@ -13,20 +13,6 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 constexpr double degree = M_PI / 180;
-
-RoomPoints
-turned(const PlanRoom& plan, const Eigen::Matrix3d& turn, double noise)
-{
-  RoomPoints room(0.05, noise);
-  room.room(plan);
-  RoomPoints result;
-  for (const int i : room.all()) {
-    const Eigen::Vector3d p =
-        turn * room[i].cast<double>().eval() + Eigen::Vector3d(30, -20, 5);
-    result.point(p.x(), p.y(), p.z());
-  }
-  return result;
-}
 
 Eigen::Matrix3d
 about(const Eigen::Vector3d& axis, double degrees)

@@ -20,6 +20,9 @@ import xml.etree.ElementTree
 import zlib
 from collections import Counter, defaultdict
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from plan_samples import arc, rectangle, room, segment, slab
+
 EXTRUSION, DRAWING = sys.argv[1:3]
 SVG = "{http://www.w3.org/2000/svg}"
 CHORD = 0.0005
@@ -27,42 +30,18 @@ HALL_HEIGHT = 3.0
 CELL_HEIGHT = 2.5
 
 
-def segment(start, end):
-    return {"type": "segment", "start": start, "end": end, "inliers": 9, "residual": 0}
-
-
-def arc(centre, radius, start, end, counter_clockwise=True):
-    return dict(segment(start, end), type="arc", centre=centre, radius=radius,
-                counter_clockwise=counter_clockwise)
-
-
-def polygon(corners):
-    return [segment(a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
-
-
-def rectangle(x0, y0, x1, y1, clockwise=False):
-    corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
-    return polygon(corners[::-1] if clockwise else corners)
-
-
-def slab(height):
-    return {"plane": [0, 0, 1, -height], "inliers": 9, "residual": 0}
-
-
 def sample_plan():
     """A hall 6 m by 4 m with a half circle at its east, a soffit at its west, a round and a square
     column; beside it, 10 cm of wall between, a room with a platform and a niche."""
-    hall = {"id": 1, "floor": slab(0), "ceiling": slab(HALL_HEIGHT),
-            "boundary": [segment([0, 0], [6, 0]), arc([6, 2], 2, [6, 0], [6, 4]),
-                         segment([6, 4], [0, 4]), segment([0, 4], [0, 0])],
-            "columns": [[arc([3, 2], 0.4, [3.4, 2], [3.4, 2], False)],
-                        rectangle(4.5, 1, 5, 1.5, clockwise=True)],
-            "details": [{"slab": slab(2.6), "boundary": rectangle(0, 0, 1, 4), "holes": []}],
-            "floor_details": [], "niches": []}
-    cell = {"id": 2, "floor": slab(0), "ceiling": slab(CELL_HEIGHT),
-            "boundary": rectangle(0, 4.1, 5, 7.1), "columns": [], "details": [],
-            "floor_details": [{"slab": slab(0.3), "boundary": rectangle(3, 4.1, 5, 7.1), "holes": []}],
-            "niches": [{"bottom": slab(1), "top": slab(2), "boundary": rectangle(1, 7.1, 2, 7.4)}]}
+    hall = room(1, [segment([0, 0], [6, 0]), arc([6, 2], 2, [6, 0], [6, 4]),
+                    segment([6, 4], [0, 4]), segment([0, 4], [0, 0])],
+                slab(0), slab(HALL_HEIGHT),
+                columns=[[arc([3, 2], 0.4, [3.4, 2], [3.4, 2], False)],
+                         rectangle(4.5, 1, 5, 1.5, clockwise=True)],
+                details=[{"slab": slab(2.6), "boundary": rectangle(0, 0, 1, 4), "holes": []}])
+    cell = room(2, rectangle(0, 4.1, 5, 7.1), slab(0), slab(CELL_HEIGHT),
+                floor_details=[{"slab": slab(0.3), "boundary": rectangle(3, 4.1, 5, 7.1), "holes": []}],
+                niches=[{"bottom": slab(1), "top": slab(2), "boundary": rectangle(1, 7.1, 2, 7.4)}])
     return {"format": "sedr-floorplan", "version": 1, "unit": "m", "rooms": [hall, cell]}
 
 

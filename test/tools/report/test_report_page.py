@@ -22,7 +22,9 @@ import unittest
 import zlib
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(sys.path[0], "..", ".."))
 import chromium
+from plan_samples import rectangle, room, slab
 
 REPORT, EXTRUSION = sys.argv[1:3]
 THREE = "/usr/share/javascript/three"
@@ -31,28 +33,10 @@ NASTY = "<script>alert('1')</script>&\"scan\".pcd"
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source"}
 
 
-def segment(start, end):
-    return {"type": "segment", "start": start, "end": end, "inliers": 9, "residual": 0}
-
-
-def rectangle(x0, y0, x1, y1, clockwise=False):
-    corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
-    corners = corners[::-1] if clockwise else corners
-    return [segment(a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
-
-
-def slab(height):
-    return {"plane": [0, 0, 1, -height], "inliers": 9, "residual": 0}
-
-
-def room(number, x0, x1):
-    return {"id": number, "floor": slab(0), "ceiling": slab(2.5), "boundary": rectangle(x0, 0, x1, 3), "columns": [],
-            "details": [], "floor_details": [], "niches": []}
-
-
 def sample_plan():
     """A room of 4 by 3 m with a square column and a soffit, one of 2 by 3 m beside it; 2.5 m high."""
-    first, second = room(1, 0, 4), room(2, 4.2, 6.2)
+    first, second = (room(number, rectangle(x0, 0, x1, 3), slab(0), slab(2.5))
+                     for number, x0, x1 in ((1, 0, 4), (2, 4.2, 6.2)))
     first["columns"] = [rectangle(2, 1, 2.5, 1.5, clockwise=True)]
     first["details"] = [{"slab": slab(2.2), "boundary": rectangle(0, 0, 1, 3), "holes": []}]
     return {"format": "sedr-floorplan", "version": 1, "unit": "m", "rooms": [first, second]}

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_filter.h>
 #include <pcl/sedr_filters/refinement.h>
-#include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace pcl {
@@ -34,7 +33,7 @@ namespace pcl {
  * repair.filter(*whole);
  * @endcode */
 template <typename PointT>
-class VerticalHoleRepair : public sedr::StageFilter<PointT> {
+class VerticalHoleRepair : public sedr::PlanFilter<PointT> {
 public:
   using Ptr = shared_ptr<VerticalHoleRepair<PointT>>;
   using ConstPtr = shared_ptr<const VerticalHoleRepair<PointT>>;
@@ -44,32 +43,14 @@ public:
    * points that are in no cell, and those that share their cell with one nearer to its
    * middle */
   explicit VerticalHoleRepair(bool extract_removed_indices = false)
-      : sedr::StageFilter<PointT>(extract_removed_indices)
+      : sedr::PlanFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "VerticalHoleRepair";
   }
 
-  /** @brief The model that the points lie on. Needed. */
-  void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
-  {
-    plan_ = plan;
-  }
-  std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
-
-  /** @brief sedr::StructureLabel of every point of the cloud; empty: from the point
-   * type. */
-  void setLabels(std::vector<std::uint32_t> labels) { labels_ = std::move(labels); }
-
-  /** @brief Room of every point of the cloud, 0 none; empty: from the point type. */
-  void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
-
   /** @brief Edge of a cell, metres, > 0. Default 0.05. */
   void setGridSize(double size) { grid_size_ = size; }
   double getGridSize() const { return grid_size_; }
-
-  /** @brief Source in the input cloud of every point of the output, -1 for one that
-   * fills a hole. */
-  const Indices& getSourceIndices() const { return sources_; }
 
   /** @brief Indices in the output of the points that fill holes, increasing: what was
    * not seen. */
@@ -80,13 +61,6 @@ public:
   const std::map<std::uint32_t, sedr::UnseenShares>& getUnseenShares() const
   {
     return unseen_;
-  }
-
-  /** @brief Position, normal, label and room of every point of the output, in double
-   * precision. */
-  const std::vector<sedr::SurfacePoint>& getSurfacePoints() const
-  {
-    return surface_points_;
   }
 
   /** @brief Where the cells of walls, columns and risers are in the output of the last
@@ -101,22 +75,18 @@ protected:
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
-  using Filter<PointT>::removed_indices_;
-  using Filter<PointT>::extract_removed_indices_;
-  using sedr::StageFilter<PointT>::fail;
+  using sedr::PlanFilter<PointT>::plan_;
+  using sedr::PlanFilter<PointT>::sources_;
+  using sedr::PlanFilter<PointT>::surface_points_;
+  using sedr::PlanFilter<PointT>::fail;
 
   /** @brief Checks all that was set, and fills labels and rooms where none were. */
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
-  std::shared_ptr<const sedr::Floorplan> plan_;
-  std::vector<std::uint32_t> labels_;
-  std::vector<std::uint32_t> rooms_;
   double grid_size_ = 0.05;
-  Indices sources_;
   Indices repaired_;
   std::vector<sedr::RepairedStrip> strips_;
   std::map<std::uint32_t, sedr::UnseenShares> unseen_;
-  std::vector<sedr::SurfacePoint> surface_points_;
 };
 
 } // namespace pcl

@@ -31,5 +31,9 @@ bool crossesItself(const std::vector<Eigen::Vector2d>& polygon);
 std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& polygon,
                                         double tolerance);
 
+/** @brief The same of an open line, which keeps both its ends. */
+std::vector<Eigen::Vector2d> simplifiedLine(const std::vector<Eigen::Vector2d>& line,
+                                            double tolerance);
+
 } // namespace sedr
 } // namespace pcl

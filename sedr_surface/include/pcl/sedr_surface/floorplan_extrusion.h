@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/room_solid.h>
-#include <pcl/surface/reconstruction.h>
 
 #include <memory>
 #include <string>
@@ -47,23 +45,10 @@ namespace pcl {
  * reason. A room that cannot be built is left out and named by getErrorMessage(); the
  * others are there. */
 template <typename PointT>
-class FloorplanExtrusion : public pcl::SurfaceReconstruction<PointT>,
-                           public sedr::StageError {
+class FloorplanExtrusion : public sedr::MeshReconstruction<PointT> {
 public:
   using Ptr = pcl::shared_ptr<FloorplanExtrusion<PointT>>;
   using ConstPtr = pcl::shared_ptr<const FloorplanExtrusion<PointT>>;
-  using PointCloud = pcl::PointCloud<PointT>;
-
-  FloorplanExtrusion();
-  ~FloorplanExtrusion() override;
-
-  /** @brief Makes the solids; an empty mesh and getErrorMessage() if there is none. The
-   * vertices are single precision there: getMesh() has them as they are. */
-  void reconstruct(pcl::PolygonMesh& output) override;
-
-  /** @brief The same; where the points have such fields, each gets the room and the
-   * mean normal of its triangles. */
-  void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
   /** @brief The plan to build. Needed. */
   void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
@@ -93,10 +78,6 @@ public:
 
   double getSnapTolerance() const { return parameters_.snap_tolerance; }
 
-  /** @brief The solids of all rooms, vertices in double precision, with label, room and
-   * element of every triangle. */
-  const sedr::TriangleMesh& getMesh() const { return mesh_; }
-
   /** @brief What the triangles are parts of, room by room in the order of the plan. */
   const std::vector<sedr::SolidElement>& getElements() const { return elements_; }
 
@@ -111,18 +92,14 @@ public:
   bool isClosed() const { return closed_; }
 
 protected:
-  using pcl::PCLBase<PointT>::input_;
-
   std::string getClassName() const override { return "FloorplanExtrusion"; }
 
-  void performReconstruction(pcl::PolygonMesh& output) override;
-
-  void performReconstruction(PointCloud& points,
-                             std::vector<pcl::Vertices>& polygons) override;
+  /** @brief Builds all rooms into mesh_. */
+  bool run() override;
 
 private:
-  /** @brief Builds all rooms into mesh_. */
-  bool run();
+  using sedr::MeshReconstruction<PointT>::mesh_;
+  using sedr::MeshReconstruction<PointT>::fail;
 
   std::string inputProblem() const;
 
@@ -131,7 +108,6 @@ private:
 
   std::shared_ptr<const sedr::Floorplan> plan_;
   sedr::SolidParameters parameters_;
-  sedr::TriangleMesh mesh_;
   std::vector<sedr::SolidElement> elements_;
   std::vector<sedr::RoomSolidReport> reports_;
   std::vector<std::string> warnings_;

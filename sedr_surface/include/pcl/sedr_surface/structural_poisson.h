@@ -2,12 +2,9 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/room_poisson.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
-#include <pcl/surface/reconstruction.h>
 
 #include <cstdint>
 #include <functional>
@@ -41,7 +38,8 @@ namespace pcl {
  * process wait for one another, and what printf prints is held back, to catch its
  * complaints.
  *
- * Normals of the output point to the side of those of the input: into the room.
+ * Normals of the output point to the side of those of the input: into the room. Of
+ * points with a `label`, each triangle of getMesh() gets that of the nearest.
  *
  * The same input gives the same output, byte for byte, for any setNumberOfThreads().
  * pcl::Poisson itself repeats its result with one thread only and gets one, unless
@@ -62,26 +60,14 @@ namespace pcl {
  * scaled. About 0.4 s of one processor for a room of 6 m x 5 m x 3 m with points 5 cm
  * apart, 2.5 s with pcl::Poisson. */
 template <typename PointNT>
-class StructuralPoisson : public pcl::SurfaceReconstruction<PointNT>,
-                          public sedr::StageError {
+class StructuralPoisson : public sedr::MeshReconstruction<PointNT> {
 public:
   using Ptr = pcl::shared_ptr<StructuralPoisson<PointNT>>;
   using ConstPtr = pcl::shared_ptr<const StructuralPoisson<PointNT>>;
   using PointCloud = pcl::PointCloud<PointNT>;
 
-  StructuralPoisson();
-  ~StructuralPoisson() override;
-
-  /** @brief Makes the surfaces; an empty mesh and getErrorMessage() if there is none.
-   */
-  void reconstruct(pcl::PolygonMesh& output) override;
-
-  /** @brief The same; the points get the normal of the surface and, if they have such a
-   * field, their room. */
-  void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
-
-  /** @brief The same for getMesh() alone: without PCL's form of the mesh, which is
-   * several times as large.
+  /** @brief The same as reconstruct() for getMesh() alone: without PCL's form of the
+   * mesh, which is several times as large.
    * @return false if there is no surface */
   bool makeMesh() { return run(); }
 
@@ -203,10 +189,6 @@ public:
   /** @brief What became of each room, in the order of their numbers. */
   const std::vector<sedr::RoomPoissonReport>& getReports() const { return reports_; }
 
-  /** @brief The surfaces of all rooms with the room of every triangle and, if the
-   * points have a `label`, that of the point nearest to it. */
-  const sedr::TriangleMesh& getMesh() const { return mesh_; }
-
   /** @brief The room of every triangle of the last output. */
   const std::vector<std::uint32_t>& getTriangleRooms() const { return mesh_.rooms; }
 
@@ -222,16 +204,19 @@ protected:
 
   std::string getClassName() const override { return "StructuralPoisson"; }
 
-  void performReconstruction(pcl::PolygonMesh& output) override;
+  using sedr::MeshReconstruction<PointNT>::mesh_;
+  using sedr::MeshReconstruction<PointNT>::fail;
+  using sedr::MeshReconstruction<PointNT>::performReconstruction;
 
+  /** @brief Reconstructs into mesh_. */
+  bool run() override;
+
+  /** @brief Gives the points their label too. */
   void performReconstruction(PointCloud& points,
                              std::vector<pcl::Vertices>& polygons) override;
 
 private:
   bool checkParameters();
-
-  /** @brief Reconstructs into mesh_. */
-  bool run();
 
   std::uint32_t roomOf(pcl::index_t index) const;
 
@@ -257,7 +242,6 @@ private:
   double plan_spacing_ = 0.05;
   std::shared_ptr<sedr::RoomWorkers> workers_;
   std::vector<sedr::RoomPoissonReport> reports_;
-  sedr::TriangleMesh mesh_;
   bool closed_ = false;
 };
 

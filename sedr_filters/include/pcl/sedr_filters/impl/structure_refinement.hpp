@@ -26,20 +26,11 @@ StructureRefinement<PointT>::validate(std::vector<std::uint32_t>& labels,
 
 template <typename PointT>
 void
-StructureRefinement<PointT>::clearResults()
-{
-  sedr::StageFilter<PointT>::clearResults();
-  sources_.clear();
-  surface_points_.clear();
-}
-
-template <typename PointT>
-void
 StructureRefinement<PointT>::applyFilter(PointCloud& output)
 {
   this->startRun(output);
-  std::vector<std::uint32_t> labels = labels_;
-  std::vector<std::uint32_t> rooms = rooms_;
+  std::vector<std::uint32_t> labels = this->labels_;
+  std::vector<std::uint32_t> rooms = this->rooms_;
   if (!validate(labels, rooms)) {
     this->removeAll();
     return;
@@ -56,15 +47,7 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
     sedr::setSurfacePoint(surface_points_[k], p);
     output.push_back(p);
   }
-  if (!extract_removed_indices_)
-    return;
-  std::size_t next = 0;
-  for (const auto i : *indices_) {
-    if (next < sources_.size() && sources_[next] == i)
-      ++next;
-    else
-      removed_indices_->push_back(i);
-  }
+  this->removeAllBut(sources_, [](std::size_t) { return true; });
 }
 
 } // namespace pcl

@@ -30,12 +30,10 @@ template <typename PointT>
 void
 VerticalHoleRepair<PointT>::clearResults()
 {
-  sedr::StageFilter<PointT>::clearResults();
-  sources_.clear();
+  sedr::PlanFilter<PointT>::clearResults();
   repaired_.clear();
   strips_.clear();
   unseen_.clear();
-  surface_points_.clear();
 }
 
 template <typename PointT>
@@ -43,8 +41,8 @@ void
 VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
 {
   this->startRun(output);
-  std::vector<std::uint32_t> labels = labels_;
-  std::vector<std::uint32_t> rooms = rooms_;
+  std::vector<std::uint32_t> labels = this->labels_;
+  std::vector<std::uint32_t> rooms = this->rooms_;
   if (!validate(labels, rooms)) {
     this->removeAll();
     return;
@@ -72,15 +70,7 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
     surface_points_.push_back(repaired.point);
     output.push_back(p);
   }
-  if (!extract_removed_indices_)
-    return;
-  std::size_t next = 0;
-  for (const auto i : *indices_) {
-    const bool is_on_plan = next < refined.sources.size() && refined.sources[next] == i;
-    if (!is_on_plan || !is_used[next])
-      removed_indices_->push_back(i);
-    next += is_on_plan ? 1 : 0;
-  }
+  this->removeAllBut(refined.sources, [&](std::size_t k) { return is_used[k]; });
 }
 
 } // namespace pcl

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/impl/pcl_base.hpp>
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/search/impl/kdtree.hpp>
-#include <pcl/search/impl/organized.hpp>
-#include <pcl/search/impl/search.hpp>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 #include <pcl/sedr_surface/mesh_intersection.h>
 
 #include <set>
@@ -14,39 +10,6 @@
 #include <utility>
 
 namespace pcl {
-
-template <typename PointT>
-FloorplanExtrusion<PointT>::FloorplanExtrusion()
-{
-  this->check_tree_ = false;
-}
-
-template <typename PointT>
-FloorplanExtrusion<PointT>::~FloorplanExtrusion() = default;
-
-template <typename PointT>
-void
-FloorplanExtrusion<PointT>::reconstruct(pcl::PolygonMesh& output)
-{
-  output = pcl::PolygonMesh();
-  if (input_)
-    output.header = input_->header;
-  performReconstruction(output);
-}
-
-template <typename PointT>
-void
-FloorplanExtrusion<PointT>::reconstruct(PointCloud& points,
-                                        std::vector<pcl::Vertices>& polygons)
-{
-  // The output may be the input: it is written only when all is read.
-  const pcl::PCLHeader header = input_ ? input_->header : pcl::PCLHeader();
-  PointCloud corners;
-  polygons.clear();
-  performReconstruction(corners, polygons);
-  points.swap(corners);
-  points.header = header;
-}
 
 template <typename PointT>
 void
@@ -88,7 +51,7 @@ template <typename PointT>
 bool
 FloorplanExtrusion<PointT>::run()
 {
-  clearError();
+  this->clearError();
   mesh_ = sedr::TriangleMesh();
   elements_.clear();
   reports_.clear();
@@ -109,39 +72,6 @@ FloorplanExtrusion<PointT>::run()
   collectWarnings();
   closed_ = failures.empty();
   return closed_ || fail("FloorplanExtrusion", failures);
-}
-
-template <typename PointT>
-void
-FloorplanExtrusion<PointT>::performReconstruction(pcl::PolygonMesh& output)
-{
-  run();
-  sedr::toPolygonMesh(mesh_, output);
-}
-
-template <typename PointT>
-void
-FloorplanExtrusion<PointT>::performReconstruction(PointCloud& points,
-                                                  std::vector<pcl::Vertices>& polygons)
-{
-  run();
-  std::vector<Eigen::Vector3d> normals(mesh_.vertices.size(), Eigen::Vector3d::Zero());
-  points.resize(mesh_.vertices.size());
-  polygons.resize(mesh_.triangles.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const sedr::Triangle& triangle = mesh_.triangles[t];
-    polygons[t].vertices.assign(triangle.begin(), triangle.end());
-    for (const auto v : triangle) {
-      normals[v] += mesh_.scaledNormal(t);
-      if constexpr (pcl::traits::has_field<PointT, pcl::fields::room>::value)
-        points[v].room = mesh_.rooms[t];
-    }
-  }
-  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-    points[v].getVector3fMap() = mesh_.vertices[v].template cast<float>();
-    if constexpr (pcl::traits::has_field<PointT, pcl::fields::normal_x>::value)
-      points[v].getNormalVector3fMap() = normals[v].normalized().template cast<float>();
-  }
 }
 
 } // namespace pcl

@@ -2,12 +2,8 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
-#include <pcl/impl/pcl_base.hpp>
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/search/impl/kdtree.hpp>
-#include <pcl/search/impl/organized.hpp>
-#include <pcl/search/impl/search.hpp>
 #include <pcl/sedr_filters/parallel.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 #include <pcl/sedr_surface/plan_samples.h>
 #include <pcl/sedr_surface/room_threads.h>
 #include <pcl/sedr_surface/structural_poisson.h>
@@ -18,40 +14,6 @@
 #include <utility>
 
 namespace pcl {
-
-template <typename PointNT>
-StructuralPoisson<PointNT>::StructuralPoisson()
-{
-  this->check_tree_ = false;
-}
-
-template <typename PointNT>
-StructuralPoisson<PointNT>::~StructuralPoisson() = default;
-
-template <typename PointNT>
-void
-StructuralPoisson<PointNT>::reconstruct(pcl::PolygonMesh& output)
-{
-  output = pcl::PolygonMesh();
-  if (input_)
-    output.header = input_->header;
-  performReconstruction(output);
-}
-
-template <typename PointNT>
-void
-StructuralPoisson<PointNT>::reconstruct(PointCloud& points,
-                                        std::vector<pcl::Vertices>& polygons)
-{
-  // The output may be the input: it is written only when all is read.
-  PointCloud surface;
-  if (input_)
-    surface.header = input_->header;
-  polygons.clear();
-  performReconstruction(surface, polygons);
-  points.swap(surface);
-  points.header = surface.header = input_ ? input_->header : pcl::PCLHeader();
-}
 
 template <typename PointNT>
 bool
@@ -210,7 +172,7 @@ template <typename PointNT>
 bool
 StructuralPoisson<PointNT>::run()
 {
-  clearError();
+  this->clearError();
   reports_.clear();
   mesh_ = sedr::TriangleMesh();
   closed_ = false;
@@ -290,36 +252,14 @@ StructuralPoisson<PointNT>::runOnPoints()
 
 template <typename PointNT>
 void
-StructuralPoisson<PointNT>::performReconstruction(pcl::PolygonMesh& output)
-{
-  run();
-  sedr::toPolygonMesh(mesh_, output);
-}
-
-template <typename PointNT>
-void
 StructuralPoisson<PointNT>::performReconstruction(PointCloud& points,
                                                   std::vector<pcl::Vertices>& polygons)
 {
-  run();
-  std::vector<Eigen::Vector3d> normals(mesh_.vertices.size(), Eigen::Vector3d::Zero());
-  points.resize(mesh_.vertices.size());
-  polygons.resize(mesh_.triangles.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const sedr::Triangle& triangle = mesh_.triangles[t];
-    polygons[t].vertices.assign(triangle.begin(), triangle.end());
-    for (const auto v : triangle) {
-      normals[v] += mesh_.scaledNormal(t);
-      if constexpr (pcl::traits::has_field<PointNT, pcl::fields::room>::value)
-        points[v].room = mesh_.rooms[t];
-      if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value)
+  sedr::MeshReconstruction<PointNT>::performReconstruction(points, polygons);
+  if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value)
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const auto v : mesh_.triangles[t])
         points[v].label = mesh_.labels[t];
-    }
-  }
-  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-    points[v].getVector3fMap() = mesh_.vertices[v].template cast<float>();
-    points[v].getNormalVector3fMap() = normals[v].normalized().template cast<float>();
-  }
 }
 
 } // namespace pcl

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Core>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The straight element from one place to another. */
+inline PlanElement
+segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+{
+  PlanElement e;
+  e.start = start;
+  e.end = end;
+  return e;
+}
+
+} // namespace sedr
+} // namespace pcl
