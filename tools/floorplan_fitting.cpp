@@ -8,7 +8,7 @@
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>

@@ -4,7 +4,7 @@
 #include "plan_file.h"
 #include "run_tool.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>
 

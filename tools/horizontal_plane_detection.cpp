@@ -9,7 +9,7 @@
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include "sedr_segmentation/src/planes/plane_list.h"
 #include "sedr_segmentation/src/scan/scan_lean.h"

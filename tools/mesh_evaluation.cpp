@@ -4,7 +4,7 @@
 #include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/sedr_surface/mesh_distance.h>

@@ -7,7 +7,7 @@
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include "sedr_segmentation/src/scan/scan_lean.h"
 #include <pcl/sedr_segmentation/room_segmentation.h>

@@ -8,7 +8,7 @@
 #include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>

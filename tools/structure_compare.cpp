@@ -11,7 +11,7 @@
 #include "scan_file.h"
 #include "scan_options.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/common/angles.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>

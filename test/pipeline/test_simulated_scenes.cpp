@@ -9,15 +9,28 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace {
 
 namespace sim = pcl::sedr::sim;
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
+
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+cloudOf(const sim::Scene& scene, std::uint64_t seed = 1)
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  sim::ScanOptions options;
+  options.seed = seed;
+  for (const auto& p : sim::scan(scene, options).points)
+    cloud->emplace_back(p.x, p.y, p.z);
+  return cloud;
+}
 
 /** @brief A scene as it is scanned, simulated once for all tests. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
@@ -25,12 +38,8 @@ scanOf(const std::string& scene)
 {
   static std::map<std::string, pcl::PointCloud<pcl::PointXYZ>::ConstPtr> scans;
   auto& scan = scans[scene];
-  if (!scan) {
-    pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-    for (const auto& p : sim::scan(sim::sceneNamed(scene)).points)
-      cloud->emplace_back(p.x, p.y, p.z);
-    scan = cloud;
-  }
+  if (!scan)
+    scan = cloudOf(sim::sceneNamed(scene));
   return scan;
 }
 
@@ -120,6 +129,48 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"hls_hall", 1, 4, 5, 0, 168.65, 0.003},
                     Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
     [](const auto& scene) { return scene.param.scene; });
+
+/** @brief A scene with other noise and another seed than its own. */
+struct Rescan {
+  std::string scene;
+  double noise;
+  std::uint64_t seed;
+};
+
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+scanOf(const Rescan& rescan)
+{
+  sim::Scene scene = sim::sceneNamed(rescan.scene);
+  for (sim::Scanner& scanner : scene.scanners)
+    scanner.noise = rescan.noise;
+  return cloudOf(scene, rescan.seed);
+}
+
+TEST(Chain, leaves_a_wall_of_windows_where_it_is)
+{
+  for (const auto& [rescan, walls] :
+       {std::pair{Rescan{"big_windows", 0.01, 3}, std::size_t{4}},
+        std::pair{Rescan{"l_room", 0.005, 1}, std::size_t{6}}}) {
+    Reconstruction chain;
+    chain.setInputCloud(scanOf(rescan));
+    ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+    ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
+    EXPECT_EQ(chain.getFloorplan()->rooms[0].boundary.elements.size(), walls)
+        << rescan.scene;
+  }
+}
+
+TEST(Chain, finds_all_corners_of_soffit_and_recess)
+{
+  Reconstruction chain;
+  chain.setInputCloud(scanOf({"bls_room", 0.005, 1}));
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
+  const auto& details = chain.getFloorplan()->rooms[0].details;
+  ASSERT_EQ(details.size(), 2U);
+  EXPECT_EQ(details[0].boundary.elements.size(), 6U);
+  EXPECT_EQ(details[1].boundary.elements.size(), 4U);
+}
 
 TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
 {

@@ -10,7 +10,7 @@
 #include "run_tool.h"
 #include "simulator/scene/scenes.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,7 +2,7 @@
 #include "chain_drawing.h"
 
 #include "../formats/decimal_text.h"
-#include "sheet_layout.h"
+#include "../sheet/sheet_layout.h"
 
 #include <algorithm>
 #include <vector>

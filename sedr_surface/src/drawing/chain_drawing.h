@@ -3,8 +3,8 @@
 
 #include "dimension_chains.h"
 #include "plan_frame.h"
-#include "sheet.h"
-#include "text_places.h"
+#include "../sheet/sheet.h"
+#include "../sheet/text_places.h"
 
 namespace pcl {
 namespace sedr {

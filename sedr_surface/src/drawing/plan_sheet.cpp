@@ -6,8 +6,8 @@
 #include "doorway_drawing.h"
 #include "plan_drawing.h"
 #include "plan_texts.h"
-#include "sheet_layout.h"
-#include "title_block.h"
+#include "../sheet/sheet_layout.h"
+#include "../sheet/title_block.h"
 #include "wall_bodies.h"
 
 #include <pcl/sedr_filters/storeys.h>

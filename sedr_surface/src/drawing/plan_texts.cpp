@@ -4,7 +4,7 @@
 #include "../formats/decimal_text.h"
 #include "doorway_drawing.h"
 #include "roof_lines.h"
-#include "sheet_layout.h"
+#include "../sheet/sheet_layout.h"
 
 #include <cmath>
 

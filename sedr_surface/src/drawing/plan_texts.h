@@ -3,8 +3,8 @@
 
 #include "plan_drawing.h"
 #include "plan_frame.h"
-#include "sheet.h"
-#include "text_places.h"
+#include "../sheet/sheet.h"
+#include "../sheet/text_places.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 

@@ -3,7 +3,7 @@
 #include "tool_error.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <gtest/gtest.h>
 

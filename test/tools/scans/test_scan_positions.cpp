@@ -3,7 +3,7 @@
 #include "tool_error.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
-#include "tools/scans/e57_writer.h"
+#include "e57_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "plan_file.h"
 
 #include "cloud_readers.h"
-#include "mapped_file.h"
+#include "bytes/mapped_file.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 

@@ -2,7 +2,7 @@
 #include "change_mesh.h"
 
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 

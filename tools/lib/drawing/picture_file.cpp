@@ -2,7 +2,7 @@
 #include "picture_file.h"
 
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 namespace pcl {
 namespace sedr {

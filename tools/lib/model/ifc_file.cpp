@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_file.h"
 
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 namespace pcl {
 namespace sedr {

@@ -12,7 +12,7 @@
 #include "solid_files.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>

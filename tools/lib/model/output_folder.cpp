@@ -2,7 +2,7 @@
 #include "output_folder.h"
 
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <unistd.h>
 

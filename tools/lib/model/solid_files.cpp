@@ -2,7 +2,7 @@
 #include "solid_files.h"
 
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_filters/storeys.h>
 #include <pcl/sedr_surface/mesh_io.h>

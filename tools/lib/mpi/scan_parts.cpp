@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_parts.h"
 
-#include "standard_input.h"
+#include "bytes/standard_input.h"
 #include "tool_error.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "results/distance_colour.h"
 #include "results/result_folder.h"
 #include "scan_file.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
 

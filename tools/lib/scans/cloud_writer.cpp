@@ -2,7 +2,7 @@
 #include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <pcl/conversions.h>
 #include <pcl/io/lzf.h>

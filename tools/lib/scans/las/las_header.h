@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mapped_file.h"
+#include "bytes/mapped_file.h"
 
 #include <Eigen/Core>
 

@@ -5,7 +5,7 @@
 #include "tool_error.h"
 #include "viewer/legend_image.h"
 #include "viewer/point_report.h"
-#include "whole_file.h"
+#include "bytes/whole_file.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkImageData.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dxf_text.h"
-#include "plan_drawing.h"
+#include "../drawing/plan_drawing.h"
 
 #include <Eigen/Geometry>
 

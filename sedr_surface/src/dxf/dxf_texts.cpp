@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dxf_texts.h"
 
-#include "doorway_drawing.h"
-#include "plan_frame.h"
-#include "roof_lines.h"
-#include "text_places.h"
+#include "../drawing/doorway_drawing.h"
+#include "../drawing/plan_frame.h"
+#include "../drawing/roof_lines.h"
+#include "../sheet/text_places.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dimension_chains.h"
+#include "../drawing/dimension_chains.h"
 #include "dxf_dimensions.h"
 #include "dxf_text.h"
 #include "dxf_texts.h"
-#include "plan_drawing.h"
-#include "sheet_layout.h"
+#include "../drawing/plan_drawing.h"
+#include "../sheet/sheet_layout.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dxf_dimensions.h"
 
-#include "plan_drawing.h"
-#include "text_places.h"
+#include "../drawing/plan_drawing.h"
+#include "../sheet/text_places.h"
 
 #include <algorithm>
 
