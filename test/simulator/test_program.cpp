@@ -58,8 +58,9 @@ TEST_F(Program, writesScanAndTruthIntoANewFolder)
   EXPECT_EQ(bytesOf(at("new/sub/truth.ply")).rfind("ply\n", 0), 0U);
   EXPECT_NE(bytesOf(at("new/sub/truth.json")).find("\"sedr-room-truth\""),
             std::string::npos);
+  EXPECT_FALSE(bytesOf(at("new/sub/positions.txt")).empty());
   const auto begin = std::filesystem::directory_iterator(at("new/sub"));
-  EXPECT_EQ(std::distance(begin, std::filesystem::directory_iterator()), 3);
+  EXPECT_EQ(std::distance(begin, std::filesystem::directory_iterator()), 4);
 }
 
 TEST_F(Program, writesTheSameBytesWithOneAndTwoThreads)

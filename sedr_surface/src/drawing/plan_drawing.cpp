@@ -2,8 +2,8 @@
 #include "plan_drawing.h"
 
 #include "../formats/decimal_text.h"
+#include "../sheet/plan_frame.h"
 #include "height_lines.h"
-#include "plan_frame.h"
 #include "roof_lines.h"
 
 #include <pcl/sedr_surface/plan_facets.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plan_drawing.h"
-#include "plan_frame.h"
+#include "../sheet/plan_frame.h"
 #include "../sheet/sheet.h"
 #include "../sheet/text_places.h"
+#include "plan_drawing.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 

@@ -2,8 +2,8 @@
 #include "dxf_texts.h"
 
 #include "../drawing/doorway_drawing.h"
-#include "../drawing/plan_frame.h"
 #include "../drawing/roof_lines.h"
+#include "../sheet/plan_frame.h"
 #include "../sheet/text_places.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../drawing/plan_frame.h"
+#include "plan_frame.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 

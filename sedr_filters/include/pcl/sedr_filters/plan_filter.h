@@ -51,7 +51,7 @@ protected:
 
   /** @brief Lists the removed indices, where they are asked for.
    * @param on_plan those of the indices, in their order, that lie on the plan
-   * @param isKept(k) whether the k-th of them stays */
+   * @param isKept whether the k-th of them stays, by k */
   template <typename IsKept>
   void removeAllBut(const Indices& on_plan, IsKept isKept)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "border_steps.h"
 
-#include "shape_fit.h"
+#include "../sheets/shape_fit.h"
 
 #include <pcl/sedr_segmentation/contour.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../sheets/cell_points.h"
 #include "border_part.h"
-#include "cell_points.h"
 #include "sheet_cracks.h"
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/sheets/cell_cracks.h"
+#include "sedr_segmentation/src/borders/cell_cracks.h"
 
 #include <gtest/gtest.h>
 

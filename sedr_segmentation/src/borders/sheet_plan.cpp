@@ -2,7 +2,7 @@
 #include "facet_borders.h"
 
 #include "../curves/loop_difference.h"
-#include "sheet_fit.h"
+#include "../sheets/sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sheet_fit.h"
+#include "../sheets/sheet_fit.h"
 
 #include <cstddef>
 #include <cstdint>
