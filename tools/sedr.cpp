@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "joint_scan.h"
 #include "model/model_run.h"
 #include "run_tool.h"
-#include "scan_file.h"
 
 #include <memory>
 
@@ -18,8 +18,10 @@ main(int argc, char** argv)
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, solid.obj, floorplan.json, "
       "floorplan.svg, .pdf, .dxf and report.json; of several storeys one drawing "
       "each, floorplan_1.svg, ...");
-  options.file("INPUT", settings.input,
-               "PCD, PLY, E57, LAS or text, z up; - is the standard input");
+  options.files(
+      "INPUT", settings.inputs,
+      "PCD, PLY, E57, LAS or text, z up, or a folder of them; several are one "
+      "scan; - is the standard input");
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, settings);
@@ -27,11 +29,11 @@ main(int argc, char** argv)
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
-    settings.inputs = {settings.input};
+    settings.input = joinedNames(settings.inputs);
     return makeModel(settings, chain, [&] {
       // What is not in its header is read while it is thinned.
       const auto scan =
-          std::make_shared<ScanFile>(settings.input, settings.scan.resolved());
+          std::make_shared<JointScan>(settings.inputs, settings.scan.resolved());
       chain.setInputSource(scan);
       chain.setOrigin(scan->origin());
       chain.setScanPositions(scan->positions());

@@ -45,16 +45,6 @@ fairThreads(const boost::mpi::communicator& ranks)
                   static_cast<unsigned>(std::max(1L, processors / ranks_here)));
 }
 
-/** @brief The scan as report.json names it. */
-std::string
-joined(const std::vector<std::string>& paths)
-{
-  std::string all;
-  for (const std::string& path : paths)
-    all += (all.empty() ? "" : ", ") + path;
-  return all;
-}
-
 std::vector<ThinOrder>
 thinOrders(const std::vector<ScanInput>& inputs,
            const ScanSettings& settings,
@@ -102,7 +92,7 @@ makeModelTogether(const std::string& tool,
                   unsigned fair_threads)
 {
   ModelSettings& settings = call.settings;
-  settings.input = joined(call.scans);
+  settings.input = joinedNames(call.scans);
   settings.inputs = call.scans;
   Reconstruction chain;
   apply(settings, chain);

@@ -52,6 +52,9 @@ struct ModelSettings {
 /** @brief Declares the options that say how a model is made. */
 void addModelOptions(Options& options, ModelSettings& s);
 
+/** @brief The files of a scan as report.json names them. */
+std::string joinedNames(const std::vector<std::string>& paths);
+
 /** @brief Sets the chain as the command line says. */
 void apply(const ModelSettings& s, Reconstruction& chain);
 

@@ -2,49 +2,14 @@
 #include "scan_parts.h"
 
 #include "bytes/standard_input.h"
+#include "joint_scan.h"
 #include "tool_error.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <filesystem>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
-
-namespace fs = std::filesystem;
-
-namespace {
-
-bool
-isScanName(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension == ".pcd" || extension == ".ply" || extension == ".e57" ||
-         extension == ".las";
-}
-
-std::vector<std::string>
-scansIn(const std::string& folder)
-{
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (isScanName(entry->path()) && !fs::is_directory(entry->path(), error))
-      paths.push_back(entry->path().string());
-  if (error)
-    throw ToolError("cannot read the folder '" + folder + "': " + error.message());
-  if (paths.empty())
-    throw ToolError("the folder '" + folder + "' has no .pcd, .ply, .e57 or .las file");
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
-} // namespace
 
 std::string
 textOf(const std::vector<RowRange>& ranges)
@@ -70,21 +35,13 @@ findInputs(const std::vector<std::string>& paths, const ScanSettings& settings)
 {
   std::vector<ScanInput> inputs;
   std::size_t first = 0;
-  const auto add = [&](const std::string& path) {
-    inputs.push_back({path, readScanHead(path, settings), first});
-    first += inputs.back().head.rows;
-  };
-  for (const std::string& path : paths) {
+  for (const std::string& path : scanFilesOf(paths)) {
     if (isStandardInput(path))
       throw ToolError(
           "every rank reads the scan, which the standard input cannot serve: "
           "name a file");
-    std::error_code error;
-    if (fs::is_directory(path, error))
-      for (const std::string& scan : scansIn(path))
-        add(scan);
-    else
-      add(path);
+    inputs.push_back({path, readScanHead(path, settings), first});
+    first += inputs.back().head.rows;
   }
   return inputs;
 }
@@ -98,22 +55,15 @@ rowsOf(const std::vector<ScanInput>& inputs)
 ScanPositions
 positionsOf(const std::vector<ScanInput>& inputs, const ScanSettings& settings)
 {
-  if (inputs.size() > 1 && !settings.positions.empty())
-    throw ToolError("--positions is for a scan in one file, there are " +
-                    std::to_string(inputs.size()));
-  ScanPositions all;
-  bool is_any_known = false;
-  for (const ScanInput& input : inputs) {
-    ScanPositions own = ScanFile(input.path, settings).positions();
-    is_any_known = is_any_known || !own.empty();
-    if (own.empty())
-      own.push_back({0, Eigen::Vector3f::Constant(NAN)});
-    for (ScanPosition& position : own) {
-      position.first_row += input.first;
-      all.push_back(position);
-    }
-  }
-  return is_any_known ? all : ScanPositions();
+  ScanSettings own = settings;
+  own.positions.clear();
+  if (!settings.positions.empty())
+    return ScanFile(inputs.front().path, own)
+        .positionsIn(settings.positions, rowsOf(inputs));
+  JointPositions joint;
+  for (const ScanInput& input : inputs) // one after the other: some are unpacked
+    joint.add(ScanFile(input.path, own));
+  return joint.get();
 }
 
 std::vector<std::vector<RowRange>>

@@ -32,17 +32,15 @@ struct RowRange {
  * the first two are named. */
 std::string textOf(const std::vector<RowRange>& ranges);
 
-/** @brief The files of a scan, one after the other as they are given, of a folder its
- * .pcd, .ply, .e57 and .las files sorted by name; their heads are read. What is
+/** @brief The files of a scan, see scanFilesOf(); their heads are read. What is
  * missing, no scan, or a folder without any is a ToolError. */
 std::vector<ScanInput> findInputs(const std::vector<std::string>& paths,
                                   const ScanSettings& settings = {});
 
 std::size_t rowsOf(const std::vector<ScanInput>& inputs);
 
-/** @brief Where the rows of the whole scan were taken from, each file its own, NaN of
- * those that do not tell; empty if none does. A file of positions is for one scan
- * alone, or a ToolError. */
+/** @brief Where the rows of the whole scan were taken from, as JointScan::positions()
+ * tells it. */
 ScanPositions positionsOf(const std::vector<ScanInput>& inputs,
                           const ScanSettings& settings);
 

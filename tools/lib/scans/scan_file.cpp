@@ -143,7 +143,7 @@ Eigen::Vector4f
 ScanFile::viewpoint() const
 {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
-  viewpoint.head<3>() = (unit_ * layout_.viewpoint - shift_).cast<float>();
+  viewpoint.head<3>() = inMetres(layout_.viewpoint);
   return viewpoint;
 }
 

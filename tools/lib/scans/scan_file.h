@@ -97,6 +97,10 @@ public:
    * amiss, or that tells of other than all rows, is a ToolError. */
   ScanPositions positions() const;
 
+  /** @brief The same by a file of positions, in the unit and frame of this scan, of
+   * `rows` rows in all: it may have been scanned together with others. */
+  ScanPositions positionsIn(const std::string& path, std::size_t rows) const;
+
 private:
   class PageTurner;
 
@@ -109,6 +113,12 @@ private:
   /** @brief Decides what coordinates are counted from, and refuses those that even so
    * are too large. */
   void settleOrigin(const ScanSettings& settings);
+
+  /** @brief A place of the file as its rows are given out. */
+  Eigen::Vector3f inMetres(const Eigen::Vector3d& place) const
+  {
+    return (unit_ * place - shift_).cast<float>();
+  }
 
   ScanPlaces samplePlaces() const;
   void addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const;

@@ -54,7 +54,7 @@ readLayout(const MappedFile& file,
                                     E57Choice{settings.scan, settings.skip_broken}),
         path);
   if (looksLikeLas(file))
-    return decodedLayout(std::make_shared<LasReader>(file, path), path);
+    return decodedLayout(openLas(file, path), path);
   if (!looksLikePly(file) && !looksLikePcd(file)) {
     if (!looksLikeColumns(file))
       throw ToolError("'" + path +

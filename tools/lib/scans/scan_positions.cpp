@@ -70,27 +70,29 @@ readPositionLines(const std::string& path)
 ScanPositions
 ScanFile::positions() const
 {
+  if (!positions_.empty())
+    return positionsIn(positions_, size());
   ScanPositions positions;
-  const auto add = [&](std::size_t first_row, const Eigen::Vector3d& place) {
-    positions.push_back({first_row, (unit_ * place - shift_).cast<float>()});
-  };
-  if (positions_.empty()) {
-    if (layout_.reader)
-      for (const ScanStation& station : layout_.reader->stations())
-        add(station.first_row, station.position);
-    else if (!layout_.viewpoint.isZero(0)) // 0 is what a PCD says that knows of none
-      add(0, layout_.viewpoint);
-    return positions;
-  }
+  if (layout_.reader)
+    for (const ScanStation& station : layout_.reader->stations())
+      positions.push_back({station.first_row, inMetres(station.position)});
+  else if (!layout_.viewpoint.isZero(0)) // 0 is what a PCD says that knows of none
+    positions.push_back({0, inMetres(layout_.viewpoint)});
+  return positions;
+}
+
+ScanPositions
+ScanFile::positionsIn(const std::string& path, std::size_t rows) const
+{
+  ScanPositions positions;
   std::size_t row = 0;
-  for (const PositionLine& line : readPositionLines(positions_)) {
-    add(row, line.place);
-    row += line.points.value_or(size());
+  for (const PositionLine& line : readPositionLines(path)) {
+    positions.push_back({row, inMetres(line.place)});
+    row += line.points.value_or(rows);
   }
-  if (row != size())
-    throw ToolError("the positions in '" + positions_ + "' are of " +
-                    std::to_string(row) + " points, '" + path_ + "' has " +
-                    std::to_string(size()));
+  if (row != rows)
+    throw ToolError("the positions in '" + path + "' are of " + std::to_string(row) +
+                    " points, the scan has " + std::to_string(rows));
   return positions;
 }
 

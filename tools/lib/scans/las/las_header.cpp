@@ -153,16 +153,13 @@ readLasHeader(const MappedFile& file, const std::string& path)
 {
   const std::size_t header_size = checkedHeaderSize(file, path);
   constexpr unsigned compressed_bits = 0xc0;
-  const unsigned format = file.data()[format_place];
-  if ((format & compressed_bits) != 0)
-    throw ToolError("'" + path +
-                    "' is LAZ, compressed LAS, which is not read here: 'laszip -i "
-                    "SCAN.laz -o SCAN.las' or 'pdal translate SCAN.laz SCAN.las' "
-                    "makes LAS of it");
+  const unsigned stored_format = file.data()[format_place];
+  const unsigned format = stored_format & ~compressed_bits;
   LasHeader header;
   header.begin = valueAt<std::uint32_t>(file, begin_place);
   header.record = valueAt<std::uint16_t>(file, record_place);
   header.points = pointsOf(file, header_size);
+  header.is_compressed = format != stored_format;
   if (format >= formats.size())
     refuse(path, "its points are of the format " + text(format) + ", known are 0 to " +
                      text(formats.size() - 1));
@@ -178,7 +175,7 @@ readLasHeader(const MappedFile& file, const std::string& path)
   checkRecords(file, path, header_size, header.begin);
   readScales(file, path, header);
   const std::uint64_t left = file.size() - header.begin;
-  if (header.points > left / header.record)
+  if (!header.is_compressed && header.points > left / header.record)
     refuse(path, "the file is cut off, its header promises " + text(header.points) +
                      " points of " + text(header.record) + " bytes, but " + text(left) +
                      " bytes follow");

@@ -2,7 +2,6 @@
 #include "las_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace pcl {
@@ -13,62 +12,46 @@ namespace {
 
 constexpr std::size_t intensity_offset = 12; // in a record, after three whole numbers
 
-using Colour = std::array<std::uint16_t, 3>; // red, green, blue
-
 } // namespace
 
-LasReader::LasReader(const MappedFile& file, const std::string& path)
+LasReader::LasReader(const MappedFile& file, const LasHeader& header)
     : file_(file)
-    , header_(readLasHeader(file, path))
-    , fields_(decodedFields(header_.colour_offset > 0
-                                ? std::vector<std::string>{"intensity", "rgb"}
-                                : std::vector<std::string>{"intensity"}))
-{
-  constexpr unsigned bits_too_many = 8;
-  if (header_.colour_offset > 0 && hasWideColours())
-    colour_shift_ = bits_too_many;
-}
-
-bool
-LasReader::hasWideColours() const
+    , header_(header)
+    , rows_(header)
 {
   constexpr std::size_t most_looked_at = 10000;
   const std::size_t step = std::max<std::size_t>(1, size() / most_looked_at);
-  for (std::size_t i = 0; i < size(); i += step) {
-    Colour colour{};
-    std::memcpy(colour.data(), file_.data() + placeOf(i) + header_.colour_offset,
-                sizeof colour);
-    if (*std::max_element(colour.begin(), colour.end()) > 0xff)
-      return true;
-  }
-  return false;
+  for (std::size_t i = 0; header_.colour_offset > 0 && i < size(); i += step)
+    rows_.lookAt(pointIn(file_.data() + placeOf(i)));
+}
+
+LasPoint
+LasReader::pointIn(const std::uint8_t* record) const
+{
+  LasPoint point;
+  std::memcpy(point.whole.data(), record, sizeof point.whole);
+  std::memcpy(&point.intensity, record + intensity_offset, sizeof point.intensity);
+  if (header_.colour_offset > 0)
+    std::memcpy(point.colour.data(), record + header_.colour_offset,
+                sizeof point.colour);
+  return point;
 }
 
 void
 LasReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
 {
   const auto* record = file_.data() + placeOf(first);
-  for (std::size_t i = 0; i < size; ++i, record += header_.record) {
-    std::array<std::int32_t, 3> whole{};
-    std::memcpy(whole.data(), record, sizeof whole);
-    const Eigen::Vector3d p =
-        Eigen::Vector3d(whole[0], whole[1], whole[2]).cwiseProduct(header_.scale) +
-        header_.shift;
-    std::uint16_t intensity = 0;
-    std::memcpy(&intensity, record + intensity_offset, sizeof intensity);
-    const auto strength = static_cast<float>(intensity);
-    std::memcpy(rows, p.data(), sizeof p);
-    std::memcpy(rows + sizeof p, &strength, sizeof strength);
-    rows += sizeof p + sizeof strength;
-    if (header_.colour_offset == 0)
-      continue;
-    Colour colour{};
-    std::memcpy(colour.data(), record + header_.colour_offset, sizeof colour);
-    for (std::size_t k = 0; k < colour.size(); ++k)
-      rows[k] = static_cast<std::uint8_t>(colour[2 - k] >> colour_shift_);
-    rows[3] = 0xff;
-    rows += sizeof(float);
-  }
+  for (std::size_t i = 0; i < size; ++i, record += header_.record)
+    rows = rows_.write(pointIn(record), rows);
+}
+
+std::shared_ptr<const PointReader>
+openLas(const MappedFile& file, const std::string& path)
+{
+  const LasHeader header = readLasHeader(file, path);
+  if (header.is_compressed)
+    return openLaz(file, path, header);
+  return std::make_shared<LasReader>(file, header);
 }
 
 } // namespace tools

@@ -2,20 +2,25 @@
 #pragma once
 
 #include "las_header.h"
+#include "las_rows.h"
 #include "point_reader.h"
+
+#include <memory>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The points of a LAS file: x, y, z, `intensity`, and `rgb` where the format
- * has colours; what else a record holds is skipped. Colours of 16 bits become 8, unless
- * all that are looked at are below 256, as some programs write them. */
+/** @brief The points of a LAS file, see LasRows; what else a record holds is skipped.
+ */
 class LasReader : public PointReader {
 public:
-  LasReader(const MappedFile& file, const std::string& path);
+  LasReader(const MappedFile& file, const LasHeader& header);
 
-  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
+  const std::vector<pcl::PCLPointField>& fields() const override
+  {
+    return rows_.fields();
+  }
   std::size_t size() const override { return static_cast<std::size_t>(header_.points); }
   void read(std::size_t first, std::size_t size, std::uint8_t* rows) const override;
   std::size_t placeOf(std::size_t row) const override
@@ -24,13 +29,21 @@ public:
   }
 
 private:
-  bool hasWideColours() const;
+  LasPoint pointIn(const std::uint8_t* record) const;
 
   const MappedFile& file_;
   LasHeader header_;
-  std::vector<pcl::PCLPointField> fields_;
-  unsigned colour_shift_ = 0; ///< bits
+  LasRows rows_;
 };
+
+/** @brief Opens a LAS file, or LAZ. What is amiss is a ToolError. */
+std::shared_ptr<const PointReader> openLas(const MappedFile& file,
+                                           const std::string& path);
+
+/** @brief Opens a LAZ file by LASzip; where the programs were built without it, a
+ * ToolError that says how to make LAS of the file. */
+std::shared_ptr<const PointReader>
+openLaz(const MappedFile& file, const std::string& path, const LasHeader& header);
 
 } // namespace tools
 } // namespace sedr

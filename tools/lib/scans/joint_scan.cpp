@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "joint_scan.h"
+
+#include "bytes/standard_input.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool
+isScanName(const fs::path& path)
+{
+  constexpr std::array<const char*, 5> known{".pcd", ".ply", ".e57", ".las", ".laz"};
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+std::vector<std::string>
+scansIn(const std::string& folder)
+{
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (isScanName(entry->path()) && !fs::is_directory(entry->path(), error))
+      paths.push_back(entry->path().string());
+  if (error)
+    throw ToolError("cannot read the folder '" + folder + "': " + error.message());
+  if (paths.empty())
+    throw ToolError("the folder '" + folder +
+                    "' has no .pcd, .ply, .e57, .las or .laz file");
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+} // namespace
+
+std::vector<std::string>
+scanFilesOf(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (isStandardInput(path) || !fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    const std::vector<std::string> inside = scansIn(path);
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  if (std::count_if(files.begin(), files.end(), isStandardInput) > 1)
+    throw ToolError("the standard input can be read only once");
+  return files;
+}
+
+void
+JointPositions::add(const ScanFile& scan)
+{
+  ScanPositions own = scan.positions();
+  if (own.empty())
+    own.push_back({0, Eigen::Vector3f::Constant(NAN)});
+  for (ScanPosition& position : own) {
+    position.first_row += rows_;
+    positions_.push_back(position);
+  }
+  rows_ += scan.size();
+}
+
+ScanPositions
+JointPositions::get() const
+{
+  const bool is_any_known =
+      std::any_of(positions_.begin(), positions_.end(),
+                  [](const ScanPosition& position) { return position.isKnown(); });
+  return is_any_known ? positions_ : ScanPositions();
+}
+
+JointScan::JointScan(const std::vector<std::string>& paths,
+                     const ScanSettings& settings)
+    : positions_(settings.positions)
+{
+  ScanSettings own = settings;
+  own.positions.clear();
+  for (const std::string& path : scanFilesOf(paths)) {
+    files_.push_back(std::make_unique<ScanFile>(path, own));
+    own.origin = origin(); // one frame for all
+    size_ += files_.back()->size();
+  }
+  fields_ = files_.front()->fields();
+  row_size_ = files_.front()->rowSize();
+  if (files_.size() == 1)
+    return;
+  fields_.clear();
+  row_size_ = 3 * sizeof(float);
+  for (const char* name : {"x", "y", "z"}) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.offset = static_cast<pcl::uindex_t>(fields_.size() * sizeof(float));
+    field.datatype = pcl::PCLPointField::FLOAT32;
+    field.count = 1;
+    fields_.push_back(field);
+  }
+}
+
+void
+JointScan::forEachPiece(const std::function<bool(const Piece&)>& see) const
+{
+  if (files_.size() == 1)
+    return files_.front()->forEachPiece(see);
+  std::vector<Eigen::Vector3f> points;
+  std::size_t first = 0;
+  bool goes_on = true;
+  for (const auto& file : files_) {
+    if (!goes_on)
+      return;
+    RowCoordinates coordinates(file->fields(), file->rowSize());
+    file->forEachPiece([&](const Piece& piece) {
+      const PointView rows = coordinates.of(piece.rows, piece.size);
+      points.resize(piece.size);
+      for (std::size_t i = 0; i < piece.size; ++i)
+        points[i] = rows[i];
+      goes_on = see({reinterpret_cast<const std::uint8_t*>(points.data()),
+                     first + piece.first, piece.size});
+      return goes_on;
+    });
+    first += file->size();
+  }
+}
+
+ScanPositions
+JointScan::positions() const
+{
+  if (!positions_.empty())
+    return files_.front()->positionsIn(positions_, size_);
+  JointPositions joint;
+  for (const auto& file : files_)
+    joint.add(*file);
+  return joint.get();
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// In the place of laz_reader.cpp where there is no LASzip.
+#include "las_reader.h"
+
+#include "tool_error.h"
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+std::shared_ptr<const PointReader>
+openLaz(const MappedFile& /*file*/,
+        const std::string& path,
+        const LasHeader& /*header*/)
+{
+  throw ToolError("'" + path +
+                  "' is LAZ, compressed LAS, which this build cannot read, as it was "
+                  "made without LASzip: 'laszip -i SCAN.laz -o SCAN.las' or 'pdal "
+                  "translate SCAN.laz SCAN.las' makes LAS of it");
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
