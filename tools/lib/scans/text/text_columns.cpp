@@ -28,10 +28,44 @@ partsColumns(char c, bool has_decimal_comma)
          (c == ',' && !has_decimal_comma);
 }
 
+/** @brief Whether a word is a number such as 12,5. */
+bool
+isCommaNumber(std::string_view word)
+{
+  const std::size_t comma = word.find(',');
+  const auto isDigit = [&](std::size_t at) {
+    return std::isdigit(static_cast<unsigned char>(word[at])) != 0;
+  };
+  return comma != word.npos && comma > 0 && comma + 1 < word.size() &&
+         isDigit(comma - 1) && isDigit(comma + 1) &&
+         word.find_first_of(",.", comma + 1) == word.npos;
+}
+
+/** @brief Whether the comma is the decimal sign of a line: semicolons part its columns,
+ * or blanks do, and the first three words have one comma each. */
 bool
 hasDecimalComma(std::string_view line)
 {
-  return line.find(';') != line.npos && line.find(',') != line.npos;
+  if (line.find(';') != line.npos)
+    return line.find(',') != line.npos;
+  const std::vector<std::string_view> words = wordsOf(line);
+  return words.size() >= 3 &&
+         std::all_of(words.begin(), words.begin() + 3, isCommaNumber);
+}
+
+/** @brief Whether a text is PTX: columns and rows, the scanner's place and axes, and
+ * the matrix of its pose, then the points; the next scan begins in the same way. */
+bool
+isPtx(const MappedFile& file)
+{
+  constexpr std::array<std::size_t, 10> head{1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
+  TextCursor cursor(file, 0);
+  std::string_view line;
+  return std::all_of(head.begin(), head.end(), [&](std::size_t expected) {
+    Numbers numbers{};
+    return cursor.nextLine(line) &&
+           readColumns(line, false, most_columns, numbers.data()) == expected;
+  });
 }
 
 /** @brief The first line of three numbers or more. */
@@ -176,6 +210,11 @@ looksLikeColumns(const MappedFile& file)
 TextColumns
 findColumns(const MappedFile& file, const std::string& path, const std::string& asked)
 {
+  if (isPtx(file))
+    throw ToolError("'" + path +
+                    "' is PTX, whose points are not in one frame, and which is not "
+                    "read here: export E57, which keeps the positions of the scanner "
+                    "too");
   const FirstLine first = findFirstLine(file);
   TextColumns columns;
   columns.begin = first.begin;

@@ -15,7 +15,7 @@ namespace tools {
 struct TextColumns {
   std::vector<std::string> names; ///< of the columns; "_" is skipped
   std::size_t begin = 0;          ///< of the first line of numbers, bytes
-  bool has_decimal_comma = false; ///< then a semicolon or blank parts columns
+  bool has_decimal_comma = false; ///< then semicolons or blanks part columns
 };
 
 /** @brief Whether a file seems to be columns of numbers: no byte that no text has, and
