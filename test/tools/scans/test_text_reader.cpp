@@ -124,7 +124,7 @@ TEST_F(TextFiles, PiecesAreThoseOfTheWhole)
 
 TEST_F(TextFiles, TheCommaOfNumbersPartedByBlanksIsTheirDecimalSign)
 {
-  for (const std::string& text :
+  for (const char* const text :
        {"1,5 -2,25 3,125\n4,5 5,5 6,5\n", "1,5\t-2,25\t3,125\t17\n4,5\t5\t6,5\t8\n"})
     expectFirst(load(text), 1.5F, -2.25F, 3.125F);
   // Elsewhere it parts columns.
