@@ -107,6 +107,27 @@ TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
   EXPECT_NEAR(pairs[0].stretch.length(), 3 * M_PI, 0.05);
 }
 
+TEST(PlanWalls, StandAroundTheIslandsOfARoomButNotAroundItsColumns)
+{
+  // A ring about a core with a room in it, 10 cm behind one side of the core.
+  PlanRoom ring = roomOf(rectangle(0, 0, 12, 12), 2.5);
+  ring.columns = {reversed(rectangle(3, 3, 9, 9)), reversed(rectangle(1, 1, 1.5, 1.5))};
+  const Floorplan plan{{ring, roomOf(rectangle(3.1, 3.2, 8, 8), 2.5, 2)}};
+  const auto walls = findWalls(plan);
+  double at_island = 0;
+  for (const PlanWall& wall : walls) {
+    EXPECT_NE(wall.face.loop, 2u) << "a column";
+    at_island += wall.face.loop == 1 ? wall.stretch.length() : 0;
+  }
+  EXPECT_NEAR(at_island, 24, 1e-9);
+  const auto pairs = pairsOf(walls);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_NEAR(std::min(pairs[0].thickness, pairs[1].thickness), 0.1, 1e-12);
+  EXPECT_NEAR(std::max(pairs[0].thickness, pairs[1].thickness), 0.2, 1e-12);
+  for (const PlanWall& wall : walls)
+    EXPECT_GE(wall.thickness, 0.1) << "the ring is not behind the walls of its core";
+}
+
 TEST(PlanWalls, AnAssumedThicknessKeepsOutOfTheRoomBehind)
 {
   // Not parallel, so no pair: 8 cm at one end, 0.5 m at the other.

@@ -71,6 +71,17 @@ TEST(WriteIfc, ADoorwayWithoutAWallIsTold)
             std::string::npos);
 }
 
+TEST(WriteIfc, RoomsThatTouchAtADoorwayEndAtAVirtualElement)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[1].boundary = rectangle(4.005, 0, 8, 3);
+  const IfcModel model = writeIfc(plan);
+  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_EQ(model.openings, 0u);
+  EXPECT_EQ(count(model.text, "=IFCVIRTUALELEMENT("), 1u);
+  EXPECT_EQ(count(model.text, ",.VIRTUAL.,.INTERNAL."), 2u);
+}
+
 TEST(WriteIfc, GuidsAreOfTheBuildingsName)
 {
   IfcSettings other;

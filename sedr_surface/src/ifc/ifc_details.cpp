@@ -97,7 +97,7 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
   document.addProperties(
       ref, name, "Pset_SEDR",
       {{"Residual", lengthProperty(residual)}, {"Points", countProperty(points)}});
-  writeBoundary(document, r, name, ref, {}, "INTERNAL");
+  writeBoundary(document, r, name, ref, {});
   ++document.model.columns;
 }
 
@@ -110,7 +110,8 @@ writeDetails(IfcDocument& document)
     const IfcRoom& written = document.rooms[r];
     const PlanRoom& room = *written.room;
     for (std::size_t c = 0; c < room.columns.size(); ++c)
-      writeColumn(document, r, c);
+      if (!isIsland(room.columns[c]))
+        writeColumn(document, r, c);
     for (std::size_t d = 0; d < room.details.size(); ++d) {
       const std::string name = nameIn(room, "detail_" + std::to_string(d + 1));
       const auto element =

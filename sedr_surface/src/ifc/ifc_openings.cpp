@@ -171,6 +171,50 @@ writeDoorway(IfcDocument& document,
   return count;
 }
 
+/** @brief Whether both rooms of a doorway end at it. */
+bool
+joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
+{
+  constexpr double near = 0.5;
+  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  return std::count_if(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+           double distance = room.boundary.distance(middle);
+           for (const PlanLoop& column : room.columns)
+             distance = std::min(distance, column.distance(middle));
+           return (room.id == doorway.rooms[0] || room.id == doorway.rooms[1]) &&
+                  distance < near;
+         }) == 2;
+}
+
+/** @brief Where rooms meet without a wall: both end at a virtual element. */
+void
+writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::string& name)
+{
+  StepRef element;
+  for (std::size_t r = 0; r < document.rooms.size(); ++r) {
+    const PlanRoom& room = *document.rooms[r].room;
+    if (room.id != doorway.rooms[0] && room.id != doorway.rooms[1])
+      continue;
+    const std::size_t storey = document.rooms[r].storey;
+    const double ground = document.storeys[storey].storey.floor;
+    if (element.isNone())
+      element = document.addElement(
+          "IFCVIRTUALELEMENT", name, storey,
+          document.shapes.placement(document.storeys[storey].placement,
+                                    Eigen::Vector3d::Zero()),
+          {}, {});
+    constexpr double beside = 0.3; // metres
+    const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
+    const bool is_left = room.contains((doorway.start + doorway.end) / 2 +
+                                       beside * Eigen::Vector2d(-way.y(), way.x()));
+    const StepRef rectangle =
+        rectangleOf(document, is_left ? doorway.start : doorway.end,
+                    is_left ? doorway.end : doorway.start, doorway.bottom - ground,
+                    doorway.top - doorway.bottom);
+    writeBoundary(document, r, name, element, rectangle, {"VIRTUAL", "INTERNAL"});
+  }
+}
+
 /** @brief The wall that a niche is in: that whose face is nearest to its middle. */
 const WrittenWall*
 wallOf(const Floorplan& plan,
@@ -232,7 +276,11 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
   for (std::size_t d = 0; d < document.plan.doorways.size(); ++d) {
     const PlanDoorway& doorway = document.plan.doorways[d];
     const std::string name = "doorway_" + std::to_string(d + 1);
-    if (writeDoorway(document, walls, doorway, name) == 0)
+    if (writeDoorway(document, walls, doorway, name) > 0)
+      continue;
+    if (joinsRooms(document.plan, doorway))
+      writePassage(document, doorway, name);
+    else
       document.model.warnings.push_back(
           name + " between rooms " + std::to_string(doorway.rooms[0]) + " and " +
           std::to_string(doorway.rooms[1]) +

@@ -36,15 +36,28 @@ void writeSlabs(IfcDocument& document);
 /** @brief Columns, coverings, beams, platforms. */
 void writeDetails(IfcDocument& document);
 
+/** @brief What a space ends at. */
+struct BoundaryKind {
+  const char* element = "PHYSICAL"; ///< or "VIRTUAL", where nothing is built
+  const char* side = "INTERNAL";    ///< or "NOTDEFINED": the other side was not seen
+};
+
 /** @brief A first-level boundary of a space.
- * @param geometry where they meet, or none
- * @param side "INTERNAL", or "NOTDEFINED" where the other side was not seen */
+ * @param geometry where they meet, or none */
 void writeBoundary(IfcDocument& document,
                    std::size_t room,
                    const std::string& element_name,
                    StepRef element,
                    StepRef geometry,
-                   const char* side);
+                   const BoundaryKind& kind = {});
+
+/** @brief A vertical rectangle that a space ends at, in the place of its storey.
+ * @param from,to its ends in plan, the space to the left of the way */
+StepRef rectangleOf(IfcDocument& document,
+                    const Eigen::Vector2d& from,
+                    const Eigen::Vector2d& to,
+                    double bottom,
+                    double height);
 
 /** @brief The triangles of a room's solid that are on some of its parts, by the names
  * of SolidElement. */

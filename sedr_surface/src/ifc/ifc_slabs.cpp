@@ -57,7 +57,7 @@ public:
         writeCeiling(r);
       else
         for (const auto& [name, slab] : slab_above_[r])
-          writeBoundary(document_, r, name, slab, {}, "INTERNAL");
+          writeBoundary(document_, r, name, slab, {});
   }
 
 private:
@@ -130,7 +130,8 @@ private:
     const StepRef slab =
         add(r, name, item, is_swept ? "SweptSolid" : "Tessellation", "slab",
             is_lowest ? "BASESLAB" : "FLOOR", thickness, !below, room.floor);
-    writeBoundary(document_, r, name, slab, {}, below ? "INTERNAL" : "NOTDEFINED");
+    writeBoundary(document_, r, name, slab, {},
+                  {"PHYSICAL", below ? "INTERNAL" : "NOTDEFINED"});
     if (below)
       slab_above_[below->room].push_back({name, slab});
   }
@@ -154,7 +155,7 @@ private:
     }
     const StepRef slab = add(r, name, item, is_swept ? "SweptSolid" : "Tessellation",
                              "ceiling", "ROOF", thickness, true, room.ceiling);
-    writeBoundary(document_, r, name, slab, {}, "NOTDEFINED");
+    writeBoundary(document_, r, name, slab, {}, {"PHYSICAL", "NOTDEFINED"});
   }
 
   /** @brief The ceiling, its facets and recesses: all but what hangs below it. */

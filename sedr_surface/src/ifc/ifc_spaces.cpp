@@ -154,15 +154,37 @@ writeBoundary(IfcDocument& document,
               const std::string& element_name,
               StepRef element,
               StepRef geometry,
-              const char* side)
+              const BoundaryKind& kind)
 {
   const StepValue none = StepValue::none();
   const std::string name =
       nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
-  document.step.add(
-      "IFCRELSPACEBOUNDARY1STLEVEL",
-      {document.guid(name), none, "1stLevel", none, document.rooms[room].space, element,
-       geometry, StepValue::enumerated("PHYSICAL"), StepValue::enumerated(side), none});
+  document.step.add("IFCRELSPACEBOUNDARY1STLEVEL",
+                    {document.guid(name), none, "1stLevel", none,
+                     document.rooms[room].space, element, geometry,
+                     StepValue::enumerated(kind.element),
+                     StepValue::enumerated(kind.side), none});
+}
+
+StepRef
+rectangleOf(IfcDocument& document,
+            const Eigen::Vector2d& from,
+            const Eigen::Vector2d& to,
+            double bottom,
+            double height)
+{
+  const Eigen::Vector2d way = (to - from).normalized();
+  // Its normal leads out of the space.
+  const StepRef frame = document.shapes.axes(
+      {from.x(), from.y(), bottom}, {way.y(), -way.x(), 0}, {way.x(), way.y(), 0});
+  const StepRef plane = document.step.add("IFCPLANE", {frame});
+  const double length = (to - from).norm();
+  const StepRef rim = document.shapes.closedCurve(
+      loopOf({{0, 0}, {length, 0}, {length, height}, {0, height}}));
+  const StepRef surface =
+      document.step.add("IFCCURVEBOUNDEDPLANE", {plane, rim, std::vector<StepRef>{}});
+  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY",
+                           {surface, StepValue::none()});
 }
 
 std::string

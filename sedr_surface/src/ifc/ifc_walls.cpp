@@ -15,30 +15,9 @@ namespace {
 std::string
 faceName(const Floorplan& plan, const WallFace& face)
 {
-  return nameIn(plan.rooms[face.room], "wall_" + std::to_string(face.element + 1));
-}
-
-/** @brief A face of a straight wall as a rectangle, in the place of its room's storey.
- * @param from,to ends of the face, the room to its left */
-StepRef
-rectangleOf(IfcDocument& document,
-            const Eigen::Vector2d& from,
-            const Eigen::Vector2d& to,
-            double bottom,
-            double height)
-{
-  const Eigen::Vector2d way = (to - from).normalized();
-  // Its normal leads out of the space.
-  const StepRef frame = document.shapes.axes(
-      {from.x(), from.y(), bottom}, {way.y(), -way.x(), 0}, {way.x(), way.y(), 0});
-  const StepRef plane = document.step.add("IFCPLANE", {frame});
-  const double length = (to - from).norm();
-  const StepRef rim = document.shapes.closedCurve(
-      loopOf({{0, 0}, {length, 0}, {length, height}, {0, height}}));
-  const StepRef surface =
-      document.step.add("IFCCURVEBOUNDEDPLANE", {plane, rim, std::vector<StepRef>{}});
-  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY",
-                           {surface, StepValue::none()});
+  const std::string loop =
+      face.loop > 0 ? "column_" + std::to_string(face.loop) + "_face_" : "wall_";
+  return nameIn(plan.rooms[face.room], loop + std::to_string(face.element + 1));
 }
 
 void
@@ -46,7 +25,7 @@ writeBoundaries(IfcDocument& document, const WrittenWall& written, bool is_level
 {
   const PlanWall& wall = written.wall;
   const PlanElement& near = elementOf(document.plan, wall.face);
-  const char* side = wall.other ? "INTERNAL" : "NOTDEFINED";
+  const BoundaryKind kind{"PHYSICAL", wall.other ? "INTERNAL" : "NOTDEFINED"};
   const auto add = [&](const WallFace& face, double from, double to) {
     const PlanElement& element = elementOf(document.plan, face);
     const IfcStorey& storey = document.storeys[document.rooms[face.room].storey];
@@ -57,7 +36,7 @@ writeBoundaries(IfcDocument& document, const WrittenWall& written, bool is_level
           written.bottom - storey.storey.floor, written.top - written.bottom);
     const bool is_back = wall.other && face == *wall.other;
     writeBoundary(document, face.room, written.name + (is_back ? " back" : ""),
-                  written.ref, geometry, side);
+                  written.ref, geometry, kind);
   };
   add(wall.face, std::max(wall.stretch.from, 0.0),
       std::min(wall.stretch.to, near.length()));

@@ -96,18 +96,14 @@ FacePairs::FacePairs(const Floorplan& plan, const WallParameters& parameters)
     : plan_(plan)
     , parameters_(parameters)
 {
-  for (const PlanRoom& room : plan.rooms) {
-    free_.emplace_back();
-    for (const PlanElement& element : room.boundary.elements)
-      free_.back().push_back({{0, element.length()}});
-  }
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    for (std::size_t o = r; o < plan.rooms.size(); ++o)
-      if (o == r || shareHeights(plan.rooms[r], plan.rooms[o]))
-        for (std::size_t e = 0; e < plan.rooms[r].boundary.elements.size(); ++e)
-          for (std::size_t f = o == r ? e + 1 : 0;
-               f < plan.rooms[o].boundary.elements.size(); ++f)
-            consider({r, e}, {o, f});
+  const std::vector<WallFace> faces = wallFaces(plan);
+  for (const WallFace& face : faces)
+    free_[face] = {{0, elementOf(plan, face).length()}};
+  for (auto face = faces.begin(); face != faces.end(); ++face)
+    for (auto other = face + 1; other != faces.end(); ++other)
+      if (face->room == other->room ||
+          shareHeights(plan.rooms[face->room], plan.rooms[other->room]))
+        consider(*face, *other);
   pairNearestFirst();
 }
 
@@ -135,11 +131,9 @@ FacePairs::pairNearestFirst()
       [](const FacePair& a, const FacePair& b) { return a.thickness < b.thickness; });
   for (const FacePair& candidate : candidates_)
     take(candidate);
-  std::stable_sort(walls_.begin(), walls_.end(),
-                   [](const FacePair& a, const FacePair& b) {
-                     return std::make_pair(a.face.room, a.face.element) <
-                            std::make_pair(b.face.room, b.face.element);
-                   });
+  std::stable_sort(
+      walls_.begin(), walls_.end(),
+      [](const FacePair& a, const FacePair& b) { return a.face < b.face; });
 }
 
 Stretch
@@ -157,8 +151,8 @@ FacePairs::mapped(const WallFace& from,
 void
 FacePairs::take(const FacePair& candidate)
 {
-  const std::vector<Stretch> free = freeOf(candidate.face);
-  const std::vector<Stretch> free_behind = freeOf(candidate.other);
+  const std::vector<Stretch> free = free_[candidate.face];
+  const std::vector<Stretch> free_behind = free_[candidate.other];
   for (const Stretch& here : free)
     for (const Stretch& there : free_behind) {
       const Stretch behind = mapped(candidate.other, there, candidate.face);
@@ -175,8 +169,8 @@ FacePairs::take(const FacePair& candidate)
         walls_.push_back(candidate);
         walls_.back().stretch = common;
       }
-      cutOut(freeOf(candidate.face), common);
-      cutOut(freeOf(candidate.other), mapped(candidate.face, common, candidate.other));
+      cutOut(free_[candidate.face], common);
+      cutOut(free_[candidate.other], mapped(candidate.face, common, candidate.other));
     }
 }
 
@@ -184,11 +178,10 @@ std::vector<FreeFace>
 FacePairs::freeFaces() const
 {
   std::vector<FreeFace> faces;
-  for (std::size_t r = 0; r < free_.size(); ++r)
-    for (std::size_t e = 0; e < free_[r].size(); ++e)
-      for (const Stretch& stretch : free_[r][e])
-        if (stretch.length() >= shortest / 2)
-          faces.push_back({{r, e}, stretch});
+  for (const auto& [face, stretches] : free_)
+    for (const Stretch& stretch : stretches)
+      if (stretch.length() >= shortest / 2)
+        faces.push_back({face, stretch});
   return faces;
 }
 

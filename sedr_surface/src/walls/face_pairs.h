@@ -3,6 +3,7 @@
 
 #include "plan_walls.h"
 
+#include <map>
 #include <vector>
 
 namespace pcl {
@@ -35,11 +36,6 @@ public:
   std::vector<FreeFace> freeFaces() const;
 
 private:
-  std::vector<Stretch>& freeOf(const WallFace& face)
-  {
-    return free_[face.room][face.element];
-  }
-
   void consider(const WallFace& face, const WallFace& other);
   void pairNearestFirst();
 
@@ -52,7 +48,7 @@ private:
 
   const Floorplan& plan_;
   WallParameters parameters_;
-  std::vector<std::vector<std::vector<Stretch>>> free_; ///< by room and element
+  std::map<WallFace, std::vector<Stretch>> free_; ///< what is of no wall yet
   std::vector<FacePair> candidates_;
   std::vector<FacePair> walls_;
 };

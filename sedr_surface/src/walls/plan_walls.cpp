@@ -29,7 +29,7 @@ public:
       walls_.push_back({pair.face, pair.other, pair.stretch, pair.thickness});
     for (const FreeFace& free : pairs.freeFaces())
       if (!continueWall(free))
-        walls_.push_back({free.face, std::nullopt, free.stretch, assumedFor(free)});
+        addAssumed(free);
     for (PlanWall& wall : walls_)
       if (!elementOf(plan_, wall.face).isArc())
         wall.outline = squareOutline(wall);
@@ -66,13 +66,14 @@ private:
     return false;
   }
 
-  /** @brief The assumed thickness, or less where another room is nearer. */
-  double assumedFor(const FreeFace& free) const
+  /** @brief A wall of the assumed thickness, or thinner where another room is near. */
+  void addAssumed(const FreeFace& free)
   {
     double thickness = parameters_.assumed_thickness;
-    while (thickness > parameters_.least_thickness && reachesRoom(free, thickness))
+    while (thickness >= parameters_.least_thickness && reachesRoom(free, thickness))
       thickness /= 2;
-    return thickness;
+    if (thickness >= parameters_.least_thickness)
+      walls_.push_back({free.face, std::nullopt, free.stretch, thickness});
   }
 
   bool reachesRoom(const FreeFace& free, double thickness) const
@@ -85,7 +86,7 @@ private:
                  free.stretch.from + free.stretch.length() * (i + 0.5) / samples);
       const Eigen::Vector2d behind = place - thickness * inward;
       for (const PlanRoom& room : plan_.rooms)
-        if (shareHeights(room, own) && room.boundary.contains(behind))
+        if (shareHeights(room, own) && room.contains(behind))
           return true;
     }
     return false;
@@ -124,14 +125,13 @@ private:
 
   void cutMitres()
   {
-    for (std::size_t r = 0; r < plan_.rooms.size(); ++r) {
-      const std::size_t n = plan_.rooms[r].boundary.elements.size();
-      for (std::size_t e = 0; e < n; ++e) {
-        PlanWall* before = wallAtCorner({r, e}, true);
-        PlanWall* after = wallAtCorner({r, (e + 1) % n}, false);
-        if (before && after && before != after)
-          cutMitre(*before, *after);
-      }
+    for (const WallFace& face : wallFaces(plan_)) {
+      WallFace next = face;
+      next.element = (face.element + 1) % wallLoop(plan_, face).elements.size();
+      PlanWall* before = wallAtCorner(face, true);
+      PlanWall* after = wallAtCorner(next, false);
+      if (before && after && before != after)
+        cutMitre(*before, *after);
     }
   }
 
@@ -170,10 +170,39 @@ private:
 
 } // namespace
 
+bool
+isIsland(const PlanLoop& column)
+{
+  constexpr double widest_column = 2;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : column.polygon(0.01))
+    box.extend(corner);
+  return !box.isEmpty() && box.sizes().maxCoeff() > widest_column;
+}
+
+const PlanLoop&
+wallLoop(const Floorplan& plan, const WallFace& face)
+{
+  const PlanRoom& room = plan.rooms[face.room];
+  return face.loop == 0 ? room.boundary : room.columns[face.loop - 1];
+}
+
 const PlanElement&
 elementOf(const Floorplan& plan, const WallFace& face)
 {
-  return plan.rooms[face.room].boundary.elements[face.element];
+  return wallLoop(plan, face).elements[face.element];
+}
+
+std::vector<WallFace>
+wallFaces(const Floorplan& plan)
+{
+  std::vector<WallFace> faces;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    for (std::size_t l = 0; l <= plan.rooms[r].columns.size(); ++l)
+      if (l == 0 || isIsland(plan.rooms[r].columns[l - 1]))
+        for (std::size_t e = 0; e < wallLoop(plan, {r, 0, l}).elements.size(); ++e)
+          faces.push_back({r, e, l});
+  return faces;
 }
 
 std::pair<Eigen::Vector2d, Eigen::Vector2d>

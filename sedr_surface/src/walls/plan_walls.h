@@ -8,25 +8,41 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace pcl {
 namespace sedr {
 
+/** @brief Whether a loop within a room is an island: larger across than a column is,
+ * 2 m, so that there are walls around it, as about the core of an office floor. */
+bool isIsland(const PlanLoop& column);
+
 /** @brief What one room sees of a wall: indices into Floorplan::rooms and into the
- * elements of that room's boundary. */
+ * elements of the room's boundary, or of one of its islands. */
 struct WallFace {
   std::size_t room = 0;
   std::size_t element = 0;
+  std::size_t loop = 0; ///< 0: the boundary; else of island `loop - 1` of the columns
 
   bool operator==(const WallFace& o) const
   {
-    return room == o.room && element == o.element;
+    return room == o.room && element == o.element && loop == o.loop;
+  }
+  bool operator<(const WallFace& o) const
+  {
+    return std::tie(room, loop, element) < std::tie(o.room, o.loop, o.element);
   }
 };
 
+/** @brief The loop that a face is part of. */
+const PlanLoop& wallLoop(const Floorplan& plan, const WallFace& face);
+
 const PlanElement& elementOf(const Floorplan& plan, const WallFace& face);
+
+/** @brief All faces of a plan, loop by loop. */
+std::vector<WallFace> wallFaces(const Floorplan& plan);
 
 /** @brief Along an element: metres from its start. Ends beyond those of the element are
  * on its straight continuation. */
@@ -66,7 +82,8 @@ struct WallParameters {
  * one centre to 10 cm), face away from each other and are nearest to each other. What
  * remains of a face at an end of such a wall, up to 0.7 m, is where other walls meet
  * it: the wall goes on there. Straight walls that one room sees at a corner are cut at
- * a mitre. Faces nearer than the least thickness have no wall.
+ * a mitre. Faces nearer than the least thickness have no wall, nor has a face with
+ * another room so near behind it.
  * Cost: faces squared. */
 std::vector<PlanWall> findWalls(const Floorplan& plan,
                                 const WallParameters& parameters = {});
