@@ -221,15 +221,35 @@ chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least
   return chain;
 }
 
+DimensionChain
+uncrowded(DimensionChain chain, double room)
+{
+  while (true) {
+    std::size_t shortest = 0;
+    double least = nowhere;
+    for (std::size_t k = 1; k + 1 < chain.places.size(); ++k) {
+      const double before = chain.along(k) - chain.along(k - 1);
+      const double after = chain.along(k + 1) - chain.along(k);
+      if (std::max(before, after) < room && before + after < least) {
+        least = before + after;
+        shortest = k;
+      }
+    }
+    if (shortest == 0)
+      return chain;
+    chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(shortest));
+  }
+}
+
 std::vector<DimensionChain>
-wallChains(const std::vector<PlanElement>& walls, double least)
+wallChains(const std::vector<PlanElement>& walls, double least, double room)
 {
   std::vector<DimensionChain> chains;
   for (const auto& [side, opposite] :
        {std::make_pair(DrawingSide::Bottom, DrawingSide::Top),
         std::make_pair(DrawingSide::Left, DrawingSide::Right)}) {
-    const DimensionChain first = chainAlong(walls, side, least);
-    const DimensionChain second = chainAlong(walls, opposite, least);
+    const DimensionChain first = uncrowded(chainAlong(walls, side, least), room);
+    const DimensionChain second = uncrowded(chainAlong(walls, opposite, least), room);
     if (first.places.size() > 2)
       chains.push_back(first);
     if (second.places.size() > 2 && !areAlike(first, second, least))

@@ -36,11 +36,17 @@ struct DimensionChain {
 DimensionChain
 chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least);
 
+/** @brief A chain of which no two neighbours are both shorter than `room`: of a ragged
+ * wall the place between them goes, the shortest pair first. A short one between longer
+ * ones, such as a wall, stays. */
+DimensionChain uncrowded(DimensionChain chain, double room);
+
 /** @brief The chains that a drawing needs: at the bottom and on the left, and on the
  * other two sides where these say something else. Chains of a single dimension, the
- * overall one, are left out. */
-std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
-                                       double least);
+ * overall one, are left out.
+ * @param room that a length takes up along its chain, metres */
+std::vector<DimensionChain>
+wallChains(const std::vector<PlanElement>& walls, double least, double room);
 
 /** @brief The overall dimensions of a box, at its bottom and on its left. */
 std::vector<DimensionChain> overallChains(const Eigen::AlignedBox2d& box);

@@ -3,6 +3,7 @@
 
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
+#include "../walls/plan_walls.h"
 #include "height_lines.h"
 #include "roof_lines.h"
 
@@ -170,7 +171,7 @@ drawnElements(const Floorplan& plan)
     };
     add(room.boundary, DrawnLayer::Wall, false);
     for (const PlanLoop& column : room.columns)
-      add(column, DrawnLayer::Column, false);
+      add(column, isIsland(column) ? DrawnLayer::Wall : DrawnLayer::Column, false);
     for (const PlanDetail& detail : room.details)
       addAll(detail,
              [&](const PlanElement& piece) { addDetail(piece, detail.is_facet); });

@@ -2,12 +2,11 @@
 #include "plan_sheet.h"
 
 #include "../formats/decimal_text.h"
-#include "chain_drawing.h"
-#include "doorway_drawing.h"
-#include "plan_drawing.h"
-#include "plan_texts.h"
 #include "../sheet/sheet_layout.h"
 #include "../sheet/title_block.h"
+#include "../walls/plan_walls.h"
+#include "doorway_drawing.h"
+#include "plan_annotations.h"
 #include "wall_bodies.h"
 
 #include <pcl/sedr_filters/storeys.h>
@@ -59,27 +58,24 @@ public:
   {
     for (const PlanRoom& room : plan_.rooms) {
       sheet_.add(SheetGroup{"room_" + std::to_string(room.id)});
-      addArea("room", room.boundary);
+      addArea("room", wallLoops(room));
       for (const PlanNiche& niche : room.niches)
-        addArea("niche", niche.boundary);
+        addArea("niche", {niche.boundary});
       for (const DrawnElement& line : drawn_)
         if (line.room == room.id && lookOf(line.layer))
           sheet_.add(SheetPath{lookOf(line.layer), {{{frame_(line.element)}}}});
       for (const PlanLoop& column : room.columns)
-        addArea("column", column);
-      addArea("wall", room.boundary);
+        if (!isIsland(column))
+          addArea("column", {column});
+      addArea("wall", wallLoops(room));
       sheet_.add(SheetGroup{});
     }
   }
 
   void addWallBodies()
   {
-    for (const std::vector<PlanLoop>& body : wallBodies(plan_)) {
-      SheetPath path{"wall_body", {}, true};
-      for (const PlanLoop& loop : body)
-        path.chains.push_back(frame_(loop));
-      sheet_.add(path);
-    }
+    for (const std::vector<PlanLoop>& body : wallBodies(plan_))
+      addArea("wall_body", body);
   }
 
   /** @brief Gaps in the walls, over both faces. */
@@ -97,48 +93,24 @@ public:
     }
   }
 
-  /** @brief Dimensions about the plan: by wall, and farther out overall. */
-  void addChains(TextPlaces& texts)
+  void addAnnotations()
   {
-    std::vector<PlanElement> walls;
-    const PlanFrame turned{frame_.turn};
-    for (const PlanRoom& room : plan_.rooms)
-      for (const PlanElement& e : room.boundary.elements)
-        walls.push_back(turned(e));
-    const PlanFrame to_sheet{0, frame_.scale, frame_.shift};
-    const Eigen::AlignedBox2d bounds = boundsOf(plan_, frame_);
-    const auto edgeOf = [&](DrawingSide side) {
-      const Eigen::Vector2d off = wayOff(side);
-      return std::max(bounds.min().dot(off), bounds.max().dot(off));
-    };
-    const std::vector<DimensionChain> chains =
-        wallChains(walls, least_dimension / frame_.scale);
-    for (const DimensionChain& chain : chains)
-      addChain(sheet_, texts, chain, to_sheet, edgeOf(chain.side) + chain_off);
-    for (const DimensionChain& chain : overallChains(boundsOf(plan_, turned))) {
-      const bool has_row =
-          std::any_of(chains.begin(), chains.end(), [&](const DimensionChain& other) {
-            return other.side == chain.side;
-          });
-      addChain(sheet_, texts, chain, to_sheet,
-               edgeOf(chain.side) + chain_off + (has_row ? chain_step : 0));
-    }
-  }
-
-  void addTexts(TextPlaces& texts)
-  {
-    for (const PlanRoom& room : plan_.rooms) {
-      texts.keepOff(frame_(room.boundary));
-      for (const PlanLoop& column : room.columns)
-        texts.keepOff(frame_(column));
-    }
-    PlanTexts(sheet_, texts, frame_).write(plan_, drawn_);
+    const PlanAnnotations annotations = annotationsOf(plan_, drawn_, frame_);
+    for (const std::vector<PlacedDimension>& row : annotations.rows)
+      addChain(sheet_, row);
+    for (const SheetText& text : annotations.texts)
+      sheet_.add(text);
+    for (const PlacedDimension& wall : annotations.walls)
+      sheet_.add(*wall.text);
   }
 
 private:
-  void addArea(const char* look, const PlanLoop& loop)
+  void addArea(const char* look, const std::vector<PlanLoop>& loops)
   {
-    sheet_.add(SheetPath{look, {frame_(loop)}, true});
+    SheetPath path{look, {}, true};
+    for (const PlanLoop& loop : loops)
+      path.chains.push_back(frame_(loop));
+    sheet_.add(path);
   }
 
   Sheet& sheet_;
@@ -152,7 +124,8 @@ titleOf(const Floorplan& plan, const DrawingSettings& settings)
 {
   TitleBlock block;
   block.title = settings.title.empty() ? "Floor plan" : settings.title;
-  block.storey = settings.storey ? settings.storey->name : "";
+  const std::vector<PlanStorey> storeys = storeysOf(plan);
+  block.storey = storeys.size() == 1 ? storeys[0].name : "";
   block.rooms = plan.rooms.size();
   for (const PlanRoom& room : plan.rooms)
     block.area += room.area();
@@ -177,12 +150,10 @@ planSheet(const Floorplan& whole, const DrawingSettings& settings)
   if (plan.rooms.empty())
     return sheet;
   PlanDrawing drawing(sheet, plan, layout.frame);
-  TextPlaces texts;
   drawing.addWallBodies();
   drawing.addRooms();
   drawing.addDoorways();
-  drawing.addChains(texts);
-  drawing.addTexts(texts);
+  drawing.addAnnotations();
   block.has_slopes = drawing.hasHeadroom();
   addTitleBlock(sheet, layout, block);
   return sheet;

@@ -2,9 +2,10 @@
 #include "plan_texts.h"
 
 #include "../formats/decimal_text.h"
+#include "../sheet/sheet_layout.h"
+#include "../walls/plan_walls.h"
 #include "doorway_drawing.h"
 #include "roof_lines.h"
-#include "../sheet/sheet_layout.h"
 
 #include <cmath>
 
@@ -17,16 +18,27 @@ using namespace sheet_measures;
 constexpr double smallest_font = 1.8;
 constexpr double beside_line = 0.95; ///< of a text from its line, over the font
 
+SheetText
+textIn(const std::string& look,
+       const TextBox& box,
+       double font,
+       const std::string& text)
+{
+  return {look, box.middle, font, text, box.degrees, TextAnchor::Middle, true};
+}
+
 } // namespace
 
-PlanTexts::PlanTexts(Sheet& sheet, TextPlaces& places, const PlanFrame& frame)
-    : sheet_(sheet)
+PlanTexts::PlanTexts(PlanAnnotations& annotations,
+                     TextPlaces& places,
+                     const PlanFrame& frame)
+    : annotations_(annotations)
     , places_(places)
     , frame_(frame)
 {}
 
 void
-PlanTexts::write(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
+PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
 {
   std::vector<TextSpot> spots;
   for (const PlanRoom& room : plan.rooms) {
@@ -34,25 +46,25 @@ PlanTexts::write(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
     writeRoom(room, spots.back());
   }
   for (const StairNote& note : stairNotes(plan))
-    writeAt("level", frame_(note.place), {note.text}, small_font);
+    writeAt("stair", frame_(note.place), {note.text}, small_font);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r]))
-      writeAt("level", frame_(note.spot.place), {note.text}, small_font);
+      writeAt(note.layer == DrawnLayer::FloorDetail ? "floor_level" : "level",
+              frame_(note.spot.place), {note.text}, small_font);
   for (const DrawnElement& line : drawn)
     if (!line.note.empty())
       writeAlong(line.element,
-                 line.layer == DrawnLayer::Headroom ? "headroom" : "level", line.note,
-                 beside_line);
+                 line.layer == DrawnLayer::Headroom ? "headroom" : "level", line.note);
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanElement& wall : room.boundary.elements)
-      writeAlong(wall, "level", eavesText(room, wall), beside_line);
+      writeAlong(wall, "level", eavesText(room, wall));
     for (const PlanLoop& column : room.columns)
-      writeColumn(column);
+      if (!isIsland(column))
+        writeColumn(column);
   }
   writeWays(plan);
-  for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& wall : room.boundary.elements)
-      writeAlong(wall, "size", sizeText(wall), beside_line);
+  for (const WallFace& face : wallFaces(plan))
+    writeSize(elementOf(plan, face));
 }
 
 void
@@ -82,7 +94,7 @@ PlanTexts::writeAt(const std::string& look,
     Eigen::Vector2d at = place;
     at.y() += line_height * static_cast<double>(lines.size() - 1) / 2;
     for (const std::string& line : lines) {
-      add(look, {at, {}, 0}, font, line);
+      add(textIn(look, {at, {}, 0}, font, line));
       at.y() -= line_height;
     }
     return true;
@@ -90,15 +102,14 @@ PlanTexts::writeAt(const std::string& look,
   return false;
 }
 
-void
-PlanTexts::writeAlong(const PlanElement& element,
+std::optional<SheetText>
+PlanTexts::placeAlong(const PlanElement& element,
                       const std::string& look,
-                      const std::string& text,
-                      double off)
+                      const std::string& text)
 {
   constexpr double clear = 1; // of the text from the ends, millimetres
   if (text.empty())
-    return;
+    return std::nullopt;
   const PlanElement drawn = frame_(element);
   const Eigen::Vector2d half = small_font * halfSizeOf({text});
   std::vector<TextBox> boxes;
@@ -106,11 +117,33 @@ PlanTexts::writeAlong(const PlanElement& element,
     const double s = share * drawn.length();
     const Eigen::Vector2d normal = drawn.normalAt(s);
     if (std::min(s, drawn.length() - s) >= half.x() + clear)
-      boxes.push_back({drawn.pointAt(s) + off * small_font * normal, half,
+      boxes.push_back({drawn.pointAt(s) + beside_line * small_font * normal, half,
                        readableAngle({normal.y(), -normal.x()})});
   }
-  if (const auto box = places_.takeFirst(boxes))
-    add(look, *box, small_font, text);
+  const auto box = places_.takeFirst(boxes);
+  return box ? std::make_optional(textIn(look, *box, small_font, text)) : std::nullopt;
+}
+
+void
+PlanTexts::writeAlong(const PlanElement& element,
+                      const std::string& look,
+                      const std::string& text)
+{
+  if (const auto placed = placeAlong(element, look, text))
+    add(*placed);
+}
+
+void
+PlanTexts::writeSize(const PlanElement& wall)
+{
+  const auto text = placeAlong(wall, "size", sizeText(wall));
+  if (text && wall.isArc())
+    add(*text);
+  else if (text) {
+    const PlanElement drawn = frame_(wall);
+    annotations_.walls.push_back(
+        {drawn.start, drawn.end, drawn.start, drawn.end, text});
+  }
 }
 
 void
@@ -134,7 +167,7 @@ PlanTexts::writeColumn(const PlanLoop& column)
         Eigen::Vector2d(-1, 1), Eigen::Vector2d(-1, -1)})
     boxes.push_back({around.center() + reach.cwiseProduct(way), half, 0});
   if (const auto box = places_.takeFirst(boxes))
-    add("size", *box, font, text);
+    add(textIn("size", *box, font, text));
 }
 
 void
@@ -157,18 +190,8 @@ PlanTexts::writeWays(const Floorplan& plan)
         boxes.push_back({(a + b) / 2 + rows * font * off, half, readableAngle(way)});
     }
     if (const auto box = places_.takeFirst(boxes))
-      add("size", *box, font, text);
+      add(textIn("size", *box, font, text));
   }
-}
-
-void
-PlanTexts::add(const std::string& look,
-               const TextBox& box,
-               double font,
-               const std::string& text)
-{
-  sheet_.add(
-      SheetText{look, box.middle, font, text, box.degrees, TextAnchor::Middle, true});
 }
 
 } // namespace sedr

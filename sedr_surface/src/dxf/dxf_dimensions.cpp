@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dxf_dimensions.h"
 
-#include "../drawing/plan_drawing.h"
-#include "../sheet/text_places.h"
-
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace sedr {
@@ -15,43 +13,12 @@ constexpr const char* style_name = "STANDARD";
 } // namespace
 
 void
-DxfDimensions::addWall(const PlanElement& wall)
+DxfDimensions::add(const DxfDimension& dimension)
 {
-  const double length = wall.length();
-  if (wall.isArc() ||
-      length < text_height_ * static_cast<double>(sizeText(wall).size()))
-    return;
-  const Eigen::Vector2d way = (wall.end - wall.start) / length;
-  const Eigen::Vector2d off = 2 * text_height_ * Eigen::Vector2d(-way.y(), way.x());
-  add(wall.start, wall.end, wall.start + off, wall.end + off, true);
-}
-
-void
-DxfDimensions::addBeside(const Eigen::Vector2d& from,
-                         const Eigen::Vector2d& to,
-                         const Eigen::Vector2d& way,
-                         const Eigen::Vector2d& on_line)
-{
-  const Eigen::Vector2d start = on_line + (from - on_line).dot(way) * way;
-  const Eigen::Vector2d end = on_line + (to - on_line).dot(way) * way;
-  const double text_length =
-      text_height_ * static_cast<double>(decimalText((end - start).norm(), 2).size());
-  add(from, to, start, end, (end - start).norm() > text_length);
-}
-
-void
-DxfDimensions::add(const Eigen::Vector2d& from,
-                   const Eigen::Vector2d& to,
-                   const Eigen::Vector2d& start,
-                   const Eigen::Vector2d& end,
-                   bool is_text_left)
-{
+  const auto& [from, to, start, end, text, degrees] = dimension;
   const double length = (end - start).norm();
   const Eigen::Vector2d way = (end - start) / length;
   const Eigen::Vector2d left(-way.y(), way.x());
-  const Eigen::Vector2d middle =
-      (start + end) / 2 + (is_text_left ? 0.75 : -0.75) * text_height_ * left;
-  const double degrees = readableAngle(way);
   const std::string block = "*D" + std::to_string(++count_);
   blocks_.group(0, "BLOCK").group(8, "0").group(2, block).group(70, 1);
   blocks_.place({0, 0}).group(3, block).group(1, "");
@@ -65,13 +32,14 @@ DxfDimensions::add(const Eigen::Vector2d& from,
     if (distance > 3 * text_height_)
       blocks_.line("0", corner + text_height_ / 2 * out, at + text_height_ / 2 * out);
   }
-  blocks_.label("0", middle, text_height_, decimalText(length, 2), degrees);
+  blocks_.label("0", text, text_height_, decimalText(length, 2), degrees);
   blocks_.group(0, "ENDBLK").group(8, "0");
   constexpr int rotated = 0; // which all programs measure along the angle
+  constexpr int has_place_of_text = 128;
   entities_.group(0, "DIMENSION").group(8, layer_).group(2, block).group(3, style_name);
-  entities_.place(end).place(middle, 11).group(70, rotated).group(1, "");
-  entities_.place(from, 13).place(to, 14);
-  entities_.group(50, degrees);
+  entities_.place(end).place(text, 11).group(70, rotated + has_place_of_text);
+  entities_.group(1, "").place(from, 13).place(to, 14);
+  entities_.group(50, std::atan2(way.y(), way.x()) * 180 / M_PI);
 }
 
 DxfText

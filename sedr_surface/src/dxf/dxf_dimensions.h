@@ -3,12 +3,20 @@
 
 #include "dxf_text.h"
 
-#include <pcl/sedr_filters/floorplan.h>
-
 #include <string>
 
 namespace pcl {
 namespace sedr {
+
+/** @brief A dimension of a DXF, metres. */
+struct DxfDimension {
+  Eigen::Vector2d from; ///< what it is between
+  Eigen::Vector2d to;
+  Eigen::Vector2d start; ///< ends of its line
+  Eigen::Vector2d end;
+  Eigen::Vector2d text; ///< the middle of its text
+  double degrees = 0;   ///< of its text
+};
 
 /** @brief Dimensions as entities that programs measure anew, and the blocks that show
  * them, which release 12 asks for. */
@@ -20,18 +28,8 @@ public:
       , text_height_(text_height)
   {}
 
-  /** @brief Adds the length of a straight wall; its line lies to the left, within the
-   * room. Nothing where the text would be longer than the wall. */
-  void addWall(const PlanElement& wall);
-
-  /** @brief Adds the length between two places of a line beside the plan, which the
-   * line is parallel to.
-   * @param from,to where thin lines begin: corners of the plan
-   * @param on_line a place that the dimension's line runs through */
-  void addBeside(const Eigen::Vector2d& from,
-                 const Eigen::Vector2d& to,
-                 const Eigen::Vector2d& way,
-                 const Eigen::Vector2d& on_line);
+  /** @brief Thin lines lead from its places to its line where that is apart. */
+  void add(const DxfDimension& dimension);
 
   /** @brief The table of their style, between other tables. */
   DxfText table() const;
@@ -40,13 +38,6 @@ public:
   const DxfText& entities() const { return entities_; }
 
 private:
-  /** @param start,end ends of the dimension's line */
-  void add(const Eigen::Vector2d& from,
-           const Eigen::Vector2d& to,
-           const Eigen::Vector2d& start,
-           const Eigen::Vector2d& end,
-           bool is_text_left);
-
   std::string layer_;
   double text_height_;
   int count_ = 0;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../drawing/dimension_chains.h"
+#include "../drawing/doorway_drawing.h"
+#include "../drawing/plan_annotations.h"
+#include "../sheet/sheet_layout.h"
 #include "dxf_dimensions.h"
 #include "dxf_text.h"
-#include "dxf_texts.h"
-#include "../drawing/plan_drawing.h"
-#include "../sheet/sheet_layout.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
@@ -20,8 +19,13 @@ namespace sedr {
 
 namespace {
 
-using namespace dxf_layers;
-using namespace sheet_measures;
+constexpr const char* area_layer = "A-AREA";
+constexpr const char* door_layer = "A-DOOR";
+constexpr const char* name_layer = "A-AREA-IDEN";
+constexpr const char* size_layer = "A-ANNO-DIMS";
+constexpr const char* text_layer = "A-ANNO-TEXT";
+constexpr const char* height_layer = "A-CLNG-IDEN";
+constexpr double letters = 0.72; ///< height of capital letters over the size of a font
 
 /** @brief A layer of the drawing: its colour is an index of AutoCAD's palette. */
 struct Layer {
@@ -40,6 +44,58 @@ constexpr Layer layers[] = {
     {"A-FLOR-LEVL", 3, "CONTINUOUS"}, {area_layer, 9, "CONTINUOUS"},
     {name_layer, 7, "CONTINUOUS"},    {size_layer, 8, "CONTINUOUS"},
     {text_layer, 7, "CONTINUOUS"}};
+
+/** @brief The layer of a line. */
+const char*
+layerOf(DrawnLayer layer)
+{
+  switch (layer) {
+  case DrawnLayer::Wall:
+    return "A-WALL";
+  case DrawnLayer::Column:
+    return "A-COLS";
+  case DrawnLayer::Detail:
+    return "A-CLNG";
+  case DrawnLayer::Ridge:
+    return "A-CLNG-RIDG";
+  case DrawnLayer::FloorDetail:
+    return "A-FLOR-LEVL";
+  case DrawnLayer::Niche:
+    return "A-WALL-NICH";
+  default:
+    return "A-CLNG-HEAD";
+  }
+}
+
+/** @brief The layer of a text, by its look on the sheet. */
+const char*
+layerOf(const std::string& look)
+{
+  constexpr std::pair<const char*, const char*> of_looks[] = {
+      {"name", name_layer},
+      {"size", size_layer},
+      {"headroom", "A-CLNG-HEAD"},
+      {"floor_level", "A-FLOR-LEVL"},
+      {"stair", text_layer}};
+  for (const auto& [name, layer] : of_looks)
+    if (look == name)
+      return layer;
+  return height_layer;
+}
+
+/** @brief A text in ASCII: release 12 knows no other letters. */
+std::string
+asciiOf(std::string text)
+{
+  for (const auto& [sign, plain] : {std::make_pair("m²", "m2"), {"Ø", "%%c"}}) {
+    const std::size_t at = text.find(sign);
+    if (at != std::string::npos)
+      text.replace(at, std::string(sign).size(), plain);
+  }
+  for (char& c : text)
+    c = c >= ' ' && c <= '~' ? c : '?';
+  return text;
+}
 
 void
 writeHeader(DxfText& dxf, const Eigen::AlignedBox2d& bounds, const Origin& origin)
@@ -81,7 +137,7 @@ writeTables(DxfText& dxf, const DxfDimensions& dimensions)
         .group(6, layer.line_type);
   dxf.group(0, "ENDTAB");
   dxf.group(0, "TABLE").group(2, "STYLE").group(70, 1);
-  dxf.group(0, "STYLE").group(2, "STANDARD").group(70, 0).group(40, 0.0).group(41, 1.0);
+  dxf.group(0, "STYLE").group(2, "STANDARD").group(70, 0).group(40, 0.0).group(41, 0.8);
   dxf.group(50, 0.0).group(71, 0).group(42, 0.2).group(3, "txt").group(4, "");
   dxf.group(0, "ENDTAB").append(dimensions.table()).group(0, "ENDSEC");
 }
@@ -137,32 +193,44 @@ writeOutline(DxfText& dxf, const PlanLoop& loop)
   dxf.group(0, "SEQEND").group(8, area_layer);
 }
 
-/** @brief Dimensions along the walls, and in rows beside the plan as on the sheet. */
+/** @brief What stands in a place of a sheet, in the plan. */
+class FromSheet {
+public:
+  explicit FromSheet(const PlanFrame& frame)
+      : frame_(frame)
+  {}
+
+  double height(double font) const { return letters * font / frame_.scale; }
+  double degrees(double on_sheet) const { return on_sheet - frame_.turn * 180 / M_PI; }
+
+  void write(DxfText& dxf, const SheetText& text) const
+  {
+    dxf.label(layerOf(text.look), frame_.toPlan(text.place), height(text.font),
+              asciiOf(text.text), degrees(text.degrees));
+  }
+
+  void add(DxfDimensions& dimensions, const PlacedDimension& d) const
+  {
+    if (d.text)
+      dimensions.add({frame_.toPlan(d.from), frame_.toPlan(d.to),
+                      frame_.toPlan(d.start), frame_.toPlan(d.end),
+                      frame_.toPlan(d.text->place), degrees(d.text->degrees)});
+  }
+
+private:
+  PlanFrame frame_;
+};
+
+/** @brief A line of text below the plan, `rows` rows below it. */
 void
-addDimensions(DxfDimensions& dimensions, const Floorplan& plan, const PlanFrame& turned)
+writeBelow(DxfText& dxf,
+           const Eigen::AlignedBox2d& bounds,
+           const std::string& text,
+           double height,
+           double rows)
 {
-  const double millimetre = 1 / turned.scale;
-  const PlanFrame turn{turned.turn};
-  std::vector<PlanElement> walls;
-  for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& e : room.boundary.elements) {
-      dimensions.addWall(e);
-      walls.push_back(turn(e));
-    }
-  const Eigen::AlignedBox2d box = boundsOf(plan, turn);
-  const auto addRow = [&](const DimensionChain& chain, double off) {
-    const Eigen::Vector2d side = wayOff(chain.side);
-    const double edge = std::max(box.min().dot(side), box.max().dot(side));
-    const Eigen::Vector2d on_line = turn.toPlan((edge + off * millimetre) * side);
-    for (std::size_t k = 0; k + 1 < chain.places.size(); ++k)
-      dimensions.addBeside(turn.toPlan(chain.places[k]),
-                           turn.toPlan(chain.places[k + 1]),
-                           turn.toPlan(wayAlong(chain.side)), on_line);
-  };
-  for (const DimensionChain& chain : wallChains(walls, least_dimension * millimetre))
-    addRow(chain, chain_off);
-  for (const DimensionChain& chain : overallChains(box))
-    addRow(chain, chain_off + chain_step);
+  dxf.label(text_layer, {bounds.center().x(), bounds.min().y() - 2 * rows * height},
+            height, asciiOf(text));
 }
 
 } // namespace
@@ -177,32 +245,38 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
   writeHeader(dxf, bounds, settings.origin);
-  DxfDimensions dimensions(size_layer, 1.8e-3 * layout.scale);
+  const FromSheet from_sheet(layout.frame);
+  DxfDimensions dimensions(size_layer, from_sheet.height(sheet_measures::small_font));
+  const std::vector<DrawnElement> drawn = drawnElements(plan);
+  PlanAnnotations annotations;
   if (!plan.rooms.empty())
-    addDimensions(dimensions, plan, layout.frame);
+    annotations = annotationsOf(plan, drawn, layout.frame);
+  annotations.rows.push_back(annotations.walls);
+  for (const std::vector<PlacedDimension>& row : annotations.rows)
+    for (const PlacedDimension& dimension : row)
+      from_sheet.add(dimensions, dimension);
   writeTables(dxf, dimensions);
   dxf.group(0, "SECTION").group(2, "BLOCKS").append(dimensions.blocks());
   dxf.group(0, "ENDSEC");
   dxf.group(0, "SECTION").group(2, "ENTITIES");
-  DxfTexts texts(dxf, layout.scale);
-  for (const DrawnElement& drawn : drawnElements(plan)) {
-    writeElement(dxf, drawn.element, nameOf(drawn.layer));
-    texts.writeAlong(drawn.layer == DrawnLayer::Headroom ? nameOf(drawn.layer)
-                                                         : height_layer,
-                     drawn.element, drawn.note, 1);
-  }
-  for (const PlanRoom& room : plan.rooms) {
+  for (const DrawnElement& line : drawn)
+    writeElement(dxf, line.element, layerOf(line.layer));
+  for (const PlanRoom& room : plan.rooms)
     if (!room.boundary.elements.empty())
       writeOutline(dxf, room.boundary);
-    texts.writeRoom(room);
-  }
+  for (const DrawnDoorway& doorway : drawnDoorways(plan))
+    for (std::size_t k = 0; k < 4; ++k)
+      dxf.line(door_layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
+  for (const SheetText& text : annotations.texts)
+    from_sheet.write(dxf, text);
   dxf.append(dimensions.entities());
-  texts.writeWays(plan);
   constexpr double below = 5; // rows; dimensions stand nearer
+  const double height = from_sheet.height(sheet_measures::large_font);
   if (settings.storey)
-    texts.writeBelow(bounds, settings.storey->name, below);
+    writeBelow(dxf, bounds, settings.storey->name, height, below);
   if (!settings.origin.isZero())
-    texts.writeBelow(bounds, "origin " + settings.origin.text(", ") + " m", below + 1);
+    writeBelow(dxf, bounds, "origin " + settings.origin.text(", ") + " m", height,
+               below + 1);
   dxf.group(0, "ENDSEC").group(0, "EOF");
   return dxf.text();
 }

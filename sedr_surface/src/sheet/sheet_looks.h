@@ -51,9 +51,10 @@ struct TextLook {
   SheetColour colour;
 };
 
-constexpr TextLook text_looks[] = {{"name", ink},       {"size", 0x444444},
-                                   {"level", 0x2b62a8}, {"headroom", 0xb3562b},
-                                   {"title", ink},      {"caption", 0x777777}};
+constexpr TextLook text_looks[] = {
+    {"name", ink},          {"size", 0x444444},        {"level", 0x2b62a8},
+    {"headroom", 0xb3562b}, {"floor_level", 0x2b62a8}, {"stair", 0x2b62a8},
+    {"title", ink},         {"caption", 0x777777}};
 
 template <typename Looks>
 const auto&

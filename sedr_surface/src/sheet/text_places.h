@@ -38,6 +38,10 @@ class TextPlaces {
 public:
   /** @brief Texts do not stand on these; arcs by chords. */
   void keepOff(const PlanLoop& loop);
+  void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    lines_.emplace_back(from, to);
+  }
 
   /** @brief Takes a rectangle.
    * @return false where another text stands there already, or a line */

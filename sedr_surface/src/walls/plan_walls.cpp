@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl {
 namespace sedr {
@@ -173,11 +174,20 @@ private:
 bool
 isIsland(const PlanLoop& column)
 {
-  constexpr double widest_column = 2;
+  constexpr double widest_column = 2.5;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : column.polygon(0.01))
     box.extend(corner);
   return !box.isEmpty() && box.sizes().maxCoeff() > widest_column;
+}
+
+std::vector<PlanLoop>
+wallLoops(const PlanRoom& room)
+{
+  std::vector<PlanLoop> loops{room.boundary};
+  std::copy_if(room.columns.begin(), room.columns.end(), std::back_inserter(loops),
+               isIsland);
+  return loops;
 }
 
 const PlanLoop&

@@ -16,8 +16,11 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Whether a loop within a room is an island: larger across than a column is,
- * 2 m, so that there are walls around it, as about the core of an office floor. */
+ * 2.5 m, so that there are walls around it, as about the core of an office floor. */
 bool isIsland(const PlanLoop& column);
+
+/** @brief The boundary of a room, and its islands. */
+std::vector<PlanLoop> wallLoops(const PlanRoom& room);
 
 /** @brief What one room sees of a wall: indices into Floorplan::rooms and into the
  * elements of the room's boundary, or of one of its islands. */

@@ -30,15 +30,13 @@ def width_of(text):
 
 
 class Box:
-    def __init__(self, element):
-        x, y, font = (float(element.get(k)) for k in ("x", "y", "font-size"))
-        turn = re.match(r"rotate\((\S+)", element.get("transform", "rotate(0"))
-        angle = math.radians(float(turn.group(1)))
-        self.text, self.font = element.text, font
+    def __init__(self, text, font, x, y, degrees, is_from_start=False):
+        angle = math.radians(degrees)
+        self.text, self.font = text, font
         self.way = (math.cos(angle), math.sin(angle))
         # Letters are 0.72 high, and some hang below the line.
-        self.half = (width_of(element.text) * font / 2, 0.4 * font)
-        shift = self.half[0] if "start" in element.get("class").split() else 0
+        self.half = (width_of(text) * font / 2, 0.4 * font)
+        shift = self.half[0] if is_from_start else 0
         self.middle = (x + shift * self.way[0], y + shift * self.way[1])
 
     def corners(self):
@@ -60,7 +58,27 @@ class Box:
 def boxes_of(path):
     root = xml.etree.ElementTree.parse(path).getroot()
     size = [float(root.get(k)[:-2]) for k in ("width", "height")]
-    return size, [Box(t) for t in root.iter("{http://www.w3.org/2000/svg}text")]
+    return size, [box_of(t) for t in root.iter("{http://www.w3.org/2000/svg}text")]
+
+
+def box_of(element):
+    x, y, font = (float(element.get(k)) for k in ("x", "y", "font-size"))
+    turn = re.match(r"rotate\((\S+)", element.get("transform", "rotate(0"))
+    return Box(element.text, font, x, y, float(turn.group(1)), "start" in element.get("class").split())
+
+
+def boxes_of_dxf(path):
+    """Texts and those of dimensions; None without ezdxf."""
+    try:
+        import ezdxf
+    except ImportError:
+        return None
+    drawing = ezdxf.readfile(path)
+    texts = list(drawing.modelspace().query("TEXT"))
+    for dimension in drawing.modelspace().query("DIMENSION"):
+        texts += drawing.blocks.get(dimension.dxf.geometry).query("TEXT")
+    return [Box(t.dxf.text.replace("%%c", "o"), t.dxf.height / 0.72, t.dxf.align_point[0], t.dxf.align_point[1],
+                t.dxf.rotation) for t in texts]
 
 
 def collisions(boxes):
@@ -116,6 +134,14 @@ class DrawingTexts(unittest.TestCase):
                     self.assertGreaterEqual(box.font, 1.7, "%s %s can be read" % (what, box.text))
                     for x, y in box.corners():
                         self.assertTrue(0 < x < size[0] and 0 < y < size[1], "%s %s on paper" % (what, box.text))
+
+        self.run_tool(DRAWING, plan, self.path("sheet.dxf"))
+        for name in filter(re.compile(r"sheet(_\d+)?\.dxf$").match, sorted(os.listdir(self.folder))):
+            boxes = boxes_of_dxf(self.path(name))
+            os.remove(self.path(name))
+            if boxes is not None:
+                self.assertGreater(len(boxes), 5, plan + " " + name)
+                self.assertEqual(collisions(boxes), [], plan + " " + name)
 
     def test_scenes(self):
         scenes = re.findall(r"^(\w+)", self.run_tool(SIMULATOR, "--list"), re.M)

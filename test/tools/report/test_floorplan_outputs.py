@@ -350,9 +350,9 @@ class Outputs(unittest.TestCase):
         for d in found:  # what is shown is what is measured
             (shown,) = drawing.blocks.get(d.dxf.geometry).query("TEXT")
             self.assertEqual(shown.dxf.text, "%.2f" % d.get_measurement())
-        # At 1:50 letters of 2.5 mm.
+        # At 1:50 letters of 2.52 mm.
         self.assertEqual({round(t.dxf.height, 4) for t in drawing.modelspace().query("TEXT[layer=='A-AREA-IDEN']")},
-                         {0.125})
+                         {0.126})
         ends = Counter()
         for e in drawing.modelspace().query("LINE ARC"):
             if e.dxf.layer != "A-WALL":
