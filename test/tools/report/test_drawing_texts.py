@@ -174,7 +174,7 @@ class DrawingTexts(unittest.TestCase):
 
     def test_the_check_itself(self):
         def box(x, y, text, turn=0):
-            return Box(xml.etree.ElementTree.fromstring(
+            return box_of(xml.etree.ElementTree.fromstring(
                 '<text class="size" x="%g" y="%g" font-size="2" transform="rotate(%g %g %g)">%s</text>'
                 % (x, y, turn, x, y, text)))
         self.assertEqual(collisions([box(0, 0, "1.00"), box(3, 0.5, "2.00")]), [("2.00", "1.00")])
