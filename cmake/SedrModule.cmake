@@ -2,7 +2,7 @@
 # One function a kind of target, so that the modules' own lists hold names only.
 
 include(CMakePackageConfigHelpers)
-include(SedrPrecompiledHeaders)
+include(SedrFastBuild)
 
 # Warnings of this project only: PCL's and VTK's headers come in as system headers.
 function(sedr_set_warnings target)
@@ -28,7 +28,7 @@ function(sedr_add_module name)
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   sedr_set_warnings(${target})
-  sedr_reuse_headers(${target} FROM library_headers)
+  sedr_build_fast(${target} HEADERS library_headers)
 
   install(TARGETS ${target} EXPORT sedr_${name}_targets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -59,7 +59,7 @@ function(sedr_add_tool name)
   add_executable(pcl_${name} ${name}.cpp)
   target_link_libraries(pcl_${name} PRIVATE sedr_tools_common ${ARG_LINK})
   sedr_set_warnings(pcl_${name})
-  sedr_reuse_headers(pcl_${name} FROM program_headers)
+  sedr_build_fast(pcl_${name} HEADERS program_headers)
   install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
@@ -70,7 +70,7 @@ function(sedr_add_test name)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
   sedr_set_warnings(test_${name})
-  sedr_reuse_headers(test_${name} FROM test_headers)
+  sedr_build_fast(test_${name} HEADERS test_headers)
   gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
 endfunction()
 

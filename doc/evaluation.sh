@@ -50,7 +50,8 @@ evaluate() {
   points=(--cloud "$scene/scan.pcd" "${points[@]}" --bins 200 --range 0.1)
   reconstruct "$scene" default
   reconstruct "$scene" paper "$@" "${common[@]}"
-  reconstruct "$scene" paper_pcl "$@" "${common[@]}" --poisson-solver pcl
+  mkdir -p "$scene/paper_pcl"
+  run benchmark_poisson_solvers "$scene/paper/structure.pcd" "$scene/paper_pcl/mesh.ply"
   for model in default paper paper_pcl; do
     run pcl_mesh_evaluation "$scene/$model/mesh.ply" --truth "$truth" "${points[@]}" \
       --json "$scene/$model.json" | grep -E '^\$|cm |to '

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "plan_loops.h"
+#include <pcl/point_types.h>
 
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "sedr_filters/src/plan/plan_surfaces.h"
 #include <pcl/sedr_filters/point_view.h>
 
 #include <pcl/point_cloud.h>

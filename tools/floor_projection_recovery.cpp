@@ -10,7 +10,7 @@
 
 #include "sedr_filters/src/plan/room_map.h"
 #include <pcl/sedr_filters/floor_projection_recovery.h>
-#include <pcl/sedr_filters/floor_recovery.h>
+#include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
+#include "plan_tilts.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -48,6 +49,7 @@ run(const Settings& settings, Extrusion& extrusion)
   checkSolidOutput(settings.output);
   checkPictureOutput(settings.picture);
   extrusion.setFloorplan(loadFloorplan(settings.plan));
+  extrusion.setTilts(planTilts(settings.plan));
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
   for (const auto& report : extrusion.getReports())

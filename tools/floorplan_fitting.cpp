@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "plan_file.h"
@@ -8,7 +9,6 @@
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
@@ -76,7 +76,7 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.raw.empty()) {
     ScanSettings in_same_frame;
     in_same_frame.origin = cloud.origin;
-    fitting.setRawCloud<pcl::PointXYZ>(loadCloud(settings.raw, in_same_frame).points);
+    fitting.setRawCloud(loadCloud(settings.raw, in_same_frame).points);
   }
   pcl::sedr::Floorplan plan;
   {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "model/ifc_file.h"
 #include "model/solid_files.h"
 #include "plan_file.h"
+#include "plan_tilts.h"
 #include "run_tool.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
@@ -44,7 +45,10 @@ main(int argc, char** argv)
       throw ToolError("a building model is written as IFC, '" + output +
                       "' does not end in .ifc");
     checkWritable(output);
-    tell(saveIfc(output, *loadFloorplan(plan), settingsOf(ifc), planOrigin(plan)));
+    const auto rooms = loadFloorplan(plan);
+    pcl::sedr::IfcSettings settings = settingsOf(ifc);
+    settings.tilts = planTilts(plan);
+    tell(saveIfc(output, *rooms, settings, planOrigin(plan)));
     return Done;
   });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
@@ -7,11 +8,10 @@
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_lean.h"
 #include <pcl/sedr_segmentation/room_segmentation.h>
-#include <pcl/sedr_segmentation/scan_check.h>
 
 #include <cmath>
 #include <cstdio>

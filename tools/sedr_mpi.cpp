@@ -9,8 +9,8 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_segmentation/src/refit/plan_refit.h"
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "mesh_picture.h"
 #include "model/solid_files.h"
 #include "picture_file.h"
@@ -8,7 +9,6 @@
 #include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>
@@ -26,7 +26,6 @@ struct Settings {
   std::string output;
   std::string picture;
   std::string plan;
-  std::string solver = "sedr";
   bool one_room = false;
 };
 
@@ -65,9 +64,8 @@ tell(const RoomPoissonReport& report)
   line.precision(3);
   line << "room " << report.room << ": " << report.points << " points "
        << report.spacing << " m apart, depth " << report.depth << ", cells "
-       << report.cell << " m, " << report.attempts
-       << (report.attempts == 1 ? " run, " : " runs, ") << report.topology.triangles
-       << " triangles, " << report.area << " m2, " << report.volume << " m3, "
+       << report.cell << " m, " << report.topology.triangles << " triangles, "
+       << report.area << " m2, " << report.volume << " m3, "
        << (report.closed ? "closed" : report.problem);
   if (report.unsupported_share > 0.001)
     line << ", " << 100 * report.unsupported_share << " % of the area is a guess";
@@ -116,16 +114,11 @@ main(int argc, char** argv)
   Poisson poisson;
   Settings settings;
   int depth = poisson.getDepth();
-  int min_depth = poisson.getMinDepth();
   float weight = poisson.getPointWeight();
-  float scale = poisson.getScale();
-  float samples = poisson.getSamplesPerNode();
   double cell = poisson.getCellRatio();
   std::size_t min_points = poisson.getMinimumPoints();
-  std::size_t holes = poisson.getMaxHoleEdges();
   double support = poisson.getSupportDistance();
   unsigned threads = poisson.getNumberOfThreads();
-  int solver_threads = poisson.getSolverThreads();
   Options options(
       "pcl_structural_poisson",
       "Makes one closed mesh a room from oriented points, by screened Poisson.");
@@ -136,50 +129,27 @@ main(int argc, char** argv)
                "mesh to write, faces with room and label");
   options.text("plan", settings.plan,
                "floor plan, as JSON, to take the samples from instead of INPUT");
-  options.text("solver", settings.solver,
-               "what solves the equation: sedr's own cells along the surface, or "
-               "pcl::Poisson",
-               {"sedr", "pcl"});
   options.number("depth", depth, "", "largest depth of the octree",
                  Range::between(3, 14));
-  options.number("min-depth", min_depth, "", "depth of the octree everywhere",
-                 Range::atLeast(0));
   options.number("cell-ratio", cell, "", "finest octree cell / spacing of the points",
                  Range::between(0.1, 10));
   options.number("point-weight", weight, "", "of the points against smoothness",
                  Range::atLeast(0));
-  options.number("scale", scale, "", "least cube of the octree / extent of the points",
-                 Range::above(1));
-  options.number("samples-per-node", samples, "",
-                 "points that an octree node should hold", Range::above(0));
   options.number("min-points", min_points, "", "rooms of fewer are left out",
                  Range::atLeast(10));
-  options.number("max-hole-edges", holes, "", "longer holes in the surface stay open");
   options.number("support", support, "m",
                  "surface further from all points is told as a guess", Range::above(0));
   options.flag("one-room", settings.one_room, "take all points for one room");
   options.number("threads", threads, "",
-                 "threads to use where the result stays the same, "
-                 "0 = all processors");
-  options.number("solver-threads", solver_threads, "",
-                 "threads of the solver: more than 1 is "
-                 "faster, but not repeatable",
-                 Range::atLeast(1));
+                 "0 = all processors; the result does not depend on it");
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
-    poisson.setSolver(settings.solver == "pcl" ? Poisson::Solver::Pcl
-                                               : Poisson::Solver::Sedr);
     poisson.setDepth(depth);
-    poisson.setMinDepth(min_depth);
     poisson.setPointWeight(weight);
-    poisson.setScale(scale);
-    poisson.setSamplesPerNode(samples);
     poisson.setCellRatio(cell);
     poisson.setMinimumPoints(min_points);
-    poisson.setMaxHoleEdges(holes);
     poisson.setSupportDistance(support);
     poisson.setNumberOfThreads(threads);
-    poisson.setSolverThreads(solver_threads);
     return run(settings, poisson);
   });
 }

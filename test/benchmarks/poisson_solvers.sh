@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Compares the solvers of StructuralPoisson on the scenes of the proving ground; prints the table of
+# Compares StructuralPoisson with pcl::Poisson on the scenes of the proving ground; prints the table of
 # doc/structural_poisson.md, of each figure that of pcl::Poisson first:
 #
 #     test/benchmarks/poisson_solvers.sh OUT_DIR [RUNS] [THREADS] [options of pcl_sedr_benchmark]

@@ -4,7 +4,7 @@
 #include "contract.h"
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/room_poisson.h>
+#include "sedr_surface/src/poisson/room_poisson.h"
 
 #include <dlfcn.h>
 

@@ -95,7 +95,7 @@ TEST(Packing, ASurfaceKeepsItsReport)
   surface.report.room = 2;
   surface.report.closed = true;
   surface.report.screened.iterations = 9;
-  surface.report.repair.filled_holes = 8;
+  surface.report.removed_triangles = 8;
   surface.report.topology.euler_characteristic = -4;
   surface.report.topology.components = {{1, 2.5, -3.5, true}};
   surface.report.warning = "it is small";
@@ -108,7 +108,7 @@ TEST(Packing, ASurfaceKeepsItsReport)
   EXPECT_TRUE(same.mesh.labels.empty());
   EXPECT_TRUE(same.report.closed);
   EXPECT_EQ(same.report.screened.iterations, 9);
-  EXPECT_EQ(same.report.repair.filled_holes, 8u);
+  EXPECT_EQ(same.report.removed_triangles, 8u);
   EXPECT_EQ(same.report.topology.euler_characteristic, -4);
   ASSERT_EQ(same.report.topology.components.size(), 1u);
   EXPECT_EQ(same.report.topology.components[0].signed_volume, -3.5);
@@ -124,17 +124,15 @@ TEST(Packing, SamplesKeepTheParametersOfTheirSurface)
   job.samples.room = 3;
   job.samples.points = {{{1, 2, 3}, {0, 0, 1}}};
   job.samples.skipped = 6;
-  job.parameters.method = PoissonSolver::Pcl;
-  job.parameters.solver.depth = 8;
+  job.parameters.depth = 8;
   job.parameters.cell_ratio = 0.7;
   job.parameters.support_distance = 0.2;
   const auto same = std::get<SurfaceJob>(unpack<RoomJob>(pack(RoomJob(job))));
   EXPECT_EQ(same.samples.room, 3u);
   EXPECT_EQ(same.samples.skipped, 6u);
   EXPECT_EQ(same.samples.points[0].normal.z(), 1);
-  EXPECT_EQ(same.parameters.method, PoissonSolver::Pcl);
-  EXPECT_EQ(same.parameters.solver.depth, 8);
-  EXPECT_EQ(same.parameters.solver.point_weight, 10);
+  EXPECT_EQ(same.parameters.depth, 8);
+  EXPECT_EQ(same.parameters.point_weight, 10);
   EXPECT_EQ(same.parameters.cell_ratio, 0.7);
   EXPECT_EQ(same.parameters.support_distance, 0.2);
 }

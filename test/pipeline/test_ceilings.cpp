@@ -16,7 +16,7 @@ namespace {
 
 namespace sim = pcl::sedr::sim;
 
-struct Expected {
+struct ExpectedCeiling {
   std::string scene;
   std::size_t walls;
   std::size_t facets; ///< beside the main one
@@ -24,12 +24,12 @@ struct Expected {
 };
 
 std::ostream&
-operator<<(std::ostream& stream, const Expected& e)
+operator<<(std::ostream& stream, const ExpectedCeiling& e)
 {
   return stream << e.scene;
 }
 
-class Ceiling : public testing::TestWithParam<Expected> {};
+class Ceiling : public testing::TestWithParam<ExpectedCeiling> {};
 
 /** @brief The closed structural mesh of a scene, in the frame of its scan. */
 std::shared_ptr<const pcl::sedr::TriangleMesh>
@@ -84,12 +84,12 @@ TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
 
 INSTANTIATE_TEST_SUITE_P(Ceilings,
                          Ceiling,
-                         testing::Values(Expected{"gable_attic", 4, 1, 0},
-                                         Expected{"shed_roof", 6, 0, 0},
-                                         Expected{"hip_roof", 4, 3, 0},
-                                         Expected{"barrel_vault", 4, 0, 2.5},
-                                         Expected{"segmental_vault", 4, 0, 4},
-                                         Expected{"dome", 4, 1, 3},
-                                         Expected{"jack_arches", 4, 3, 1.84}));
+                         testing::Values(ExpectedCeiling{"gable_attic", 4, 1, 0},
+                                         ExpectedCeiling{"shed_roof", 6, 0, 0},
+                                         ExpectedCeiling{"hip_roof", 4, 3, 0},
+                                         ExpectedCeiling{"barrel_vault", 4, 0, 2.5},
+                                         ExpectedCeiling{"segmental_vault", 4, 0, 4},
+                                         ExpectedCeiling{"dome", 4, 1, 3},
+                                         ExpectedCeiling{"jack_arches", 4, 3, 1.84}));
 
 } // namespace

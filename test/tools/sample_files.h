@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/sedr_filters/field_access.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <charconv>
 #include <cmath>
@@ -56,6 +56,15 @@ Origin::fromComment(const std::string& line, Origin& origin)
   const std::string word = "sedr_origin ";
   const std::size_t at = line.find(word);
   return at != std::string::npos && fromText(line.substr(at + word.size()), origin);
+}
+
+// Not in the header: this alone takes five seconds of everybody's compiler.
+Levelling
+Levelling::of(const Eigen::Vector3d& up, const Eigen::Vector3d& about)
+{
+  return {Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ())
+              .toRotationMatrix(),
+          about};
 }
 
 } // namespace sedr

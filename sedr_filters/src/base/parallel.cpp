@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/parallel.h>
+#include "parallel.h"
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>

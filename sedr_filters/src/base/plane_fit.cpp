@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slab_agreement.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "plane_fit.h"
 
 #include "middle_value.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slab_agreement.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "plane_fit.h"
 
 #include <vector>
 

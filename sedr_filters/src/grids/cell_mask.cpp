@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/cell_mask.h>
+#include "cell_mask.h"
 
 #include <algorithm>
 

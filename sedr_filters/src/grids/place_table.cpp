@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/place_table.h>
+#include "place_table.h"
 
 #include <algorithm>
 

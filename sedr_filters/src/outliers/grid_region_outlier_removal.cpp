@@ -1,6 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "region_selection.h"
+
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/impl/grid_region_outlier_removal.hpp>
 #include <pcl/sedr_filters/point_types.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+
+std::vector<CellSet>
+RegionMap::regionCells() const
+{
+  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    keys[regions.label[i]].push_back(cells.keys()[i]);
+  std::vector<CellSet> sets;
+  for (auto& own : keys)
+    sets.push_back(CellSet::fromSorted(std::move(own)));
+  return sets;
+}
+
+CellSet
+RegionMap::keptCells() const
+{
+  std::vector<CellKey> kept;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (number[regions.label[i]] > 0)
+      kept.push_back(cells.keys()[i]);
+  return CellSet::fromSorted(std::move(kept));
+}
+
+std::string
+problemOf(const RegionParameters& parameters)
+{
+  if (!(parameters.cell_size > 0) || !std::isfinite(parameters.cell_size))
+    return "the grid size must be above 0 m, it is " +
+           std::to_string(parameters.cell_size);
+  if (parameters.opening_radius < 0)
+    return "the opening radius must be at least 0 cells, it is " +
+           std::to_string(parameters.opening_radius);
+  if (!(parameters.minimum_support >= 0 && parameters.minimum_support <= 1))
+    return "the minimum support must lie between 0 and 1, it is " +
+           std::to_string(parameters.minimum_support);
+  return {};
+}
+
+RegionMap
+selectRegions(const PointView& points,
+              const pcl::Indices& indices,
+              const pcl::Indices* support,
+              const RegionParameters& parameters)
+{
+  const CellGrid grid(parameters.cell_size);
+  RegionMap map;
+  map.cell_size = parameters.cell_size;
+  map.cells = CellSet(grid, points, indices);
+  map.regions =
+      labelOpenedRegions(map.cells, parameters.opening_radius, parameters.minimum_part);
+  const std::vector<std::size_t>& sizes = map.regions.sizes;
+  map.threshold = largestGapThreshold(sizes);
+  std::vector<std::size_t> supported(sizes.size(), 0);
+  if (support)
+    supported = supportedCells(map.cells, map.regions, CellSet(grid, points, *support));
+  map.number.assign(sizes.size(), 0);
+  int kept = 0;
+  for (std::size_t r = 0; r < sizes.size(); ++r) {
+    const bool is_supported =
+        support && sizes[r] >= parameters.minimum_supported_cells &&
+        static_cast<double>(supported[r]) >=
+            parameters.minimum_support * static_cast<double>(sizes[r]);
+    if (sizes[r] > map.threshold || is_supported)
+      map.number[r] = ++kept;
+  }
+  return map;
+}
+
+std::vector<int>
+labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& indices)
+{
+  const CellGrid grid(map.cell_size);
+  std::vector<int> label(points.size(), 0);
+  for (const auto index : indices) {
+    const auto i = static_cast<std::size_t>(index);
+    const Eigen::Vector3f p = points[i];
+    if (!points.isFinite(i))
+      label[i] = -1;
+    else if (grid.holds(p.x(), p.y()))
+      label[i] = map.number[map.regions.label[map.cells.find(grid.at(p.x(), p.y()))]];
+  }
+  return label;
+}
+
+} // namespace sedr
+} // namespace pcl
 
 PCL_INSTANTIATE(GridRegionOutlierRemoval, SEDR_POINT_TYPES)

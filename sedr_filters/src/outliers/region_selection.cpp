@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/region_selection.h>
+#include "region_selection.h"
 
 #include <Eigen/Geometry>
 
@@ -197,28 +197,6 @@ rankBySize(const std::vector<std::size_t>& label)
 }
 
 } // namespace
-
-std::vector<CellSet>
-RegionMap::regionCells() const
-{
-  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    keys[regions.label[i]].push_back(cells.keys()[i]);
-  std::vector<CellSet> sets;
-  for (auto& own : keys)
-    sets.push_back(CellSet::fromSorted(std::move(own)));
-  return sets;
-}
-
-CellSet
-RegionMap::keptCells() const
-{
-  std::vector<CellKey> kept;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (number[regions.label[i]] > 0)
-      kept.push_back(cells.keys()[i]);
-  return CellSet::fromSorted(std::move(kept));
-}
 
 std::size_t
 largestGapThreshold(const std::vector<std::size_t>& sizes)

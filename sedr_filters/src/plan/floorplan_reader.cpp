@@ -2,8 +2,8 @@
 #include "floorplan_format.h"
 #include "storey_json.h"
 
+#include "../base/number_text.h"
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_filters/number_text.h>
 
 #include <nlohmann/json.hpp>
 

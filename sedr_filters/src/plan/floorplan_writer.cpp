@@ -3,7 +3,7 @@
 #include "storey_json.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../thinning/point_cubes.h"
+#include "../voxels/point_cubes.h"
 
-#include <pcl/sedr_filters/plan_evidence.h>
+#include "plan_evidence.h"
 
-#include <pcl/sedr_filters/cell_table.h>
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "../base/parallel.h"
+#include "../grids/cell_table.h"
+#include "plan_surfaces.h"
 
 #include <Eigen/Geometry>
 
@@ -23,7 +23,7 @@ namespace {
 // Metres.
 constexpr double cell_size = 0.1;
 constexpr double rim = 0.03;    ///< of a wall, where points may be those of a slab
-constexpr double beside = 0.08; ///< of a point from the place that it fills
+constexpr double fill_reach = 0.08; ///< of a point from the place that it fills
 constexpr double beside_corner = 0.06; ///< where points may be those of the next wall
 constexpr double reach_before = 1.0;   ///< of what hides a cell
 constexpr double off_slab = 0.07;  ///< points nearer to floor or ceiling hide nothing
@@ -51,6 +51,12 @@ boxOf(const PlanRoom& room)
   return {box.min() - margin, box.max() + margin};
 }
 
+/** @brief How many cells of a surface are what, and how many of them are proved
+ * openings. */
+struct CellCount : ElementEvidence {
+  double proved = 0;
+};
+
 /** @brief A cell of an upright surface. */
 struct Cell {
   Eigen::Vector3d middle;
@@ -61,16 +67,20 @@ struct Cell {
 
 class RoomEvidence {
 public:
-  RoomEvidence(const PlanRoom& room, const PointCubes& points, double tolerance)
+  RoomEvidence(const PlanRoom& room,
+               const PointCubes& points,
+               double tolerance,
+               const SightLines* sight)
       : room_(room)
       , points_(points)
       , tolerance_(tolerance)
+      , sight_(sight)
   {}
 
   /** @brief Counts of seen, hidden and open cells of a surface. */
-  ElementEvidence countOf(const UprightSurface& surface) const
+  CellCount countOf(const UprightSurface& surface) const
   {
-    ElementEvidence count;
+    CellCount count;
     const double margin = std::min(beside_corner, surface.element->length() / 4);
     const double length = surface.element->length() - 2 * margin;
     const auto columns = partsOf(length);
@@ -89,9 +99,7 @@ public:
         cell.middle << place, span.low + (span.high - span.low) *
                                              (static_cast<double>(r) + 0.5) /
                                              static_cast<double>(rows);
-        (isSeen(cell)     ? count.seen
-         : isHidden(cell) ? count.hidden
-                          : count.opening) += 1;
+        add(cell, count);
       }
     }
     return count;
@@ -102,6 +110,19 @@ private:
   {
     return std::max<std::size_t>(
         1, static_cast<std::size_t>(std::lround(length / cell_size)));
+  }
+
+  /** @brief Counts a cell. A ray through it proves an opening; one that ends before it
+   * proves nothing, as others may have gone through without an end. */
+  void add(const Cell& cell, CellCount& count) const
+  {
+    const bool is_seen = isSeen(cell);
+    const bool is_proved =
+        !is_seen && sight_ &&
+        sight_->across(cell.middle, cell.normal, cell_size / 2).through > 0;
+    const bool is_hidden = !is_seen && !is_proved && isHidden(cell);
+    (is_seen ? count.seen : is_hidden ? count.hidden : count.opening) += 1;
+    count.proved += is_proved ? 1 : 0;
   }
 
   bool isSeen(const Cell& cell) const
@@ -118,12 +139,12 @@ private:
 
   bool isHidden(const Cell& cell) const
   {
-    for (double d = tolerance_ + beside; d < reach_before; d += cell_size) {
+    for (double d = tolerance_ + fill_reach; d < reach_before; d += cell_size) {
       const Eigen::Vector3d before = cell.middle + d * cell.normal;
       if (!room_.contains(before.head<2>()))
         break;
       if (points_.anyNear(before, [&](const Eigen::Vector3d& p) {
-            return (p - before).norm() <= beside && p.z() > cell.floor + off_slab &&
+            return (p - before).norm() <= fill_reach && p.z() > cell.floor + off_slab &&
                    p.z() < cell.span.high - off_slab;
           }))
         return true;
@@ -137,7 +158,7 @@ private:
       Eigen::Vector3d foot = cell.middle + d * cell.normal;
       foot.z() = room_.floorAt(foot.head<2>());
       if (points_.anyNear(foot, [&](const Eigen::Vector3d& p) {
-            return (p - foot).head<2>().norm() <= beside &&
+            return (p - foot).head<2>().norm() <= fill_reach &&
                    std::abs(p.z() - foot.z()) <= tolerance_;
           }))
         return true;
@@ -148,12 +169,14 @@ private:
   RoomLookup room_;
   const PointCubes& points_;
   double tolerance_;
+  const SightLines* sight_; ///< may be null
 };
 
-ElementEvidence
-sumOf(const ElementEvidence& a, const ElementEvidence& b)
+CellCount
+sumOf(const CellCount& a, const CellCount& b)
 {
-  return {a.seen + b.seen, a.hidden + b.hidden, a.opening + b.opening};
+  return {{a.seen + b.seen, a.hidden + b.hidden, a.opening + b.opening},
+          a.proved + b.proved};
 }
 
 /** @brief Shares of counted cells. */
@@ -166,17 +189,19 @@ countedShares(const ElementEvidence& count)
   return {count.seen / all, count.hidden / all, count.opening / all};
 }
 
-/** @brief The same, but of a surface that was not in view all is hidden. */
+/** @brief The same, but of a surface that was not in view all is hidden that no ray
+ * went through. */
 ElementEvidence
-sharesOf(const ElementEvidence& count)
+sharesOf(const CellCount& count)
 {
   const ElementEvidence shares = countedShares(count);
-  if (shares.isKnown() && shares.seen < least_seen)
-    return {shares.seen, 1 - shares.seen, 0};
-  return shares;
+  if (!shares.isKnown() || shares.seen >= least_seen)
+    return shares;
+  const double open = count.proved / (count.seen + count.hidden + count.opening);
+  return {shares.seen, 1 - shares.seen - open, open};
 }
 
-using Counts = std::map<const PlanElement*, ElementEvidence>;
+using Counts = std::map<const PlanElement*, CellCount>;
 
 void
 note(const Counts& counts, PlanLoop& loop)
@@ -193,18 +218,19 @@ measureRoom(PlanRoom& room,
             const PointView& points,
             const std::vector<int>& indices,
             double tolerance,
-            unsigned threads)
+            unsigned threads,
+            const SightLines* sight)
 {
   const PointCubes cubes(points, indices, boxOf(room), cell_size, threads);
-  const RoomEvidence evidence(room, cubes, tolerance);
+  const RoomEvidence evidence(room, cubes, tolerance, sight);
   const std::vector<UprightSurface> surfaces = uprightSurfaces(room);
-  std::vector<ElementEvidence> count_of(surfaces.size());
+  std::vector<CellCount> count_of(surfaces.size());
   parallelBlocks(surfaces.size(), 1, threads, [&](std::size_t k, std::size_t) {
     count_of[k] = evidence.countOf(surfaces[k]);
   });
   Counts counts;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    ElementEvidence& sum = counts[surfaces[k].element];
+    CellCount& sum = counts[surfaces[k].element];
     sum = sumOf(sum, count_of[k]);
   }
   note(counts, room.boundary);
@@ -231,7 +257,7 @@ appendEntries(const PlanRoom& room,
 {
   constexpr double step = 0.5; // metres, along an upright
   const Eigen::Vector2d reach =
-      Eigen::Vector2d::Constant(reach_before + step / 2 + beside + tolerance);
+      Eigen::Vector2d::Constant(reach_before + step / 2 + fill_reach + tolerance);
   for (const UprightSurface& surface : uprightSurfaces(room)) {
     const double length = surface.element->length();
     for (double s = 0; s < length + step; s += step) {
@@ -285,12 +311,13 @@ measureEvidence(Floorplan& plan,
                 const PointView& points,
                 const std::vector<int>& indices,
                 double tolerance,
-                unsigned threads)
+                unsigned threads,
+                const SightLines* sight)
 {
   const std::vector<std::vector<int>> shares =
       pointsNearRooms(plan, points, indices, tolerance, threads);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    measureRoom(plan.rooms[r], points, shares[r], tolerance, threads);
+    measureRoom(plan.rooms[r], points, shares[r], tolerance, threads, sight);
   });
 }
 
@@ -302,8 +329,8 @@ countedEvidence(const PlanRoom& room,
                 double tolerance)
 {
   const PointCubes cubes(points, indices, boxOf(room), cell_size, 1);
-  const RoomEvidence evidence(room, cubes, tolerance);
-  ElementEvidence sum;
+  const RoomEvidence evidence(room, cubes, tolerance, nullptr);
+  CellCount sum;
   for (const UprightSurface& surface : uprightSurfaces(room))
     if (surface.element == &room.boundary.elements[wall])
       sum = sumOf(sum, evidence.countOf(surface));

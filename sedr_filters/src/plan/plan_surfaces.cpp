@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "plan_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace sedr {
 namespace {
 
 /** @brief How far from an element its two sides are looked at, metres. */
-constexpr double beside = 0.01;
+constexpr double inside_step = 0.01;
 
 /** @brief The two sides of an element at one place of it. */
 struct Sides {
@@ -25,7 +25,7 @@ Sides
 sidesOf(const PlanElement& element, double s)
 {
   const Eigen::Vector2d p = element.pointAt(s);
-  const Eigen::Vector2d across = beside * element.normalAt(s);
+  const Eigen::Vector2d across = inside_step * element.normalAt(s);
   return {p, p + across, p - across};
 }
 

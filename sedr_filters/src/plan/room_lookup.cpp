@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/room_lookup.h>
+#include "room_lookup.h"
 
 #include "plan_arcs.h"
 
@@ -50,7 +50,7 @@ LoopLookup::contains(const Eigen::Vector2d& p) const
 
 namespace {
 
-constexpr double cell_size = 0.5; // of the tables, metres
+constexpr double table_cell = 0.5; // of the tables, metres
 
 void
 addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)
@@ -67,10 +67,10 @@ addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)
 RoomLookup::RoomLookup(const PlanRoom& room)
     : room_(&room)
     , boundary_(room.boundary)
-    , columns_(cell_size)
-    , details_(cell_size)
-    , floor_details_(cell_size)
-    , niches_(cell_size)
+    , columns_(table_cell)
+    , details_(table_cell)
+    , floor_details_(table_cell)
+    , niches_(table_cell)
 {
   for (std::size_t i = 0; i < room.columns.size(); ++i)
     addTo(columns_, room.columns[i], i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_map.h"
-#include <pcl/sedr_filters/region_selection.h>
+#include "../outliers/region_selection.h"
 
 #include <algorithm>
 #include <limits>

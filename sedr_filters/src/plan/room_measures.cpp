@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/room_lookup.h>
-#include <pcl/sedr_filters/room_measures.h>
-#include <pcl/sedr_filters/storeys.h>
+#include "room_lookup.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
 
-#include <pcl/sedr_filters/number_text.h>
+#include "../base/number_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "floorplan_format.h"
 
-#include <pcl/sedr_filters/number_text.h>
-#include <pcl/sedr_filters/storeys.h>
+#include "../base/number_text.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_panes.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "../base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_panes.h"
 
-#include <pcl/sedr_filters/mirrored_points.h>
-#include <pcl/sedr_filters/parallel.h>
+#include "../base/parallel.h"
+#include "mirrored_points.h"
 
 #include <Eigen/Geometry>
 
@@ -49,12 +49,7 @@ private:
     const Pane& mirror = mirrors_[k];
     if (!mirror.parts(ray, least))
       return false;
-    const Eigen::Vector3d from = ray.from.cast<double>();
-    const Eigen::Vector3d whole = ray.to.cast<double>() - from;
-    const double share =
-        (mirror.offset - mirror.normal.dot(from)) / mirror.normal.dot(whole);
-    const Eigen::Vector3d at = from + share * whole;
-    const Cube there = cubes_.at(at);
+    const Cube there = cubes_.at(mirror.placeOn(ray));
     return boxes_[k].contains(there) &&
            cubes_.anyAround(there, [&](std::uint32_t cube) {
              return std::find(mirrors_at_[cube].begin(), mirrors_at_[cube].end(), k) !=
@@ -69,11 +64,10 @@ private:
   std::vector<Eigen::AlignedBox3i> boxes_;             ///< of each mirror, and its rim
 };
 
-/** @brief The cubes to which all rays are mirrored: 1. */
+/** @brief Which rays are mirrored: 1. */
 std::vector<std::uint8_t>
-mirroredCubes(const std::vector<ScanRay>& rays,
+mirroredAmong(const std::vector<ScanRay>& rays,
               const MirroredRays& mirrored,
-              std::size_t cubes,
               unsigned threads)
 {
   constexpr std::size_t rays_a_block = 4096;
@@ -83,13 +77,54 @@ mirroredCubes(const std::vector<ScanRay>& rays,
                    for (std::size_t r = begin; r < end; ++r)
                      is_mirrored[r] = mirrored.isMirrored(rays[r]) ? 1 : 0;
                  });
-  std::vector<std::uint8_t> is_seen(cubes, 0); // freely
+  return is_mirrored;
+}
+
+/** @brief The panes that rays go through first, null for those that go through none. */
+std::vector<const Pane*>
+panesBefore(const std::vector<Pane>& panes,
+            const std::vector<ScanRay>& rays,
+            const std::vector<std::uint32_t>& pierced,
+            std::size_t cubes)
+{
+  constexpr double depth = 0.2; // metres behind it
+  std::vector<const Pane*> pane_of(cubes, nullptr);
+  for (const Pane& pane : panes)
+    for (const std::uint32_t cube : pane.cubes)
+      pane_of[cube] = &pane;
+  std::vector<const Pane*> before(rays.size(), nullptr);
   for (std::size_t r = 0; r < rays.size(); ++r)
-    is_seen[rays[r].cube] |= is_mirrored[r] == 0 ? 1 : 0;
-  std::vector<std::uint8_t> all(cubes, 0);
+    if (pierced[r] != CubeTable::none && pane_of[pierced[r]] &&
+        pane_of[pierced[r]]->parts(rays[r], depth))
+      before[r] = pane_of[pierced[r]];
+  return before;
+}
+
+/** @brief What is sure of a ray: behind a pane it may have been mirrored. */
+SightLine
+sureLine(const ScanRay& ray, const Pane* pane)
+{
+  constexpr float behind = 0.3F; // metres
+  if (!pane)
+    return {ray.from, ray.to};
+  const Eigen::Vector3f at = pane->placeOn(ray).cast<float>();
+  const Eigen::Vector3f direction = (ray.to - ray.from).normalized();
+  return {ray.from, at + std::min(behind, (ray.to - at).norm()) * direction};
+}
+
+/** @brief The cubes all of whose rays are among some: 1. */
+std::vector<std::uint8_t>
+cubesOfOnly(const std::vector<std::uint8_t>& chosen,
+            const std::vector<ScanRay>& rays,
+            std::size_t cubes)
+{
+  std::vector<std::uint8_t> only(cubes, 0);
+  for (const ScanRay& ray : rays)
+    only[ray.cube] = 1;
   for (std::size_t r = 0; r < rays.size(); ++r)
-    all[rays[r].cube] = is_seen[rays[r].cube] == 0 ? 1 : 0;
-  return all;
+    if (chosen[r] == 0)
+      only[rays[r].cube] = 0;
+  return only;
 }
 
 /** @brief The points that are in one of the chosen cubes: 1. */
@@ -131,15 +166,27 @@ findMirroredPoints(const PointView& thinned,
   const std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, most_a_cube);
   const PiercedSurfaces surfaces(thinned);
   const std::vector<std::uint32_t> pierced = surfaces.firstPierced(rays, threads);
-  const std::vector<Pane> mirrors = mirrorsAmong(panesOf(surfaces, pierced), surfaces,
-                                                 rays, pierced, filled, threads);
+  const std::vector<Pane> panes = panesOf(surfaces, pierced);
+  const std::vector<const Pane*> before =
+      panesBefore(panes, rays, pierced, surfaces.cubes().size());
+  std::vector<std::uint8_t> is_behind(rays.size(), 0);
+  for (std::size_t r = 0; r < rays.size(); ++r)
+    is_behind[r] = before[r] ? 1 : 0;
+  const std::vector<Pane> mirrors =
+      mirrorsAmong(panes, surfaces, rays, pierced, filled, threads);
+  const std::vector<std::uint8_t> is_mirrored =
+      mirroredAmong(rays, MirroredRays(mirrors, surfaces.cubes(), filled), threads);
   MirroredPoints found;
   found.rays = rays.size();
   found.mirrors = mirrors.size();
-  const std::vector<std::uint8_t> chosen = mirroredCubes(
-      rays, MirroredRays(mirrors, surfaces.cubes(), filled), filled.size(), threads);
+  const auto chosen = cubesOfOnly(is_mirrored, rays, filled.size());
   found.of_thinned = pointsIn(filled, chosen, thinned, threads);
   found.of_rows = pointsIn(filled, chosen, rows, threads);
+  found.behind =
+      pointsIn(filled, cubesOfOnly(is_behind, rays, filled.size()), thinned, threads);
+  for (std::size_t r = 0; r < rays.size(); ++r)
+    if (is_mirrored[r] == 0)
+      found.lines.push_back(sureLine(rays[r], before[r]));
   return found;
 }
 

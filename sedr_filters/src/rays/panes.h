@@ -24,6 +24,14 @@ struct Pane {
     return before * behind < 0 && std::abs(behind) >= depth;
   }
 
+  /** @brief Where a ray meets the plane of a pane that parts it. */
+  Eigen::Vector3d placeOn(const ScanRay& ray) const
+  {
+    const Eigen::Vector3d from = ray.from.cast<double>();
+    const Eigen::Vector3d whole = ray.to.cast<double>() - from;
+    return from + (offset - normal.dot(from)) / normal.dot(whole) * whole;
+  }
+
   /** @brief What a place looks like in it. */
   Eigen::Vector3d imageOf(const Eigen::Vector3d& p) const
   {

@@ -4,7 +4,7 @@
 #include "cube_table.h"
 
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/scan_positions.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <vector>
 

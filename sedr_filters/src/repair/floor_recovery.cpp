@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/floor_recovery.h>
+#include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/plane_fit.h>
+#include "../base/plane_fit.h"
 
 #include <pcl/sedr_filters/cell_grid.h>
 

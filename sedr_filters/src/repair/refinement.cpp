@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unseen_cells.h"
 
-#include <pcl/sedr_filters/refinement.h>
+#include "../base/parallel.h"
+#include "surface_cells.h"
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/surface_cells.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <map>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/number_text.h>
-#include <pcl/sedr_filters/surface_cells.h>
+#include "surface_cells.h"
+#include "../base/number_text.h"
+
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>
 #include <cmath>

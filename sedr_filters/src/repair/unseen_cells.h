@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/refinement.h>
-#include <pcl/sedr_filters/surface_cells.h>
+#include "surface_cells.h"
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_means.h"
 
-#include <pcl/sedr_filters/field_access.h>
+#include "../base/field_access.h"
 
 #include <algorithm>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_means.h"
 
-#include <pcl/sedr_filters/field_access.h>
+#include "../voxels/voxel_sums.h"
+
+#include "../base/field_access.h"
+#include "../voxels/voxel_visit.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/voxel_visit.h>
 
 #include <array>
 #include <cstring>

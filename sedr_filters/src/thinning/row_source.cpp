@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/parallel.h>
+#include "../base/field_access.h"
+#include "../base/parallel.h"
 #include <pcl/sedr_filters/row_source.h>
 
 #include <algorithm>

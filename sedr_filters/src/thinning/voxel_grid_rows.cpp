@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/field_access.h>
+#include "../voxels/voxel_sums.h"
+
+#include "../base/field_access.h"
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../base/field_access.h"
+#include "../voxels/voxel_sums.h"
+
 #include <pcl/console/print.h>
+#include <pcl/sedr_filters/impl/thinned_voxels.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>
@@ -40,6 +44,13 @@ VoxelGridSettings::getDivisionMultiplier() const
   const Eigen::Vector3i divisions = getNrDivisions();
   const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
   return {1, divisions.x(), static_cast<int>(std::min(int_max, slice))};
+}
+
+Eigen::Vector3i
+VoxelGridSettings::getGridCoordinates(float x, float y, float z) const
+{
+  const std::array<float, 3> point{x, y, z};
+  return voxelAt(VoxelFrame(inverseLeaf()).codes(point.data()));
 }
 
 int
@@ -85,6 +96,12 @@ VoxelGridSettings::parameterProblem() const
   return problem.str();
 }
 
+bool
+VoxelGridSettings::passesLimits(const std::uint8_t* where, std::uint8_t datatype) const
+{
+  return passesLimits(readField(where, datatype));
+}
+
 void
 VoxelGridSettings::clearLayout()
 {
@@ -116,6 +133,27 @@ VoxelGridSettings::finish(VoxelSums& sums)
         threads_);
   }
   return size;
+}
+
+ThinnedVoxels
+VoxelGridSettings::thin(const PointView& points, const pcl::Indices* indices)
+{
+  auto sums = std::make_unique<VoxelSums>(inverseLeaf());
+  if (indices)
+    sums->add(points, *indices, threads_);
+  else
+    sums->add(points, threads_);
+  const std::size_t size = finish(*sums);
+  return {std::move(sums), size, threads_};
+}
+
+ThinnedVoxels
+VoxelGridSettings::thin(const RowSource& source)
+{
+  auto sums = std::make_unique<VoxelSums>(inverseLeaf());
+  addRows(source, nullptr, *sums);
+  const std::size_t size = finish(*sums);
+  return {std::move(sums), size, threads_};
 }
 
 } // namespace sedr

@@ -6,7 +6,7 @@
 #include "slab_faces.h"
 #include "slab_holes.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,6 +3,8 @@
 
 #include "voxel_columns.h"
 
+#include <pcl/sedr_filters/sight_lines.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +35,8 @@ struct AirParameters {
   double most_open = 0.2;     ///< of its rim: neither air nor wall
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
   double least_air = 0.1;     ///< of the rim of low gaps that are air: tall ones
+  double least_through = 0.1; ///< of a hole of a slab that rays go through: it is open
+  const SightLines* sight = nullptr; ///< rays, where positions are known
   unsigned threads = 0;
 };
 

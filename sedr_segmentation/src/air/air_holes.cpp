@@ -9,8 +9,6 @@ namespace sedr {
 
 namespace {
 
-constexpr std::uint32_t none = AirGaps::none;
-
 /** @brief Whether a wall stands in a column between two heights. */
 bool
 isWalled(const AirGaps& air, std::uint32_t column, std::int32_t low, std::int32_t high)
@@ -100,7 +98,7 @@ bool
 isMissing(const AirGaps& air, std::uint32_t column, const AirGap& beside)
 {
   return column != VoxelColumns::none &&
-         air.overlapping(column, beside.low, beside.high) == none;
+         air.overlapping(column, beside.low, beside.high) == AirGaps::none;
 }
 
 } // namespace
@@ -159,7 +157,7 @@ enclosedHolesOf(const AirGaps& air)
           ++rim.open;
           continue;
         }
-        if (air.overlapping(column, hole.low, hole.high) != none) {
+        if (air.overlapping(column, hole.low, hole.high) != AirGaps::none) {
           ++rim.known;
           continue;
         }

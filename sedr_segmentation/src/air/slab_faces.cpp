@@ -14,8 +14,6 @@ namespace sedr {
 
 namespace {
 
-constexpr std::uint32_t none = AirGaps::none;
-
 /** @brief A region in which slabs have one face. */
 struct OneFaced {
   std::vector<std::uint32_t> gaps;   ///< below them
@@ -30,15 +28,15 @@ public:
   explicit SlabFaces(const AirGaps& air)
       : air_(air)
       , tall_(air.voxels(air.parameters().headroom))
-      , above_(air.size(), none)
+      , above_(air.size(), AirGaps::none)
       , is_met_(air.size(), 0)
   {
-    std::uint32_t below = none;
+    std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
       if (air[g].high - air[g].low < tall_)
         continue;
-      if (below != none && air[below].column == air[g].column)
+      if (below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
       below = g;
     }
@@ -55,8 +53,9 @@ public:
 private:
   bool hasOneFace(std::uint32_t below) const
   {
-    return above_[below] != none && air_[above_[below]].low - air_[below].high <
-                                        air_.voxels(air_.parameters().thinnest_slab);
+    return above_[below] != AirGaps::none &&
+           air_[above_[below]].low - air_[below].high <
+               air_.voxels(air_.parameters().thinnest_slab);
   }
 
   void completeRegion(std::uint32_t start)
@@ -113,7 +112,7 @@ private:
       region.sides[1].add(air_.columns().heightOf(air_[above_[region.gaps[k]]].low));
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = slabBeside(region.gaps[k], d);
-        if (o == none)
+        if (o == AirGaps::none)
           continue;
         if (!hasOneFace(o))
           region.rim.push_back({air_.columns().heightOf(air_[o].high),
@@ -132,7 +131,7 @@ private:
   {
     const std::uint32_t column = air_.columns().neighbour(air_[below].column, d);
     const std::uint32_t o = air_.overlapping(column, air_[below].low, air_[below].high);
-    return o == none || above_[o] == none ? none : o;
+    return o == AirGaps::none || above_[o] == AirGaps::none ? AirGaps::none : o;
   }
 
   std::int32_t voxelOf(double height) const

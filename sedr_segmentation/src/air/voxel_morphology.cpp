@@ -2,7 +2,7 @@
 // What a scan shows in dots becomes surfaces, and what floats in the air goes.
 #include "voxel_columns.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "../sheets/shape_fit.h"
 
-#include <pcl/sedr_segmentation/contour.h>
+#include "../curves/contour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +55,52 @@ BorderSteps::append(const std::vector<Place>& vertices,
     const Place along = alongWalls(way.normalized());
     part.normal = Place(-along.y(), along.x()); // to the left
     part.through = (corners[k] + corners[k + 1]) / 2;
-    part.through += bestShift(part, way.norm(), chain) * part.normal;
+    const Place shift = bestShift(part, way.norm(), chain) * part.normal;
+    part.through += shift;
+    for (Place& sample : part.samples)
+      sample += shift;
     // What runs on along the same line is one step.
     if (!parts.empty() && !parts.back().meets() &&
         std::abs(parts.back().normal.dot(part.normal)) > 0.999 &&
         std::abs(part.normal.dot(parts.back().through - part.through)) <
             cracks_.cellSize()) {
-      parts.back().samples.push_back(corners[k + 1]);
+      parts.back().samples.push_back(part.samples.back());
       continue;
     }
     parts.push_back(std::move(part));
   }
+}
+
+bool
+BorderSteps::hasRiser(const Place& place, const CrackChain& chain) const
+{
+  constexpr std::ptrdiff_t least_points = 10;
+  const std::size_t cell = cracks_.sheet.grid.at(place);
+  if (cell >= cracks_.sheet.grid.count())
+    return false;
+  std::ptrdiff_t between = 0;
+  for (const std::size_t near : risers_.window(cell, 2))
+    between +=
+        std::count_if(risers_.begin(near), risers_.end(near),
+                      [&](const Eigen::Vector3d& p) { return isBetween(p, chain); });
+  return between >= least_points;
+}
+
+/** @brief Whether a point lies above one facet and below another, farther than the
+ * noise of either explains. */
+bool
+BorderSteps::isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const
+{
+  constexpr double least = 0.03; // metres
+  constexpr double deviations = 5;
+  const PlanSlab& left = cracks_.facetOf(chain.left);
+  const PlanSlab& right = cracks_.facetOf(chain.right);
+  const double margin =
+      std::max(least, deviations * std::max(left.residual, right.residual));
+  const double above_left = distanceOf(left, p);
+  const double above_right = distanceOf(right, p);
+  return std::min(above_left, above_right) < -margin &&
+         std::max(above_left, above_right) > margin;
 }
 
 /** @brief The way of the wall that runs nearly as `way` does, else `way`. */
@@ -82,36 +117,90 @@ BorderSteps::alongWalls(const Place& way) const
   return way;
 }
 
-/** @brief How far a step lies to the left of where its cells say, such that most
- * points lie on the side of their facet. */
+/** @brief Calls `use(point, across)` for the points beside a part, as far as its line
+ * may be off. */
+template <typename Use>
+void
+BorderSteps::forAllNear(const CellPoints& cells,
+                        const BorderPart& part,
+                        double length,
+                        double reach,
+                        Use use) const
+{
+  const SheetGrid& grid = cracks_.sheet.grid;
+  const Place along(part.normal.y(), -part.normal.x());
+  const std::size_t middle = grid.at(part.through);
+  if (middle >= grid.count())
+    return;
+  const auto cell_reach = static_cast<int>(length / grid.size) + 4;
+  for (const std::size_t cell : cells.window(middle, cell_reach))
+    for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
+      const Place off = p->head<2>() - part.through;
+      const double across = off.dot(part.normal);
+      if (std::abs(off.dot(along)) <= length / 2 &&
+          std::abs(across) <= reach * grid.size)
+        use(*p, across);
+    }
+}
+
+/** @brief How far a step lies to the left of where its cells say: where its riser was
+ * seen, else such that most points lie on the side of their facet. */
 double
 BorderSteps::bestShift(const BorderPart& part,
                        double length,
                        const CrackChain& chain) const
 {
-  const SheetGrid& grid = cracks_.sheet.grid;
-  const double most = SheetCracks::reach * grid.size;
-  const Place along(part.normal.y(), -part.normal.x());
+  if (const auto shift = shiftToRiser(part, length, chain))
+    return *shift;
   const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
   std::vector<std::pair<double, double>> votes; // place across, for the left facet
-  const auto cell_reach = static_cast<int>(length / grid.size) + 4;
-  const std::size_t middle = grid.at(part.through);
-  if (middle >= grid.count())
-    return 0;
-  for (const std::size_t cell : cells_.window(middle, cell_reach))
-    for (const Eigen::Vector3d* p = cells_.begin(cell); p != cells_.end(cell); ++p) {
-      const Place off = p->head<2>() - part.through;
-      const double across = off.dot(part.normal);
-      if (std::abs(off.dot(along)) > length / 2 || std::abs(across) > most)
-        continue;
-      const auto misfit = [&](std::int32_t piece) {
-        const double share = distanceOf(cracks_.facetOf(piece), *p) / deviation;
-        return std::min(share * share, 4.0);
-      };
-      votes.emplace_back(across, misfit(chain.right) - misfit(chain.left));
-    }
+  forAllNear(cells_, part, length, SheetCracks::reach,
+             [&](const Eigen::Vector3d& p, double across) {
+               const auto misfit = [&](std::int32_t piece) {
+                 const double share = distanceOf(cracks_.facetOf(piece), p) / deviation;
+                 return std::min(share * share, 4.0);
+               };
+               votes.emplace_back(across, misfit(chain.right) - misfit(chain.left));
+             });
   std::sort(votes.begin(), votes.end());
   return middleOfBest(votes);
+}
+
+/** @brief How far to the left the upright face between the two facets lies, if one was
+ * seen: where most of what lies between their heights is. */
+std::optional<double>
+BorderSteps::shiftToRiser(const BorderPart& part,
+                          double length,
+                          const CrackChain& chain) const
+{
+  constexpr std::size_t least_points = 30;
+  constexpr double least_share = 0.4; // else it is no one face
+  const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
+  std::vector<double> places;
+  forAllNear(risers_, part, length, SheetCracks::riser_reach,
+             [&](const Eigen::Vector3d& p, double across) {
+               if (isBetween(p, chain))
+                 places.push_back(across);
+             });
+  if (places.size() < least_points)
+    return std::nullopt;
+  std::sort(places.begin(), places.end());
+  std::size_t first = 0;
+  std::size_t most = 0;
+  for (std::size_t low = 0, high = 0; high < places.size(); ++high) {
+    while (places[high] - places[low] > 4 * deviation)
+      ++low;
+    if (high - low + 1 > most) {
+      most = high - low + 1;
+      first = low;
+    }
+  }
+  if (static_cast<double>(most) < least_share * static_cast<double>(places.size()))
+    return std::nullopt;
+  double sum = 0;
+  for (std::size_t k = first; k < first + most; ++k)
+    sum += places[k];
+  return sum / static_cast<double>(most);
 }
 
 } // namespace sedr

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -16,12 +17,16 @@ namespace sedr {
  * to must outlive it. */
 class BorderSteps {
 public:
-  /** @param directions of the walls, radians */
+  /** @param cells the points of the ceiling
+   * @param risers points of what is upright in it
+   * @param directions of the walls, radians */
   BorderSteps(const SheetCracks& cracks,
               const CellPoints& cells,
+              const CellPoints& risers,
               const std::vector<double>& directions)
       : cracks_(cracks)
       , cells_(cells)
+      , risers_(risers)
       , directions_(directions)
   {}
 
@@ -30,13 +35,27 @@ public:
               const CrackChain& chain,
               std::vector<BorderPart>& parts) const;
 
+  /** @brief Whether points between the heights of two facets show a riser near a place:
+   * they do not meet there, though their surfaces would. */
+  bool hasRiser(const Eigen::Vector2d& place, const CrackChain& chain) const;
+
 private:
+  bool isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const;
   Eigen::Vector2d alongWalls(const Eigen::Vector2d& way) const;
   double
   bestShift(const BorderPart& part, double length, const CrackChain& chain) const;
+  std::optional<double>
+  shiftToRiser(const BorderPart& part, double length, const CrackChain& chain) const;
+  template <typename Use>
+  void forAllNear(const CellPoints& cells,
+                  const BorderPart& part,
+                  double length,
+                  double reach,
+                  Use use) const;
 
   const SheetCracks& cracks_;
   const CellPoints& cells_;
+  const CellPoints& risers_;
   const std::vector<double>& directions_;
 };
 

@@ -44,7 +44,9 @@ partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& s
   for (const CrackVertex& v : chain.vertices)
     if (cracks.isInside(v)) {
       raw.push_back(cracks.placeOf(v));
-      met.push_back(meeting.project(raw.back(), cracks.reachAt(v)));
+      met.push_back(steps.hasRiser(raw.back(), chain)
+                        ? std::nullopt
+                        : meeting.project(raw.back(), cracks.reachAt(v)));
     }
   const std::vector<bool> meets = smoothed(met);
   std::vector<BorderPart> parts;

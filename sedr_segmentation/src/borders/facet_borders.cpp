@@ -4,7 +4,7 @@
 #include "border_junctions.h"
 #include "border_tracing.h"
 
-#include <pcl/sedr_segmentation/contour.h>
+#include "../curves/contour.h"
 
 #include <cmath>
 
@@ -148,11 +148,13 @@ std::vector<std::vector<Eigen::Vector2d>>
 bordersOf(const Sheet& sheet,
           const CellCracks& cracks,
           const std::vector<Eigen::Vector3d>& points,
+          const std::vector<Eigen::Vector3d>& risers,
           const std::vector<double>& directions)
 {
   const SheetCracks pieces{sheet, cracks};
   const CellPoints cells(sheet.grid, sheet.is_inside, points);
-  const BorderSteps steps(pieces, cells, directions);
+  const CellPoints upright(sheet.grid, sheet.is_inside, risers);
+  const BorderSteps steps(pieces, cells, upright, directions);
   std::vector<std::vector<BorderPart>> parts;
   for (const CrackChain& chain : cracks.chains)
     parts.push_back(partsOf(chain, pieces, steps));

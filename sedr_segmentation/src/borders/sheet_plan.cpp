@@ -127,10 +127,12 @@ wallDirections(const PlanLoop& boundary)
 void
 giveCeiling(const Sheet& sheet,
             const std::vector<Eigen::Vector3d>& points,
+            const std::vector<Eigen::Vector3d>& risers,
             PlanRoom& room)
 {
   const CellCracks cracks = cracksOf(sheet.grid, sheet.label);
-  const auto borders = bordersOf(sheet, cracks, points, wallDirections(room.boundary));
+  const auto borders =
+      bordersOf(sheet, cracks, points, risers, wallDirections(room.boundary));
   std::vector<std::pair<double, std::size_t>> pieces; // by area
   for (std::size_t piece = 0; piece < cracks.first_cell.size(); ++piece) {
     const double area = areaInside(sheet, cracks, piece);

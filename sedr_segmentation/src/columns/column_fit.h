@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../loop/loop_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "tall_furniture.h"
 
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 namespace pcl {
 namespace sedr {

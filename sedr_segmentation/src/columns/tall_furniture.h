@@ -3,7 +3,7 @@
 
 #include "../profiles/ceiling_gap.h"
 #include "../profiles/column_table.h"
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 namespace pcl {

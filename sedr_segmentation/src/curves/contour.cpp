@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/contour.h>
+#include "contour.h"
 
 #include <algorithm>
 #include <array>

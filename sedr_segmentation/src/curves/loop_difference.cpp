@@ -3,7 +3,7 @@
 
 #include "plan_segment.h"
 
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "plan_curve.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double exactness = 1e-7; // metres
+constexpr double same_place = 1e-7; // metres
 
 /** @brief The distances along every element of a loop at which it is cut. */
 using Cuts = std::vector<std::vector<double>>;
@@ -28,7 +28,7 @@ findCuts(const PlanLoop& a, const PlanLoop& b, Cuts& cuts_a, Cuts& cuts_b)
       const PlanElement& e = a.elements[i];
       const PlanElement& f = b.elements[j];
       for (const auto& p : intersections(carrierOf(e), carrierOf(f)))
-        if (e.distance(p) < exactness && f.distance(p) < exactness) {
+        if (e.distance(p) < same_place && f.distance(p) < same_place) {
           cuts_a[i].push_back(e.project(p));
           cuts_b[j].push_back(f.project(p));
         }
@@ -47,7 +47,7 @@ partsOf(const PlanLoop& loop, const Cuts& cuts)
     at.push_back(e.length());
     std::sort(at.begin(), at.end());
     for (std::size_t k = 0; k + 1 < at.size(); ++k)
-      if (at[k + 1] - at[k] > exactness)
+      if (at[k + 1] - at[k] > same_place)
         parts.push_back(at.size() == 2 ? e : e.part(at[k], at[k + 1]));
   }
   return parts;
@@ -60,7 +60,7 @@ within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
   std::vector<PlanElement> kept;
   for (const auto& e : parts) {
     const Eigen::Vector2d middle = e.pointAt(e.length() / 2);
-    if (loop.distance(middle) >= exactness && loop.contains(middle))
+    if (loop.distance(middle) >= same_place && loop.contains(middle))
       kept.push_back(e);
   }
   return kept;
@@ -74,7 +74,7 @@ onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_ins
   std::vector<PlanElement> kept;
   for (const auto& e : parts) {
     const double middle = e.length() / 2;
-    if (other.contains(e.pointAt(middle) + 2 * exactness * e.normalAt(middle)) ==
+    if (other.contains(e.pointAt(middle) + 2 * same_place * e.normalAt(middle)) ==
         is_inside)
       kept.push_back(e);
   }
@@ -175,7 +175,7 @@ widened(const PlanLoop& loop, double by)
       break;
     const Eigen::Vector2d end = e.end;
     const Eigen::Vector2d start = next.start;
-    if ((end - start).norm() < exactness) {
+    if ((end - start).norm() < same_place) {
       e.end = start;
       continue;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "plan_curve.h"
 
 #include "sedr_filters/src/base/middle_value.h"
 

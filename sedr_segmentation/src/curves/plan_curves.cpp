@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_curves.h"
 
-#include <pcl/sedr_segmentation/contour.h>
+#include "contour.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/plan_points.h>
+#include "plan_points.h"
 
 #include <algorithm>
 #include <functional>

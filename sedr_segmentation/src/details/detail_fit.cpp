@@ -6,8 +6,8 @@
 
 #include "../profiles/cell_count.h"
 #include "detail_fit.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/room_lookup.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "../profiles/ceiling_gap.h"
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "detail_trim.h"
 
 #include "../curves/loop_difference.h"
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "../curves/plan_curve.h"
 
 #include <algorithm>
 #include <cmath>

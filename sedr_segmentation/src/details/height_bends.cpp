@@ -3,12 +3,13 @@
 
 #include "../levels/level_relief.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -123,36 +124,79 @@ borderOf(const HeightMap& map,
   return border;
 }
 
-/** @brief The meetings of each label with others.
- * @param border where they meet; pairs of one label are skipped */
-Meetings
-meetingsOf(const HeightMap& map,
-           const std::vector<std::int32_t>& label,
-           const std::vector<CellPair>& border,
-           const std::vector<std::uint8_t>& steps,
-           const CellGrid& grid)
-{
-  Meetings meetings(map.details.size() + 1);
-  for (const auto& [i, j] : border) {
-    const std::int32_t a = label[i];
-    const std::int32_t b = label[j];
+/** @brief Where each label meets others, kept while labels are joined. */
+class LabelMeetings {
+public:
+  /** @param label of the cells on both sides of borders; O(cells) */
+  LabelMeetings(const HeightMap& map,
+                const CellGrid& grid,
+                const std::vector<std::uint8_t>& steps,
+                std::vector<std::int32_t> label)
+      : map_(map)
+      , grid_(grid)
+      , steps_(steps)
+      , label_(std::move(label))
+      , border_(borderOf(map, label_, steps))
+      , border_of_(map.details.size() + 1)
+      , meetings_(map.details.size() + 1)
+  {
+    for (const CellPair& pair : border_) {
+      for (const std::size_t at : {pair.first, pair.second})
+        border_of_[static_cast<std::size_t>(label_[at])].push_back(pair);
+      add(pair);
+    }
+  }
+
+  const Meetings& all() const { return meetings_; }
+
+  /** @brief Gives a label's cells to another. O(its border). */
+  void join(std::int32_t from, std::int32_t to)
+  {
+    auto& own = border_of_[static_cast<std::size_t>(from)];
+    for (const auto& entry : meetings_[static_cast<std::size_t>(from)])
+      meetings_[static_cast<std::size_t>(entry.first)].erase(from);
+    meetings_[static_cast<std::size_t>(from)].clear();
+    for (const CellPair& pair : own)
+      for (const std::size_t at : {pair.first, pair.second})
+        if (label_[at] == from)
+          label_[at] = to;
+    for (const CellPair& pair : own)
+      add(pair);
+    auto& joined = border_of_[static_cast<std::size_t>(to)];
+    joined.insert(joined.end(), own.begin(), own.end());
+    own.clear();
+  }
+
+private:
+  void add(const CellPair& pair)
+  {
+    const auto [i, j] = pair;
+    const std::int32_t a = label_[i];
+    const std::int32_t b = label_[j];
     if (a == b)
-      continue;
-    const double rise = std::abs(map.relief[i] - map.relief[j]);
-    const Eigen::Vector2d place = grid.centre(map.room.cellAt(i));
+      return;
+    const double rise = std::abs(map_.relief[i] - map_.relief[j]);
+    const Eigen::Vector2d place = grid_.centre(map_.room.cellAt(i));
     const double drop =
-        std::abs(map.slabOf(a).heightAt(place) - map.slabOf(b).heightAt(place));
+        std::abs(map_.slabOf(a).heightAt(place) - map_.slabOf(b).heightAt(place));
     const bool is_bend =
-        !steps[i] && !steps[j] && (drop < shallow_step || 2 * rise < drop);
+        !steps_[i] && !steps_[j] && (drop < shallow_step || 2 * rise < drop);
     for (const auto& [from, other] : {std::pair{a, b}, std::pair{b, a}}) {
-      Meeting& meeting = meetings[static_cast<std::size_t>(from)][other];
+      Meeting& meeting = meetings_[static_cast<std::size_t>(from)][other];
       meeting.cells += 1;
       meeting.bends += is_bend ? 1 : 0;
       meeting.drop += drop;
     }
   }
-  return meetings;
-}
+
+  const HeightMap& map_;
+  const CellGrid& grid_;
+  const std::vector<std::uint8_t>& steps_;
+  std::vector<std::int32_t> label_;
+  std::vector<CellPair> border_;
+  std::vector<std::vector<CellPair>> border_of_; ///< of each label
+  Meetings meetings_;
+};
 
 /** @brief The label that a sliver goes to: that a good part of it borders on, without a
  * step, and that is nearest in height; -1 if none is near. */
@@ -183,20 +227,20 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
 {
   constexpr double widest = 1.0; // square metres
   // Where labels grow to does not depend on what they are: joined ones stay there.
-  std::vector<std::int32_t> label = grownLabels(map);
-  const std::vector<CellPair> border = borderOf(map, label, steps);
+  LabelMeetings meetings(map, grid, steps, grownLabels(map));
   std::vector<double> area(map.details.size() + 1, 0);
   for (const std::int32_t l : map.label)
     if (l >= 0)
       area[static_cast<std::size_t>(l)] += grid.size() * grid.size();
-  Meetings meetings = meetingsOf(map, label, border, steps, grid);
+  std::vector<std::int32_t> now(area.size()); // what each label has become
+  std::iota(now.begin(), now.end(), 0);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     double least = widest;
     std::pair<std::int32_t, std::int32_t> join;
     for (std::size_t l = 1; l < area.size(); ++l) {
       const std::int32_t beside =
-          area[l] > 0 && area[l] < least ? besideSliver(meetings[l]) : -1;
+          area[l] > 0 && area[l] < least ? besideSliver(meetings.all()[l]) : -1;
       if (beside < 0)
         continue;
       least = area[l];
@@ -206,16 +250,15 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
     if (!has_changed)
       break;
     const auto [from, to] = join;
-    std::replace(map.label.begin(), map.label.end(), from, to);
-    for (const auto& [i, j] : border)
-      for (const std::size_t at : {i, j})
-        if (label[at] == from)
-          label[at] = to;
+    meetings.join(from, to);
+    std::replace(now.begin(), now.end(), from, to);
     area[static_cast<std::size_t>(to)] += area[static_cast<std::size_t>(from)];
     area[static_cast<std::size_t>(from)] = 0;
-    meetings = meetingsOf(map, label, border, steps, grid);
   }
-  return meetings;
+  for (std::int32_t& l : map.label)
+    if (l >= 0)
+      l = now[static_cast<std::size_t>(l)];
+  return meetings.all();
 }
 
 /** @brief The label within some cells of one whose plane is nearest to what was seen

@@ -2,9 +2,9 @@
 #include "height_map.h"
 #include "height_bends.h"
 
+#include "../levels/horizontal_levels.h"
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/plane_fit.h>
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr double least_floor_step = 0.06;
 /** @brief What is less than this below a ceiling and smaller than that is a lamp or a
  * panel, metres and square metres. What is above it is a coffer: nothing hangs there.
  */
-constexpr double shallow_step = 0.06;
+constexpr double shallow_ceiling_step = 0.06;
 constexpr double least_shallow_area = 1.0;
 
 /** @brief Least width of a recess of a ceiling, metres: between closer ribs the ceiling
@@ -224,7 +224,7 @@ seenHeights(const PointView& points,
     if (height < step)
       continue;
     const auto enough =
-        static_cast<std::size_t>(over < 0 && height < shallow_step
+        static_cast<std::size_t>(over < 0 && height < shallow_ceiling_step
                                      ? least_shallow_area / (grid.size() * grid.size())
                                      : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/slice_detail.h>
+#include "slice_detail.h"
 
 #include "slice_scene.h"
 

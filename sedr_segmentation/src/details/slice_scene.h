@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../profiles/column_table.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/slice_detail.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "slice_detail.h"
 
 namespace pcl {
 namespace sedr {

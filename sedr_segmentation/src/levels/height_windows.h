@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "horizontal_levels.h"
 
 #include <cstddef>
 #include <vector>

@@ -7,9 +7,9 @@
 #include "level_relief.h"
 #include "level_steps.h"
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "horizontal_levels.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "level_candidates.h"
 
 #include "../profiles/ceiling_gap.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <functional>

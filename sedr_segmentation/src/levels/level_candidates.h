@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "level_columns.h"
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_segmentation/level_columns.h>
 
 #include <array>
 #include <cstddef>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/level_columns.h>
+#include "level_columns.h"
 
 #include "../profiles/column_order.h"
 #include "level_candidates.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/digit_sort.h"
-#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <array>

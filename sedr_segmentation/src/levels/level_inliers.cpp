@@ -2,11 +2,11 @@
 #include "level_candidates.h"
 #include "level_steps.h"
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "horizontal_levels.h"
 
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/digit_sort.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
 
 #include <algorithm>
 #include <cmath>

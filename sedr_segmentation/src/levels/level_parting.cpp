@@ -2,7 +2,7 @@
 #include "level_parting.h"
 #include "level_region_fit.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "level_candidates.h"
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "horizontal_levels.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,8 +5,8 @@
 #include "level_relief.h"
 
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <Eigen/Eigenvalues>
 

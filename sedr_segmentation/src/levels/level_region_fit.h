@@ -3,7 +3,7 @@
 
 #include "level_parting.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <Eigen/Core>
 

@@ -3,8 +3,8 @@
 #include "relief_window.h"
 
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "link_fit.h"
 #include "../curves/main_directions.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/loop_fit.h>
+#include "../loop/loop_fit.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/loop_fit.h>
+#include "../loop/loop_fit.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace sedr {
 namespace {
 
 /** @brief Cosine of the largest angle between a contour and the curve it follows. */
-const double least_cosine = std::cos(35.0 * M_PI / 180.0);
+const double least_cosine_of_tangents = std::cos(35.0 * M_PI / 180.0);
 
 /** @brief How well a sample agrees with a curve: from its weight down to 0 at the
  * tolerance; where only the contour shows the wall that is its staircase, half a cell.
@@ -29,8 +29,8 @@ agreement(const ContourSample& sample,
           ? parameters.tolerance
           : std::max(parameters.tolerance, parameters.evidence_span / 2);
   const double d = curve.distance(sample.position) / tolerance;
-  if (d >= 1 ||
-      std::abs(curve.tangentAt(sample.position).dot(sample.tangent)) < least_cosine)
+  if (d >= 1 || std::abs(curve.tangentAt(sample.position).dot(sample.tangent)) <
+                    least_cosine_of_tangents)
     return 0;
   return sample.weight() * (1 - d * d);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_bumps.h"
 
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "../curves/plan_curve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include "loop_revision.h"
 #include "loop_unseen.h"
 
+#include "loop_fit.h"
 #include "loop_lobes.h"
-#include <pcl/sedr_segmentation/loop_fit.h>
 
 #include <algorithm>
 #include <cmath>

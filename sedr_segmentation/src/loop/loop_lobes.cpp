@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_lobes.h"
 
-#include <pcl/sedr_segmentation/contour.h>
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "../curves/contour.h"
+#include "../curves/plan_curve.h"
 
 #include <optional>
 
@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double exactness = 1e-7; // metres
+constexpr double same_place = 1e-7; // metres
 
 /** @brief Where a loop crosses itself. */
 struct Crossing {
@@ -29,7 +29,7 @@ areNeighboursAt(const PlanLoop& loop, const Crossing& c)
 {
   const std::size_t n = loop.elements.size();
   const auto isCorner = [&](std::size_t a, std::size_t b) {
-    return (a + 1) % n == b && (loop.elements[a].end - c.at).norm() < exactness;
+    return (a + 1) % n == b && (loop.elements[a].end - c.at).norm() < same_place;
   };
   return isCorner(c.first, c.second) || isCorner(c.second, c.first);
 }
@@ -48,13 +48,13 @@ smallestLobe(const PlanLoop& loop)
   std::optional<Crossing> smallest;
   for (std::size_t a = 0; a < elements.size(); ++a)
     for (std::size_t b = a + 1; b < elements.size(); ++b) {
-      if (boxes[a].exteriorDistance(boxes[b]) > 2 * exactness)
+      if (boxes[a].exteriorDistance(boxes[b]) > 2 * same_place)
         continue;
       for (const auto& at :
            intersections(carrierOf(elements[a]), carrierOf(elements[b]))) {
         Crossing c{a, b, elements[a].project(at), elements[b].project(at), at, 0, true};
-        if (elements[a].distance(at) > exactness ||
-            elements[b].distance(at) > exactness || areNeighboursAt(loop, c))
+        if (elements[a].distance(at) > same_place ||
+            elements[b].distance(at) > same_place || areNeighboursAt(loop, c))
           continue;
         const double between = from[b] + c.on_second - from[a] - c.on_first;
         c.is_between = between < from.back() - between;
@@ -74,7 +74,7 @@ cut(PlanLoop& loop, const Crossing& c)
                         const Eigen::Vector2d& end) {
     e.start = start;
     e.end = end;
-    if ((start - end).norm() > exactness)
+    if ((start - end).norm() > same_place)
       kept.push_back(e);
   };
   const auto& elements = loop.elements;

@@ -3,7 +3,7 @@
 
 #include "../curves/plan_segment.h"
 
-#include <pcl/sedr_segmentation/contour.h>
+#include "../curves/contour.h"
 
 #include <algorithm>
 #include <cmath>

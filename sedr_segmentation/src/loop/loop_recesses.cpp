@@ -3,7 +3,7 @@
 
 #include "../niches/niche_fit.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>

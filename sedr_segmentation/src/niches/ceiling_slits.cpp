@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slit_faces.h"
 
-#include <pcl/sedr_segmentation/ceiling_slits.h>
+#include "ceiling_slits.h"
 
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "../curves/plan_curve.h"
 
 #include <algorithm>
 #include <cmath>

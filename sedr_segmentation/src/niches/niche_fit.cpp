@@ -5,10 +5,10 @@
 
 #include "../curves/plan_segment.h"
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/cell_mask.h>
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/place_table.h>
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_filters/src/grids/cell_mask.h"
+#include "sedr_filters/src/grids/place_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/niche_panes.h>
+#include "niche_panes.h"
 
 #include "../profiles/cell_count.h"
+#include "../refit/plan_refit.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slit_faces.h"
 
-#include <pcl/sedr_filters/cell_table.h>
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "../refit/plan_refit.h"
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/grids/cell_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double reach = 0.05;      ///< of the points of a face, metres from it
+constexpr double face_reach = 0.05;      ///< of the points of a face, metres from it
 constexpr double end_margin = 0.05; ///< from its ends, where other faces are
 constexpr double before_low = 0.08; ///< where the ceiling before a face is looked at
 constexpr double before_high = 0.4; ///< from it, metres
@@ -26,7 +26,7 @@ constexpr double body_high = 0.25;  ///< metres
 constexpr double slit_low = 0.045;  ///< below the ceiling: of a slit of 5 cm, and noise
 constexpr double least_slit = 0.01; ///< that noise must leave, metres
 constexpr double least_noise = 0.015; ///< of a ceiling, metres
-constexpr std::size_t most_points = 1000000;
+constexpr std::size_t most_face_points = 1000000;
 
 using Bins = std::array<std::size_t, SlitFace::Counts::bins>;
 
@@ -123,7 +123,7 @@ SlitFace::count(const Eigen::Vector3f& point, Counts& counts) const
   if (s < margin || s > element_.length() - margin)
     return;
   const double before = element_.normalAt(s).dot(p - element_.pointAt(s));
-  if (std::abs(before) <= reach)
+  if (std::abs(before) <= face_reach)
     ++counts.face[binOf(below)];
   else if (before >= before_low && before <= before_high && below < -Counts::highest)
     ++counts.ceiling[binOf(below)];
@@ -211,7 +211,7 @@ countAtFaces(const std::vector<SlitFace*>& faces,
              unsigned threads)
 {
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
-  const std::size_t step = rawStep(all, most_points);
+  const std::size_t step = rawStep(all, most_face_points);
   double lowest = std::numeric_limits<double>::infinity();
   for (const SlitFace* face : faces)
     lowest = std::min(lowest, face->lowest());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "niche_fit.h"
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <vector>

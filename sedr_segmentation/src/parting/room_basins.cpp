@@ -16,7 +16,6 @@ namespace sedr {
 
 namespace {
 
-constexpr std::uint32_t none = AirGaps::none;
 constexpr std::int32_t no_room = RoomLabels::no_room;
 
 /** @brief Whether the floors below two gaps in which one can stand are those of
@@ -46,13 +45,14 @@ basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_bas
   DisjointSets<> sets(order.size());
   for (const std::uint32_t g : order) {
     std::vector<std::uint32_t> met;
-    std::uint32_t uphill = none; // towards its own middle, not into what is larger
+    std::uint32_t uphill =
+        AirGaps::none; // towards its own middle, not into what is larger
     for (int d = 0; d < 4; ++d)
       for (const std::uint32_t o :
-           {air.isDrop(g, d) ? none : air.link(g, d), air.diagonal(g, d)})
-        if (o != none && basin[o] != no_room && !isLevelApart(air, g, o)) {
+           {air.isDrop(g, d) ? AirGaps::none : air.link(g, d), air.diagonal(g, d)})
+        if (o != AirGaps::none && basin[o] != no_room && !isLevelApart(air, g, o)) {
           met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
-          if (uphill == none || distance[o] > distance[uphill])
+          if (uphill == AirGaps::none || distance[o] > distance[uphill])
             uphill = o;
         }
     if (met.empty()) {
@@ -85,7 +85,7 @@ growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
     for (const std::uint32_t g : front)
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air.link(g, d);
-        if (o != none && label[o] == no_room && !air.isDrop(g, d)) {
+        if (o != AirGaps::none && label[o] == no_room && !air.isDrop(g, d)) {
           label[o] = label[g];
           next.push_back(o);
         }

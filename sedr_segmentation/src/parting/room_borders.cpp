@@ -11,8 +11,6 @@ namespace sedr {
 
 namespace {
 
-constexpr std::uint32_t none = AirGaps::none;
-
 RoomPair
 pairOf(std::uint32_t a, std::uint32_t b)
 {
@@ -28,12 +26,12 @@ facedFrom(const AirGaps& air, RoomLabels& labels, std::uint32_t g, int d, int re
   for (int step = 0; step <= reach; ++step) {
     column = air.columns().neighbour(column, d);
     if (column == VoxelColumns::none)
-      return none;
+      return AirGaps::none;
     const std::uint32_t o = air.overlapping(column, air[g].low, air[g].high);
-    if (o != none && (step > 0 || !labels.isSameRoom(o, g)))
+    if (o != AirGaps::none && (step > 0 || !labels.isSameRoom(o, g)))
       return o;
   }
-  return none;
+  return AirGaps::none;
 }
 
 } // namespace
@@ -45,7 +43,7 @@ crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops)
   for (std::uint32_t g = 0; g < air.size(); ++g)
     for (int d = 0; d < 4; ++d) {
       const std::uint32_t o = air.link(g, d);
-      if (o != none && labels.hasRoom(g) && labels.hasRoom(o) &&
+      if (o != AirGaps::none && labels.hasRoom(g) && labels.hasRoom(o) &&
           labels.roomOf(g) < labels.roomOf(o) && (with_drops || !air.isDrop(g, d)))
         crossings[{labels.roomOf(g), labels.roomOf(o)}].push_back({g, o});
     }
@@ -134,11 +132,12 @@ RoomBorders::countWalls(const AirGaps& air, int reach)
     if (!labels_.hasRoom(g))
       continue;
     for (int d = 0; d < 4; ++d) {
-      if (air.link(g, d) != none)
+      if (air.link(g, d) != AirGaps::none)
         continue;
       ++rooms_[labels_.roomOf(g)].ends;
       const std::uint32_t faced = facedFrom(air, labels_, g, d, reach);
-      if (faced != none && labels_.hasRoom(faced) && !labels_.isSameRoom(faced, g))
+      if (faced != AirGaps::none && labels_.hasRoom(faced) &&
+          !labels_.isSameRoom(faced, g))
         ++faces[pairOf(labels_.roomOf(g), labels_.roomOf(faced))];
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "room_territory.h"
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_segmentation/room_territory.h>
 
 #include <cstdint>
 #include <vector>

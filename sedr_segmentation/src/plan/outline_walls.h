@@ -3,7 +3,7 @@
 
 #include "../profiles/room_columns.h"
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 namespace pcl {
 namespace sedr {

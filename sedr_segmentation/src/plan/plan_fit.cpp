@@ -2,14 +2,15 @@
 #include "frontier_points.h"
 #include "shared_faces.h"
 
-#include <pcl/sedr_segmentation/plan_fit.h>
+#include "plan_fit.h"
 
+#include "../borders/step_risers.h"
 #include "../niches/niche_fit.h"
+#include "../refit/plan_regularisation.h"
 #include "../rooms/room_planes.h"
 #include "../sheets/sheet_fit.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_regularisation.h>
-#include <pcl/sedr_segmentation/room_territory.h>
+#include "room_territory.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points, unsigned threads)
   for (const Eigen::Vector3d& p : points)
     domain[grid.at(p.head<2>())] = 1;
   const Sheet sheet = fitSheet(points, grid, domain, {}, parameters);
-  if (sheet.facets.empty() || sheet.explained < least_explained)
+  if (!hasSlope(sheet) || sheet.explained < least_explained)
     return nullptr;
   return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
 }
@@ -337,11 +338,14 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
     const SheetGrid grid = sheetGrid(box, parameters);
     Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
                            wallDirections(room->boundary), parameters);
-    if (sheet.facets.empty())
+    if (!hasSlope(sheet))
       return;
-    if (scan)
+    std::vector<Eigen::Vector3d> risers;
+    if (scan) {
       refitToScan(sheet, *scan, indices, parameters);
-    giveCeiling(sheet, sheets[k].points, *room);
+      risers = pointsOfRisers(sheet, *scan, indices);
+    }
+    giveCeiling(sheet, sheets[k].points, risers, *room);
   });
 }
 

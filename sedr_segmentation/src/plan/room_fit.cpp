@@ -6,7 +6,7 @@
 #include "../walls/wall_boards.h"
 #include "../walls/wall_evidence.h"
 
-#include <pcl/sedr_segmentation/room_fit.h>
+#include "room_fit.h"
 
 #include "../columns/column_fit.h"
 #include "../columns/tall_furniture.h"
@@ -15,8 +15,8 @@
 #include "../niches/niche_fit.h"
 #include "../profiles/cell_count.h"
 #include "room_outline.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +145,7 @@ directionsOf(const PlanLoop& loop)
 
 /** @brief Whether two loops share more than a side. */
 bool
-overlap(const PlanLoop& a, const PlanLoop& b)
+overlapWidely(const PlanLoop& a, const PlanLoop& b)
 {
   constexpr double narrow = 0.001; // metres
   const std::vector<PlanLoop> shared = intersection(a, b);
@@ -163,7 +163,7 @@ addWhereNoneIs(std::vector<PlanNiche> more, std::vector<PlanNiche>& niches)
     if (std::all_of(niches.begin(),
                     niches.begin() + static_cast<std::ptrdiff_t>(before),
                     [&](const PlanNiche& other) {
-                      return !overlap(other.boundary, niche.boundary);
+                      return !overlapWidely(other.boundary, niche.boundary);
                     }))
       niches.push_back(std::move(niche));
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../details/detail_trim.h"
 
-#include <pcl/sedr_segmentation/room_separation.h>
+#include "room_separation.h"
 
+#include "../curves/contour.h"
 #include "../curves/loop_difference.h"
 #include "../loop/loop_lobes.h"
 #include "../loop/loop_necks.h"
-#include <pcl/sedr_filters/plan_evidence.h>
-#include <pcl/sedr_filters/storeys.h>
-#include <pcl/sedr_segmentation/contour.h>
+#include "sedr_filters/src/plan/plan_evidence.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

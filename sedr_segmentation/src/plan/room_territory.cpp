@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/room_territory.h>
+#include "room_territory.h"
 
 #include "../profiles/box_clusters.h"
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "platform_rim.h"
 
-#include <pcl/sedr_segmentation/floor_platforms.h>
+#include "floor_platforms.h"
 
 #include "../profiles/cell_count.h"
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
 #include <cstdint>

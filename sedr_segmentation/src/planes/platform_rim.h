@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../levels/horizontal_levels.h"
 #include "../profiles/column_table.h"
-#include <pcl/sedr_filters/cell_mask.h>
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/cell_grid.h>
-#include <pcl/sedr_filters/parallel.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>

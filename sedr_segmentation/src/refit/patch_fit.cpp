@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <random>
 
 namespace pcl {
 namespace sedr {
@@ -34,35 +32,33 @@ biweight(double share)
 class PatchSolver {
 public:
   PatchSolver(std::vector<const PatchSums*> patches,
-              std::vector<bool> is_top,
-              double noise,
-              double beyond)
+              const std::vector<bool>& is_top,
+              double noise)
       : patches_(std::move(patches))
-      , is_top_(std::move(is_top))
       , weight_(patches_.size(), 1)
-      , noise_(noise)
-      , usual_variance_(usualVariance())
-      , most_beyond_(std::max(beyond, usualBeyond()) + strays)
   {
-    constexpr double unevenness = 0.001; // of walls, metres
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      mean_.push_back(patches_[i]->mean());
-      own_variance_.push_back(ownVariance(i));
-      vote_.push_back(voteOf(i));
-      all_votes_ += vote_[i];
-      deviation_.push_back(deviationOf(i));
-      spread_.push_back(std::hypot(deviation_[i], unevenness));
+      // A patch near the scanner holds a hundred times as many points as a far one.
+      vote_.push_back(std::sqrt(patches_[i]->count) * (is_top[i] ? top_weight : 1));
+      variance_.push_back(varianceWithin(*patches_[i]));
     }
+    usual_variance_ = usualVariance(noise);
+    for (const PatchSums* patch : patches_)
+      deviation_.push_back(
+          std::hypot(std::sqrt(usual_variance_ / patch->count), least_patch_deviation));
   }
 
   PatchFit run(Eigen::Index parameters)
   {
     constexpr int most_rounds = 12;
     constexpr double settled = 1e-7; // metres, radians
+    std::vector<Weighted> means;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      means.push_back({patches_[i]->mean(), vote_[i]});
     PatchFit fit;
-    fit.step = start(parameters);
+    fit.step[0] = shortestHalf(std::move(means)).middle;
     for (int round = 0; round < most_rounds; ++round) {
-      weigh(fit.step);
+      weigh(fit.step, round == 0);
       const Eigen::Vector3d before = fit.step;
       if (!solve(parameters, fit.step))
         return {};
@@ -74,137 +70,50 @@ public:
   }
 
 private:
-  /** @brief Where most patches are: the best of some steps through as many of them as
-   * are needed, as what is turned or bent against the wall crosses it in few (Fischler
-   * and Bolles 1981). */
-  Eigen::Vector3d start(Eigen::Index parameters)
+  static double varianceWithin(const PatchSums& p)
   {
-    constexpr std::size_t tries = 60;
-    std::vector<Weighted> means;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      means.push_back({patches_[i]->mean(), vote_[i]});
-    Eigen::Vector3d best(shortestHalf(std::move(means)).middle, 0, 0);
-    double most = agreement(best, 0);
-    std::mt19937_64 random(1);
-    for (std::size_t k = 0; parameters > 1 && k < tries; ++k) {
-      std::fill(weight_.begin(), weight_.end(), k == 0 ? 1.0 : 0.0);
-      for (Eigen::Index n = 0; k > 0 && n < parameters; ++n)
-        weight_[random() % weight_.size()] = 1;
-      Eigen::Vector3d step;
-      if (!solve(parameters, step))
-        continue;
-      const double agreed = agreement(step, most);
-      if (agreed <= most)
-        continue;
-      most = agreed;
-      best = step;
-    }
-    std::fill(weight_.begin(), weight_.end(), 1);
-    return best;
-  }
-
-  /** @brief How many patches a step explains, counted no farther than until they cannot
-   * be more than `enough`. */
-  double agreement(const Eigen::Vector3d& step, double enough) const
-  {
-    constexpr double sigmas = 4;
-    double sum = 0;
-    double left = all_votes_;
-    for (std::size_t i = 0; i < patches_.size() && sum + left > enough; ++i) {
-      sum += vote_[i] * biweight(residual(i, step) / (sigmas * spread_[i]));
-      left -= vote_[i];
-    }
-    return sum;
-  }
-
-  double voteOf(std::size_t i) const
-  {
-    // A patch near the scanner holds a hundred times as many points as a far one.
-    return std::sqrt(patches_[i]->count) * (is_top_[i] ? top_weight : 1);
-  }
-
-  /** @brief Mean distance that a step leaves of a patch. */
-  double residual(std::size_t i, const Eigen::Vector3d& step) const
-  {
-    const PatchSums& p = *patches_[i];
-    return mean_[i] - p.rows.dot(step) / p.count;
-  }
-
-  /** @brief Variance of the points within a patch, as these say. */
-  double ownVariance(std::size_t i) const
-  {
-    const PatchSums& p = *patches_[i];
     return std::max(0.0, p.squares - p.count * p.mean() * p.mean()) /
            std::max(1.0, p.count - 1);
   }
 
-  /** @brief Variance within most of the patches that tell any. */
-  double usualVariance() const
+  /** @brief Variance within most of the patches that have enough points for one. */
+  double usualVariance(double noise) const
   {
     constexpr double least_points = 4;
-    std::vector<Weighted> variances{{noise_ * noise_, 1}};
+    std::vector<Weighted> variances{{noise * noise, 1}};
     for (std::size_t i = 0; i < patches_.size(); ++i)
       if (patches_[i]->count >= least_points)
-        variances.push_back({ownVariance(i), voteOf(i)});
+        variances.push_back({variance_[i], vote_[i]});
     return medianOf(std::move(variances));
   }
 
-  /** @brief How many points most of the patches have beyond the band, as a share of
-   * those within: the noise of another surface reaches there along all of this one. */
-  double usualBeyond() const
-  {
-    std::vector<Weighted> shares;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      if (patches_[i]->count >= points_that_tell)
-        shares.push_back({patches_[i]->beyond / patches_[i]->count, voteOf(i)});
-    return medianOf(std::move(shares));
-  }
-
-  /** @brief Variance of the points within a patch: few say little of it, so that the
-   * usual one counts with them. */
-  double variance(std::size_t i) const
-  {
-    constexpr double points_of_usual = 20;
-    const double own = patches_[i]->count - 1;
-    return (points_of_usual * usual_variance_ + own * ownVariance(i)) /
-           (points_of_usual + own);
-  }
-
   /** @brief Whether a patch shows another surface too, such as the reveal of a door: it
-   * scatters more than most, `scatter` squared, or goes on beyond the band. */
-  bool isMixed(std::size_t i, double scatter) const
+   * scatters more than most. */
+  bool isMixed(std::size_t i) const
   {
-    constexpr double sigmas = 1; // of what chance puts there (Poisson)
-    const PatchSums& p = *patches_[i];
-    const double beyond = most_beyond_ * p.count;
-    return p.count >= points_that_tell &&
-           (own_variance_[i] > scatter * scatter ||
-            p.beyond > beyond + sigmas * std::sqrt(beyond));
-  }
-
-  /** @brief Weighs the patches by how far they are from where a step leads. */
-  void weigh(const Eigen::Vector3d& step)
-  {
-    constexpr double sigmas = 4;
+    constexpr double least_points = 8;
     constexpr double most_scatter = 1.4;
-    std::vector<Weighted> scaled;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      if (weight_[i] > 0)
-        scaled.push_back({std::abs(residual(i, step)) / deviation_[i], vote_[i]});
-    // Walls are less even than noise alone would make them.
-    const double scale = std::max(1.0, 1.4826 * medianOf(std::move(scaled)));
     const double scatter =
         std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      weight_[i] = isMixed(i, scatter)
-                       ? 0
-                       : biweight(residual(i, step) / (sigmas * scale * deviation_[i]));
+    return patches_[i]->count >= least_points && variance_[i] > scatter * scatter;
   }
 
-  double deviationOf(std::size_t i) const
+  /** @brief Weighs the patches by how far a step leaves them from the surface: by their
+   * noise, at the start by what most of them are off. */
+  void weigh(const Eigen::Vector3d& step, bool is_start)
   {
-    return std::hypot(std::sqrt(variance(i) / patches_[i]->count),
-                      least_patch_deviation);
+    constexpr double sigmas = 4;
+    std::vector<double> residuals;
+    std::vector<Weighted> sizes;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      const PatchSums& p = *patches_[i];
+      residuals.push_back((p.mean() - p.rows.dot(step) / p.count) / deviation_[i]);
+      sizes.push_back({std::abs(residuals[i]), vote_[i]});
+    }
+    const double scale =
+        is_start ? std::max(1.0, 1.4826 * medianOf(std::move(sizes))) : 1;
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      weight_[i] = isMixed(i) ? 0 : biweight(residuals[i] / (sigmas * scale));
   }
 
   bool solve(Eigen::Index parameters, Eigen::Vector3d& step) const
@@ -212,13 +121,11 @@ private:
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      if (weight_[i] == 0) // all but a few, of a try
-        continue;
       const PatchSums& p = *patches_[i];
       const Eigen::Vector3d row = p.rows / p.count;
-      const double weight = weight_[i] * std::min(p.count, most_points);
+      const double weight = weight_[i] * p.count;
       normal.noalias() += weight * row * row.transpose();
-      right += weight * mean_[i] * row;
+      right += weight * p.mean() * row;
     }
     if (!(normal(0, 0) > 0))
       return false;
@@ -234,43 +141,24 @@ private:
 
   void judge(PatchFit& fit) const
   {
-    double all = 0;
     double squares = 0;
     double freedom = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      all += patches_[i]->count;
       if (weight_[i] < 0.25)
         continue;
       fit.count += patches_[i]->count;
-      squares += own_variance_[i] * (patches_[i]->count - 1);
+      squares += variance_[i] * (patches_[i]->count - 1);
       freedom += patches_[i]->count - 1;
     }
-    fit.share = all > 0 ? fit.count / all : 0;
     fit.deviation = freedom > 0 ? std::sqrt(squares / freedom) : 0;
   }
 
-  /** @brief So many points tell whether a patch shows another surface too. */
-  static constexpr double points_that_tell = 8;
-
-  /** @brief More points beyond the band than usual are another surface's, as a share of
-   * those within. */
-  static constexpr double strays = 0.1;
-
-  /** @brief A patch counts for no more points than this, however near the scanner. */
-  static constexpr double most_points = 300;
-
   std::vector<const PatchSums*> patches_;
-  std::vector<bool> is_top_;
   std::vector<double> weight_;
-  double noise_;
-  double usual_variance_;
-  double most_beyond_;       ///< points of one surface beyond the band, see isMixed()
-  std::vector<double> mean_; ///< distance of each patch, metres
-  std::vector<double> own_variance_; ///< see ownVariance()
   std::vector<double> vote_;
-  double all_votes_ = 0;
+  std::vector<double> variance_;  ///< of the points within each patch
   std::vector<double> deviation_; ///< of the mean of each patch, metres
-  std::vector<double> spread_;    ///< the same, of a wall that is not quite even
+  double usual_variance_ = 0;
 };
 
 } // namespace
@@ -279,8 +167,7 @@ PatchFit
 fitPatches(const std::vector<PatchSums>& patches,
            const std::vector<bool>& is_top,
            Eigen::Index parameters,
-           double noise,
-           double beyond)
+           double noise)
 {
   // Where a wall is open, a few points of something else are seen.
   constexpr double least_share = 0.05;
@@ -298,7 +185,7 @@ fitPatches(const std::vector<PatchSums>& patches,
     }
   if (own.empty())
     return {};
-  return PatchSolver(std::move(own), std::move(tops), noise, beyond).run(parameters);
+  return PatchSolver(std::move(own), tops, noise).run(parameters);
 }
 
 } // namespace sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_normals.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -94,9 +94,10 @@ patchesOf(const PointView& points,
   return patches;
 }
 
-/** @brief The normal of a patch that is a plane, z not below 0. */
-std::optional<Eigen::Vector3d>
-normalOf(const PatchMoments& patch)
+/** @brief A patch that is a plane.
+ * @param corner from which its points are counted */
+std::optional<PlanePatch>
+planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
 {
   constexpr double fewest = 20;
   constexpr double most_scatter = 0.02; // across a plane, metres
@@ -110,18 +111,19 @@ normalOf(const PatchMoments& patch)
       solver.eigenvalues()[1] < least_spread * least_spread)
     return {};
   const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  return normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
+  return PlanePatch{mean + corner, normal.z() < 0 ? Eigen::Vector3d(-normal) : normal,
+                    patch.count};
 }
 
 } // namespace
 
-std::vector<Eigen::Vector3d>
-normalsOf(const PointView& points,
-          const std::vector<int>& indices,
-          const Eigen::Matrix3d& turn,
-          double patch,
-          unsigned threads,
-          double offset)
+std::vector<PlanePatch>
+planesOf(const PointView& points,
+         const std::vector<int>& indices,
+         const Eigen::Matrix3d& turn,
+         double patch,
+         unsigned threads,
+         double offset)
 {
   constexpr std::size_t block = std::size_t{1} << 15;
   constexpr std::size_t patches_a_block = 512;
@@ -135,19 +137,36 @@ normalsOf(const PointView& points,
   for (const Patches& part : parts)
     for (const auto& [key, moments] : part)
       patches[key].add(moments);
-  std::vector<const PatchMoments*> moments;
-  for (const auto& [key, patch_moments] : patches)
-    moments.push_back(&patch_moments);
-  std::vector<std::optional<Eigen::Vector3d>> normal_of(moments.size());
+  std::vector<const Patches::value_type*> moments;
+  for (const auto& entry : patches)
+    moments.push_back(&entry);
+  const Eigen::Vector3d shift = Eigen::Vector3d::Constant(offset * patch);
+  std::vector<std::optional<PlanePatch>> plane_of(moments.size());
   parallelBlocks(moments.size(), patches_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t k = begin; k < end; ++k)
-                     normal_of[k] = normalOf(*moments[k]);
+                     plane_of[k] = planeOf(moments[k]->second,
+                                           patch * moments[k]->first.corner() - shift);
                  });
+  std::vector<PlanePatch> planes;
+  for (const auto& plane : plane_of)
+    if (plane)
+      planes.push_back(*plane);
+  return planes;
+}
+
+std::vector<Eigen::Vector3d>
+normalsOf(const PointView& points,
+          const std::vector<int>& indices,
+          const Eigen::Matrix3d& turn,
+          double patch,
+          unsigned threads,
+          double offset)
+{
   std::vector<Eigen::Vector3d> normals;
-  for (const auto& normal : normal_of)
-    if (normal)
-      normals.push_back(*normal);
+  for (const PlanePatch& plane :
+       planesOf(points, indices, turn, patch, threads, offset))
+    normals.push_back(plane.normal);
   return normals;
 }
 

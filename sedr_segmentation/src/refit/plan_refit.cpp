@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "plan_refit.h"
 
 #include "refit_rounds.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,17 +150,15 @@ refitToRaw(Floorplan& plan,
   refit.run();
 
   std::size_t k = 0;
-  std::vector<bool> is_kept(slabs_were.size(), false);
   for (auto& room : plan.rooms)
     for (const auto& [slab, loop] : slabsOf(room)) {
       const std::size_t t = curves.curves.size() + k;
-      const std::size_t parent = refit.targets().parent(k);
-      is_kept[k] =
-          refit.isFitted(t) && (parent >= k || is_kept[parent]) &&
+      const bool is_kept =
+          refit.isFitted(t) &&
           moveOf(slabs_were[k], *slab, *loop) <= parameters.farthest + refit.noise(t);
-      if (!is_kept[k])
+      if (!is_kept)
         *slab = slabs_were[k];
-      report.slabs += is_kept[k] ? 1 : 0;
+      report.slabs += is_kept ? 1 : 0;
       ++k;
     }
   std::vector<bool> is_fitted(was.size(), false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/plan_regularisation.h>
+#include "plan_regularisation.h"
 
 #include "../curves/plan_curves.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_places.h"
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/room_lookup.h>
-#include <pcl/sedr_segmentation/plan_curve.h>
+#include "../curves/plan_curve.h"
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,16 +74,14 @@ widthOf(const PlanLoop& loop)
 
 void
 RefitPlaces::addRoom(const PlanRoom& room,
-                     RefitSlabRange ceilings,
-                     RefitSlabRange floors,
+                     std::size_t ceiling,
+                     std::size_t floor,
                      unsigned threads)
 {
   constexpr double most_cells = 100000;
   const auto [low, high] = boundsOf(room.boundary);
   const Eigen::Vector2d extent = high - low;
   RefitRoomMap map;
-  map.ceilings = ceilings;
-  map.floors = floors;
   map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / most_cells));
   map.low = low;
   map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
@@ -102,10 +100,8 @@ RefitPlaces::addRoom(const PlanRoom& room,
                                                static_cast<double>(i / width) + 0.5);
           if (!lookup.contains(p))
             continue;
-          map.ceiling[i] =
-              static_cast<std::int32_t>(ceilings.first) + 1 + lookup.detailAt(p);
-          map.floor[i] =
-              static_cast<std::int32_t>(floors.first) + 1 + lookup.floorDetailAt(p);
+          map.ceiling[i] = static_cast<std::int32_t>(ceiling) + 1 + lookup.detailAt(p);
+          map.floor[i] = static_cast<std::int32_t>(floor) + 1 + lookup.floorDetailAt(p);
         }
       });
   map.ceiling = withoutEdges(map.ceiling, map.width, map.height);
@@ -149,13 +145,7 @@ RefitPlaces::tabulate(double reach)
         niches_near.fill(of_niches)})
     if (!problem.empty())
       return problem;
-  return maskProblem(box());
-}
-
-CellBox
-RefitPlaces::box() const
-{
-  return around(stretches_near.box(), around(rooms_near.box(), niches_near.box()));
+  return {};
 }
 
 } // namespace sedr

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_table.h>
+#include "sedr_filters/src/grids/cell_table.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,13 +35,6 @@ struct RefitSlab {
   std::size_t rows = 0;        ///< patches along y
 };
 
-/** @brief Numbers of slabs that follow one another: a ceiling or floor and what is let
- * into it. */
-struct RefitSlabRange {
-  std::size_t first = 0;
-  std::size_t end = 0;
-};
-
 /** @brief Which slabs are above and below the cells of a room, -1 none, away from
  * edges. */
 struct RefitRoomMap {
@@ -50,8 +44,17 @@ struct RefitRoomMap {
   std::int32_t height = 0;
   std::vector<std::int32_t> ceiling;
   std::vector<std::int32_t> floor;
-  RefitSlabRange ceilings; ///< all that `ceiling` tells
-  RefitSlabRange floors;
+
+  /** @brief The slabs above and below a place, -1 none. */
+  std::array<std::int32_t, 2> slabsAt(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2d at = (p - low) / cell;
+    if (at.x() < 0 || at.y() < 0 || at.x() >= width || at.y() >= height)
+      return {-1, -1};
+    const auto i = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(at.x());
+    return {ceiling[i], floor[i]};
+  }
 };
 
 /** @brief The bottom and top of a niche. */
@@ -73,15 +76,12 @@ struct RefitPlaces {
   CellTable rooms_near{table_cell};
   CellTable niches_near{table_cell};
 
-  /** @brief Sets `map` to where the slabs of a room are, those `ceilings` and `floors`
-   * being its own. */
+  /** @brief Adds the map of a room, `ceiling` and `floor` being the numbers of its own
+   * slabs. */
   void addRoom(const PlanRoom& room,
-               RefitSlabRange ceilings,
-               RefitSlabRange floors,
+               std::size_t ceiling,
+               std::size_t floor,
                unsigned threads);
-
-  /** @brief The cells in which anything may be seen, once they are sorted. */
-  CellBox box() const;
 
   /** @brief Sorts stretches, rooms and niches by cells; stretches are seen from
    * `reach` metres.

@@ -4,8 +4,8 @@
 #include "refit_sums.h"
 #include "refit_targets.h"
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "plan_refit.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ public:
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
   {
-    raw_.step = rawStep(raw_.size(), mostPoints());
+    raw_.step = rawStep(raw_.size(), std::max<std::size_t>(1, parameters.most_points));
   }
 
   void run()
@@ -37,26 +37,18 @@ public:
     constexpr int rounds = 3;
     std::vector<double> centre;
     std::vector<double> band;
-    Sightings sightings(raw_, targets_,
-                        {parameters_.points_per_patch, parameters_.points_per_surface});
+    const Sightings sightings(raw_, targets_);
     scatters_ = sightings.scatters(parameters_.reach);
-    settleScatters();
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       centre.push_back(scatters_[t].centre);
       band.push_back(bandOf(t, scatters_[t].deviation));
     }
     for (int round = 0; round < rounds; ++round) {
-      sightings.update();
-      const std::vector<PatchFit> fits =
-          fitsOf(sightings.patchSums(centre, band), band);
+      const std::vector<PatchFit> fits = fitsOf(sightings.patchSums(centre, band));
       for (std::size_t t = 0; t < targets_.size(); ++t) {
-        if (isSparse(t) && round > 0)
-          continue;
-        PatchFit fit = isSparse(t) ? shiftTo(scatters_[t]) : fits[t];
+        const PatchFit& fit = fits[t];
         if (fit.count < static_cast<double>(parameters_.least_points))
           continue;
-        if (!isSparse(t) && isBesideAnother(t, scatters_[t].deviation))
-          undoCut(centre[t], band[t], scatters_[t].deviation, fit);
         move(t, fit);
         noise_[t] = fit.deviation;
         centre[t] = 0;
@@ -85,61 +77,6 @@ private:
   /** @brief Half width of the narrowest band, metres. */
   static constexpr double least_band = 0.0015;
 
-  /** @brief How many points of the scan are looked at. */
-  std::size_t mostPoints() const
-  {
-    std::size_t patches = 0;
-    for (std::size_t t = 0; t < targets_.size(); ++t)
-      patches += targets_.shownPatches(t);
-    const std::size_t enough =
-        std::max(parameters_.enough_points, patches * parameters_.points_per_patch);
-    return std::max<std::size_t>(1, std::min(parameters_.most_points, enough));
-  }
-
-  /** @brief The scatter of few points is known by that of others better. */
-  void settleScatters()
-  {
-    constexpr double points_of_usual = 100;
-    std::vector<double> deviations;
-    for (const Scatter& s : scatters_)
-      if (s.count >= points_of_usual)
-        deviations.push_back(s.deviation);
-    if (deviations.empty())
-      return;
-    const auto middle =
-        deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    const double usual = *middle;
-    for (Scatter& s : scatters_) {
-      const double share = s.count / (s.count + points_of_usual);
-      s.deviation = share * s.deviation + (1 - share) * usual;
-    }
-  }
-
-  /** @brief Whether a line is shown by too few points for patches. */
-  bool isSparse(std::size_t t) const
-  {
-    constexpr double few = 150;
-    return t < curves_.curves.size() && !curves_.curves[t].curve.isCircle() &&
-           scatters_[t].count < few;
-  }
-
-  /** @brief A shift to where most of the points are. */
-  static PatchFit shiftTo(const Scatter& scatter)
-  {
-    PatchFit fit;
-    fit.step[0] = scatter.centre;
-    fit.count = scatter.count;
-    fit.deviation = scatter.deviation;
-    return fit;
-  }
-
-  /** @brief Whether the points of another surface reach into the band of this one. */
-  bool isBesideAnother(std::size_t t, double deviation) const
-  {
-    return targets_.gap(t) < 2 * band_sigmas * deviation;
-  }
-
   /** @brief Half width of the band of points that count: narrower where those of
    * another surface are beside it. */
   double bandOf(std::size_t t, double deviation) const
@@ -148,32 +85,6 @@ private:
         std::clamp(band_sigmas * deviation, least_band, parameters_.reach);
     return std::min(band, std::max({least_band, deviation,
                                     targets_.gap(t) - band_sigmas * deviation}));
-  }
-
-  /** @brief How many points noise puts beyond a band, as a share of those within. Asked
-   * only where another surface makes it narrow, so that the scatter within tells less
-   * of what a patch shows; infinite elsewhere. */
-  double expectedBeyond(std::size_t t, double band) const
-  {
-    const double deviation = scatters_[t].deviation;
-    if (!isBesideAnother(t, deviation))
-      return std::numeric_limits<double>::infinity();
-    const double within = std::erf(band / deviation / std::sqrt(2.0));
-    return (1 - within) / within;
-  }
-
-  /** @brief Points cut off at a band draw its centre after them by a part of the way
-   * only: the whole way, as it is for the normal distribution. */
-  static void undoCut(double centre, double band, double deviation, PatchFit& fit)
-  {
-    constexpr double least_part = 0.2;
-    const double z = band / deviation;
-    const double kept = std::erf(z / std::sqrt(2.0));
-    const double part = 1 - 2 * z * std::exp(-z * z / 2) / std::sqrt(2 * M_PI) / kept;
-    fit.step[0] -= centre;
-    fit.step /= std::max(least_part, part);
-    fit.step[0] += centre;
-    fit.deviation = deviation;
   }
 
   /** @brief How many parameters of a surface are fitted. */
@@ -197,24 +108,16 @@ private:
   }
 
   /** @brief Where the patches of each surface say that it is. */
-  std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums,
-                               const std::vector<double>& band) const
+  std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums) const
   {
     std::vector<PatchFit> fits(targets_.size());
     parallelBlocks(fits.size(), 1, raw_.threads, [&](std::size_t t, std::size_t) {
-      if (!isSparse(t))
-        fits[t] = fitOf(sums[t], t, band[t]);
+      std::vector<bool> is_top;
+      for (std::size_t p = 0; p < sums[t].size(); ++p)
+        is_top.push_back(targets_.isTop(t, p));
+      fits[t] = fitPatches(sums[t], is_top, parametersOf(t), scatters_[t].deviation);
     });
     return fits;
-  }
-
-  PatchFit fitOf(const std::vector<PatchSums>& sums, std::size_t t, double band) const
-  {
-    std::vector<bool> is_top;
-    for (std::size_t p = 0; p < sums.size(); ++p)
-      is_top.push_back(targets_.isTop(t, p));
-    return fitPatches(sums, is_top, parametersOf(t), scatters_[t].deviation,
-                      expectedBeyond(t, band));
   }
 
   void move(std::size_t t, const PatchFit& fit)

@@ -68,22 +68,6 @@ RefitTargets::RefitTargets(Floorplan& plan,
   problem_ = places_.tabulate(reach);
 }
 
-double
-RefitTargets::farthestMove(const std::vector<PlanSlab>& before) const
-{
-  double farthest = 0;
-  for (std::size_t k = 0; k < places_.slabs.size(); ++k)
-    for (const double x : {-1.0, 1.0})
-      for (const double y : {-1.0, 1.0}) {
-        const Eigen::Vector2d corner =
-            places_.slabs[k].middle +
-            places_.slabs[k].half.cwiseProduct(Eigen::Vector2d(x, y));
-        farthest = std::max(farthest, std::abs(places_.slabs[k].slab->heightAt(corner) -
-                                               before[k].heightAt(corner)));
-      }
-  return farthest;
-}
-
 void
 RefitTargets::addUprights(Floorplan& plan)
 {
@@ -198,22 +182,6 @@ RefitTargets::addSlab(PlanSlab& slab,
   return places_.slabs.size() - 1;
 }
 
-std::pair<Eigen::Vector2d, Eigen::Vector2d>
-RefitTargets::boundsOfPatch(const RefitSlab& slab, std::size_t patch)
-{
-  const std::size_t x = patch % slab.along;
-  const std::size_t y = patch / slab.along;
-  const Eigen::Vector2d first = slab.middle - slab.half;
-  const Eigen::Vector2d low = first + slab_patch * Eigen::Vector2d(x, y);
-  Eigen::Vector2d high = low + Eigen::Vector2d::Constant(slab_patch);
-  // The last ones take what is beyond.
-  if (x + 1 == slab.along)
-    high.x() = std::max(high.x(), (slab.middle + slab.half).x());
-  if (y + 1 == slab.rows)
-    high.y() = std::max(high.y(), (slab.middle + slab.half).y());
-  return {low, high};
-}
-
 void
 RefitTargets::addSlabs(PlanRoom& room, unsigned threads)
 {
@@ -230,14 +198,12 @@ RefitTargets::addSlabs(PlanRoom& room, unsigned threads)
     places_.niches.push_back({&niche, bottom, top});
   }
 
-  places_.addRoom(room, {ceiling, floor},
-                  {floor, floor + 1 + room.floor_details.size()}, threads);
+  places_.addRoom(room, ceiling, floor, threads);
 }
 
 void
 RefitTargets::numberPatches()
 {
-  first_patch_.push_back(0);
   for (std::size_t c = 0; c < curves_.curves.size(); ++c) {
     const PlanCurve& curve = curves_.curves[c].curve;
     const double length =
@@ -245,16 +211,13 @@ RefitTargets::numberPatches()
     patch_.push_back(std::clamp(length_[c] / 4, least_patch, upright_patch));
     along_.push_back(static_cast<std::size_t>(length / patch_[c]) + 2);
     const auto rows = static_cast<std::size_t>(depth_[c] / upright_patch) + 1;
-    shown_patches_.push_back(rows *
-                             (static_cast<std::size_t>(length_[c] / patch_[c]) + 1));
-    first_patch_.push_back(first_patch_.back() + along_.back() * rows);
+    patch_count_.push_back(along_.back() * rows);
   }
   for (RefitSlab& slab : places_.slabs) {
     slab.along = static_cast<std::size_t>(2 * slab.half.x() / slab_patch) + 2;
     slab.rows = static_cast<std::size_t>(2 * slab.half.y() / slab_patch) + 2;
     along_.push_back(slab.along);
-    shown_patches_.push_back(slab.rows * slab.along);
-    first_patch_.push_back(first_patch_.back() + slab.along * slab.rows);
+    patch_count_.push_back(slab.along * slab.rows);
   }
 }
 

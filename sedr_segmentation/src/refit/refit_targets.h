@@ -5,7 +5,7 @@
 #include "refit_views.h"
 
 #include "../curves/plan_curves.h"
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <Eigen/Core>
 
@@ -65,13 +65,8 @@ public:
                                 : std::numeric_limits<double>::infinity();
   }
 
-  /** @brief Number of all patches, and the first one of a surface. */
-  std::size_t patchCount() const { return first_patch_.back(); }
-  std::size_t firstPatch(std::size_t number) const { return first_patch_[number]; }
-
-  /** @brief Number of the patches of a surface that the plan shows: curves go on beyond
-   * that. */
-  std::size_t shownPatches(std::size_t number) const { return shown_patches_[number]; }
+  /** @brief Number of the patches of a surface. */
+  std::size_t patchCount(std::size_t number) const { return patch_count_[number]; }
 
   /** @brief Whether a patch, from the first of its surface, is at the top of a wall,
    * where least stands before it. */
@@ -101,11 +96,6 @@ public:
     return y * slab.along + x;
   }
 
-  /** @brief The corners of the least and of the greatest coordinates of such a patch.
-   */
-  static std::pair<Eigen::Vector2d, Eigen::Vector2d>
-  boundsOfPatch(const RefitSlab& slab, std::size_t patch);
-
   /** @brief Calls `see(view)` by the kind of a surface: a LineView, CircleView or
    * SlabView. */
   template <typename See>
@@ -123,10 +113,6 @@ public:
     else
       see(LineView{m, curves_.reach(number), columns});
   }
-
-  /** @brief The greatest distance, metres, of a slab from where it was, `before` having
-   * been all slabs. */
-  double farthestMove(const std::vector<PlanSlab>& before) const;
 
 private:
   /** @brief Edge of a patch of an upright and of a slab, metres. */
@@ -157,8 +143,7 @@ private:
   std::vector<double> gap_;        ///< of each curve, to the next that runs along it
   std::vector<double> patch_;      ///< length of the patches of each curve
   std::vector<std::size_t> along_; ///< patches along each curve, and along x of a slab
-  std::vector<std::size_t> first_patch_;
-  std::vector<std::size_t> shown_patches_;
+  std::vector<std::size_t> patch_count_;
   RefitPlaces places_;
 };
 

@@ -4,7 +4,7 @@
 #include "../curves/quarter_turns.h"
 
 #include "../curves/curve_adjustment.h"
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_images.h"
+#include "pane_views.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
@@ -56,11 +57,12 @@ withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 }
 
 AirParameters
-airParameters(const BuildingParameters& parameters)
+airParameters(const BuildingParameters& parameters, const BuildingSight& sight)
 {
   AirParameters air;
   air.headroom = parameters.headroom;
   air.threads = parameters.threads;
+  air.sight = sight.lines;
   return air;
 }
 
@@ -96,6 +98,7 @@ struct Verdict {
 std::vector<Verdict>
 judge(const std::vector<BuildingRoom>& parts,
       const std::vector<RoomOpening>& openings,
+      const std::vector<std::uint8_t>& is_view,
       const BuildingParameters& parameters,
       double cell_size)
 {
@@ -109,6 +112,9 @@ judge(const std::vector<BuildingRoom>& parts,
     Verdict& verdict = verdicts[p];
     if (is_image[p] != 0)
       verdict = {"what a floor mirrors of the room above it", LeftOutKind::Mirror};
+    else if (is_view[p] != 0)
+      verdict = {"seen only through panes of glass, or in mirrors",
+                 LeftOutKind::Mirror};
     else
       verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
                                      parameters, verdict.kind);
@@ -134,12 +140,13 @@ judge(const std::vector<BuildingRoom>& parts,
 std::vector<std::uint32_t>
 keepRooms(std::vector<BuildingRoom> parts,
           const std::vector<RoomOpening>& openings,
+          const std::vector<std::uint8_t>& is_view,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
   const std::vector<Verdict> verdicts =
-      judge(parts, openings, parameters, building.cell_size);
+      judge(parts, openings, is_view, parameters, building.cell_size);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     BuildingRoom& part = parts[p];
@@ -193,7 +200,8 @@ Building
 findBuilding(const PointView& points,
              const std::vector<int>& indices,
              const BuildingParameters& parameters,
-             std::string& problem)
+             std::string& problem,
+             const BuildingSight& sight)
 {
   problem.clear();
   Building building;
@@ -203,14 +211,17 @@ findBuilding(const PointView& points,
   const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
   const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
   building.cell_size = columns.cellSize();
-  const AirGaps air(columns, airParameters(parameters));
+  const AirGaps air(columns, airParameters(parameters, sight));
   PartingParameters of_parting;
   of_parting.widest_door = parameters.widest_door;
   of_parting.widest_passage = parameters.widest_passage;
   of_parting.smallest_room = parameters.minimum_area;
   const PartedAir parted = partRooms(air, of_parting);
+  std::vector<BuildingRoom> parts = describeRooms(air, parted);
+  const std::vector<std::uint8_t> is_view =
+      viewsThroughPanes(parts, columns.grid(), points, sight.behind);
   const std::vector<std::uint32_t> number =
-      keepRooms(describeRooms(air, parted), parted.openings, parameters, building);
+      keepRooms(std::move(parts), parted.openings, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

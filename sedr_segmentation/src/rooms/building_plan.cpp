@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "../air/height_counts.h"
 #include "../parting/wall_beside.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

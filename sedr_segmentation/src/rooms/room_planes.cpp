@@ -2,7 +2,7 @@
 #include "../air/height_counts.h"
 
 #include "room_planes.h"
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/disjoint_sets.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/impl/structure_fields.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../planes/plane_pair.h"
 
-#include <pcl/sedr_segmentation/scan_check.h>
+#include "scan_check.h"
 
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -211,13 +211,19 @@ footProblem(const Floorplan& plan)
   constexpr double lowest = 7;
   constexpr double highest = 12;
   constexpr double largest = 300;
-  constexpr double least_share = 0.8; // slivers beside the rooms tell nothing
+  constexpr double least_share = 0.8;
+  constexpr double sliver = 0.1; // of the largest room: smaller ones tell nothing
   std::vector<double> heights;
   std::vector<double> areas;
   double whole_area = 0;
+  double largest_area = 0;
+  for (const PlanRoom& room : plan.rooms)
+    largest_area = std::max(largest_area, room.area());
+  std::size_t rooms = 0;
   for (const PlanRoom& room : plan.rooms) {
-    if (room.boundary.elements.empty())
+    if (room.boundary.elements.empty() || room.area() < sliver * largest_area)
       continue;
+    ++rooms;
     const Eigen::Vector2d& corner = room.boundary.elements.front().start;
     const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
     whole_area += room.area();
@@ -235,7 +241,7 @@ footProblem(const Floorplan& plan)
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const std::string which =
       heights.size() == 1 ? text("the room is %.1f m high", *low)
-                          : (heights.size() == plan.rooms.size() ? "all " : "") +
+                          : (heights.size() == rooms ? "all " : "") +
                                 text("%.0f rooms are %.1f to %.1f m high",
                                      static_cast<double>(heights.size()), *low, *high);
   return which + ", as rooms of homes and offices are in feet: if the foot is the unit "

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/large_memory.h>
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
-#include <pcl/sedr_segmentation/scan_excerpt.h>
+#include "scan_excerpt.h"
+#include "../refit/plan_refit.h"
+#include "sedr_filters/src/base/large_memory.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <atomic>
 #include <stdexcept>

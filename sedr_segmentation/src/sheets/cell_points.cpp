@@ -31,6 +31,15 @@ CellPoints::CellPoints(const SheetGrid& grid,
   for (const Eigen::Vector3d& p : points)
     if (const std::size_t cell = cellOf(p); cell < grid.count())
       points_[next[cell]++] = p;
+  balls_.resize(grid.count());
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    if (isEmpty(cell))
+      continue;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d* p = begin(cell); p != end(cell); ++p)
+      box.extend(*p);
+    balls_[cell] = {box.center(), box.diagonal().norm() / 2};
+  }
 }
 
 std::vector<Eigen::Vector3d>

@@ -4,6 +4,7 @@
 #include "sheet_fit.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,12 @@
 
 namespace pcl {
 namespace sedr {
+
+/** @brief A ball around the points of a cell. */
+struct CellBall {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0;
+};
 
 /** @brief The points of a sheet, cell by cell of its grid. */
 class CellPoints {
@@ -34,6 +41,8 @@ public:
     return points_.data() + first_[cell + 1];
   }
 
+  const CellBall& ball(std::size_t cell) const { return balls_[cell]; }
+
   /** @brief The points of some cells, no more than about `most`, evenly chosen. */
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<std::size_t>& cells,
                                         std::size_t most) const;
@@ -50,6 +59,7 @@ private:
   const std::vector<std::uint8_t>& domain_;
   std::vector<std::size_t> first_;
   std::vector<Eigen::Vector3d> points_;
+  std::vector<CellBall> balls_;
 };
 
 } // namespace sedr

@@ -3,7 +3,7 @@
 
 #include "sheet_relief.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,7 @@ constexpr ShapeKind kinds[] = {ShapeKind::Plane, ShapeKind::Cylinder, ShapeKind:
                                ShapeKind::EllipticCylinder, ShapeKind::Ellipsoid};
 
 constexpr std::size_t least_cells = 10; ///< that another shape is tried for
+constexpr double settled = 1e-4;        ///< share of its cost: a last fit follows
 
 /** @brief Chooses among proposals, round by round. */
 class Chooser {
@@ -101,26 +102,28 @@ private:
     for (std::size_t cell = 0; cell < count; ++cell)
       if (isSeen(cell))
         lowest[cell] = evidence_.outlier();
+    const auto gainOf = [&](std::size_t k) {
+      double gain = -penaltyOf(parametersOf(proposals[k].kind));
+      for (std::size_t cell = 0; cell < count; ++cell)
+        gain += std::max(0.0F, lowest[cell] - costs[k].cost[cell]);
+      return gain;
+    };
+    // What a proposal gains falls with every one that is taken: gains of before are
+    // bounds.
+    std::vector<double> gains(proposals.size());
+    forEach(proposals.size(), [&](std::size_t k) { gains[k] = gainOf(k); });
     FacetChoice choice;
     choice.label.assign(count, 0);
-    std::vector<bool> is_chosen(proposals.size(), false);
     for (;;) {
-      std::size_t best = proposals.size();
-      double most = 0;
-      for (std::size_t k = 0; k < proposals.size(); ++k) {
-        if (is_chosen[k])
-          continue;
-        double gain = -penaltyOf(parametersOf(proposals[k].kind));
-        for (std::size_t cell = 0; cell < count; ++cell)
-          gain += std::max(0.0F, lowest[cell] - costs[k].cost[cell]);
-        if (gain <= most)
-          continue;
-        most = gain;
-        best = k;
-      }
-      if (best == proposals.size())
+      const auto highest = std::max_element(gains.begin(), gains.end());
+      if (highest == gains.end() || *highest <= 0)
         return choice;
-      is_chosen[best] = true;
+      const auto best = static_cast<std::size_t>(highest - gains.begin());
+      const double bound = *highest;
+      *highest = gainOf(best);
+      if (*highest < bound)
+        continue;
+      *highest = 0;
       for (std::size_t cell = 0; cell < count; ++cell)
         if (costs[best].cost[cell] < lowest[cell]) {
           lowest[cell] = costs[best].cost[cell];
@@ -143,10 +146,9 @@ private:
   double costOver(const FacetProposal& facet,
                   const std::vector<std::size_t>& cells) const
   {
-    const FacetCosts costs = costsOf(facet.slab, evidence_);
     double sum = penaltyOf(parametersOf(facet.kind));
     for (const std::size_t cell : cells)
-      sum += costs.cost[cell];
+      sum += costIn(cell, facet.slab, evidence_);
     return sum;
   }
 
@@ -169,7 +171,7 @@ private:
     };
     FacetProposal refined = known;
     refineShape(known.kind, cells_.pointsOf(own, 5000), evidence_.deviation,
-                refined.slab);
+                refined.slab, settled);
     consider(refined);
     for (const ShapeKind kind : kinds) {
       // What is left is noise, at least: another shape must earn its parameters.

@@ -12,6 +12,15 @@ namespace sedr {
 
 namespace {
 
+/** @brief A rectangle of cells, none at first. */
+using CellBox = Eigen::AlignedBox2i;
+
+CellBox
+wholeBox(const SheetGrid& grid)
+{
+  return {Eigen::Vector2i(0, 0), Eigen::Vector2i(grid.columns - 1, grid.rows - 1)};
+}
+
 /** @brief The borders between cells of the domain, and what they cost. */
 class Borders {
 public:
@@ -21,20 +30,25 @@ public:
       , parameters_(evidence.parameters)
   {}
 
-  /** @brief Calls `use(a, b)` for all neighbours in the domain. */
+  /** @brief Calls `use(a, b)` for all neighbours in the domain of which one at least
+   * lies in a box. */
   template <typename Use>
-  void forAll(Use use) const
+  void forAll(const CellBox& box, Use use) const
   {
     const SheetGrid& grid = cells_.grid();
-    for (int y = 0; y < grid.rows; ++y)
-      for (int x = 0; x < grid.columns; ++x) {
+    const auto useIfInside = [&](std::size_t a, int x, int y) {
+      if (grid.holds(x, y) && cells_.isInside(grid.indexOf(x, y)))
+        use(a, grid.indexOf(x, y));
+    };
+    for (int y = std::max(0, box.min().y() - 1); y <= box.max().y(); ++y)
+      for (int x = std::max(0, box.min().x() - 1); x <= box.max().x(); ++x) {
         const std::size_t cell = grid.indexOf(x, y);
         if (!cells_.isInside(cell))
           continue;
-        if (x + 1 < grid.columns && cells_.isInside(cell + 1))
-          use(cell, cell + 1);
-        if (y + 1 < grid.rows && cells_.isInside(grid.indexOf(x, y + 1)))
-          use(cell, grid.indexOf(x, y + 1));
+        if (y >= box.min().y())
+          useIfInside(cell, x + 1, y);
+        if (x >= box.min().x())
+          useIfInside(cell, x, y + 1);
       }
   }
 
@@ -60,13 +74,33 @@ private:
 
 } // namespace
 
+float
+costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
+{
+  // Distances are true to first order: beyond twice the radius all points are off.
+  constexpr double surely = 2;
+  const CellPoints& cells = evidence.cells;
+  const double outlier = evidence.parameters.outlier;
+  const CellBall& ball = cells.ball(cell);
+  const double off = evidence.deviation * std::sqrt(2 * outlier);
+  if (cells.isEmpty(cell))
+    return 0;
+  if (std::abs(distanceOf(facet, ball.centre)) > surely * ball.radius + off)
+    return evidence.outlier();
+  double sum = 0;
+  for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
+    const double share = distanceOf(facet, *p) / evidence.deviation;
+    sum += std::min(share * share / 2, outlier);
+  }
+  return static_cast<float>(evidence.weight() * sum /
+                            static_cast<double>(cells.end(cell) - cells.begin(cell)));
+}
+
 FacetCosts
 costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
 {
   const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
-  const double weight = evidence.weight();
-  const double outlier = evidence.parameters.outlier;
   FacetCosts costs;
   costs.cost.assign(grid.count(), 0);
   costs.height.assign(grid.count(), 0);
@@ -74,15 +108,7 @@ costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
     if (!cells.isInside(cell))
       continue;
     costs.height[cell] = static_cast<float>(facet.heightAt(grid.centre(cell)));
-    if (cells.isEmpty(cell))
-      continue;
-    double sum = 0;
-    for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
-      const double share = distanceOf(facet, *p) / evidence.deviation;
-      sum += std::min(share * share / 2, outlier);
-    }
-    costs.cost[cell] = static_cast<float>(
-        weight * sum / static_cast<double>(cells.end(cell) - cells.begin(cell)));
+    costs.cost[cell] = costIn(cell, facet, evidence);
   }
   return costs;
 }
@@ -98,49 +124,138 @@ energyOf(const std::vector<FacetCosts>& facets,
     if (cells.isInside(cell))
       energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
   const Borders borders(facets, evidence);
-  borders.forAll([&](std::size_t a, std::size_t b) {
+  borders.forAll(wholeBox(cells.grid()), [&](std::size_t a, std::size_t b) {
     energy += borders.costOf(a, b, label[a], label[b]);
   });
   return energy;
 }
+
+namespace {
+
+/** @brief About the cells that a facet has, or whose points it explains in part: where
+ * it may spread. */
+CellBox
+reachOf(std::int32_t facet,
+        const FacetCosts& costs,
+        const FacetEvidence& evidence,
+        const std::vector<std::int32_t>& label)
+{
+  constexpr double beyond = 1; // metres: over places without points
+  const CellPoints& cells = evidence.cells;
+  const SheetGrid& grid = cells.grid();
+  CellBox box;
+  for (std::size_t cell = 0; cell < label.size(); ++cell)
+    if (cells.isInside(cell) &&
+        (label[cell] == facet ||
+         (!cells.isEmpty(cell) && costs.cost[cell] < evidence.outlier())))
+      box.extend(Eigen::Vector2i(grid.columnOf(cell), grid.rowOf(cell)));
+  if (box.isEmpty())
+    return box;
+  const auto margin = static_cast<int>(std::ceil(beyond / grid.size));
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  return box.intersection(wholeBox(grid));
+}
+
+/** @brief The labels if one facet takes what it gains by: of all such choices within a
+ * box that which costs least. */
+std::vector<std::int32_t>
+expanded(std::int32_t own,
+         const CellBox& box,
+         const std::vector<FacetCosts>& facets,
+         const Borders& borders,
+         const CellPoints& cells,
+         std::vector<std::int32_t> label)
+{
+  const SheetGrid& grid = cells.grid();
+  const Eigen::Vector2i extent = box.sizes() + Eigen::Vector2i::Ones();
+  const auto isIn = [&](std::size_t cell) {
+    return box.contains(Eigen::Vector2i(grid.columnOf(cell), grid.rowOf(cell)));
+  };
+  const auto numberOf = [&](std::size_t cell) {
+    return static_cast<std::size_t>((grid.rowOf(cell) - box.min().y()) * extent.x() +
+                                    grid.columnOf(cell) - box.min().x());
+  };
+  BinaryEnergy expansion(static_cast<std::size_t>(extent.prod()));
+  const auto forAllCells = [&](auto use) {
+    for (int y = box.min().y(); y <= box.max().y(); ++y)
+      for (int x = box.min().x(); x <= box.max().x(); ++x)
+        if (cells.isInside(grid.indexOf(x, y)))
+          use(grid.indexOf(x, y));
+  };
+  const std::vector<float>& if_yes = facets[static_cast<std::size_t>(own)].cost;
+  forAllCells([&](std::size_t cell) {
+    expansion.addTerm(numberOf(cell),
+                      facets[static_cast<std::size_t>(label[cell])].cost[cell],
+                      if_yes[cell]);
+  });
+  borders.forAll(box, [&](std::size_t a, std::size_t b) {
+    const double no_no = borders.costOf(a, b, label[a], label[b]);
+    const double no_yes = borders.costOf(a, b, label[a], own);
+    const double yes_no = borders.costOf(a, b, own, label[b]);
+    if (isIn(a) && isIn(b))
+      expansion.addPair(numberOf(a), numberOf(b), no_no, no_yes, yes_no, 0);
+    else if (isIn(a))
+      expansion.addTerm(numberOf(a), no_no, yes_no);
+    else if (isIn(b))
+      expansion.addTerm(numberOf(b), no_no, no_yes);
+  });
+  const std::vector<std::uint8_t> takes = expansion.minimise();
+  forAllCells([&](std::size_t cell) {
+    if (takes[numberOf(cell)])
+      label[cell] = own;
+  });
+  return label;
+}
+
+/** @brief Whether a cell in a box, or beside it, changed after an expansion. */
+bool
+hasChanged(const SheetGrid& grid,
+           const CellBox& box,
+           const std::vector<std::int32_t>& changed,
+           std::int32_t last)
+{
+  for (int y = std::max(0, box.min().y() - 1);
+       y <= std::min(grid.rows - 1, box.max().y() + 1); ++y)
+    for (int x = std::max(0, box.min().x() - 1);
+         x <= std::min(grid.columns - 1, box.max().x() + 1); ++x)
+      if (changed[grid.indexOf(x, y)] > last)
+        return true;
+  return false;
+}
+
+} // namespace
 
 void
 labelCells(const std::vector<FacetCosts>& facets,
            const FacetEvidence& evidence,
            std::vector<std::int32_t>& label)
 {
-  const CellPoints& cells = evidence.cells;
   constexpr int most_sweeps = 4;
   constexpr double worth = 1e-6;
   const Borders borders(facets, evidence);
   double energy = energyOf(facets, evidence, label);
   const auto count = static_cast<std::int32_t>(facets.size());
-  std::int32_t idle = 0; // expansions in a row that changed nothing
-  for (std::int32_t k = 0; k < most_sweeps * count && idle < count; ++k) {
-    const std::int32_t own = k % count;
-    BinaryEnergy expansion(label.size());
-    for (std::size_t cell = 0; cell < label.size(); ++cell)
-      if (cells.isInside(cell))
-        expansion.addTerm(cell,
-                          facets[static_cast<std::size_t>(label[cell])].cost[cell],
-                          facets[static_cast<std::size_t>(own)].cost[cell]);
-    borders.forAll([&](std::size_t a, std::size_t b) {
-      expansion.addPair(a, b, borders.costOf(a, b, label[a], label[b]),
-                        borders.costOf(a, b, label[a], own),
-                        borders.costOf(a, b, own, label[b]), 0);
-    });
-    const std::vector<std::uint8_t> takes = expansion.minimise();
-    std::vector<std::int32_t> next = label;
-    for (std::size_t cell = 0; cell < label.size(); ++cell)
-      if (cells.isInside(cell) && takes[cell])
-        next[cell] = own;
+  // An expansion over cells that have not changed since the last one changes nothing.
+  std::vector<std::int32_t> changed(label.size(), 0); // by which expansion
+  std::vector<std::int32_t> tried(facets.size(), -1); // which was the facet's last
+  for (std::int32_t k = 0; k < most_sweeps * count; ++k) {
+    const auto own = static_cast<std::size_t>(k % count);
+    const CellBox box = reachOf(k % count, facets[own], evidence, label);
+    if (box.isEmpty() || !hasChanged(evidence.cells.grid(), box, changed, tried[own]))
+      continue;
+    tried[own] = k;
+    std::vector<std::int32_t> next =
+        expanded(k % count, box, facets, borders, evidence.cells, label);
     const double there = energyOf(facets, evidence, next);
-    ++idle;
     if (there >= energy - worth)
       continue;
     energy = there;
+    for (std::size_t cell = 0; cell < label.size(); ++cell)
+      if (next[cell] != label[cell])
+        changed[cell] = k + 1;
+    tried[own] = k + 1;
     label = std::move(next);
-    idle = 0;
   }
 }
 

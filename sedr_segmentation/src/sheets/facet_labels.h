@@ -16,6 +16,9 @@ struct FacetCosts {
   std::vector<float> height; ///< of each cell: z above its middle
 };
 
+/** @brief What the points of a cell of the domain cost that are off a facet. */
+float costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence);
+
 /** @brief The costs of a facet. In cells without points, and beside the domain, it is
  * nothing. */
 FacetCosts costsOf(const PlanSlab& facet, const FacetEvidence& evidence);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_proposals.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double band = 3;                ///< deviations that a point of a facet is off
+constexpr double proposal_band = 3;       ///< deviations that a point of a facet is off
 constexpr std::size_t few_points = 250;   ///< that a shape in a window is fitted to
 constexpr std::size_t most_points = 1500; ///< that a growing shape is fitted to
 
@@ -23,9 +23,13 @@ explainsCell(const PlanSlab& slab,
              std::size_t cell,
              double deviation)
 {
+  const CellBall& ball = cells.ball(cell);
+  if (std::abs(distanceOf(slab, ball.centre)) >
+      2 * ball.radius + proposal_band * deviation)
+    return false;
   std::ptrdiff_t near = 0;
   for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p)
-    near += std::abs(distanceOf(slab, *p)) < band * deviation ? 1 : 0;
+    near += std::abs(distanceOf(slab, *p)) < proposal_band * deviation ? 1 : 0;
   return 2 * near > cells.end(cell) - cells.begin(cell);
 }
 

@@ -266,6 +266,16 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   return sheet;
 }
 
+bool
+hasSlope(const Sheet& sheet)
+{
+  return std::any_of(
+      sheet.facets.begin(), sheet.facets.end(), [](const PlanSlab& facet) {
+        return facet.curve ? facet.curve->kind != CurveKind::Relief
+                           : facet.plane[2] < std::cos(SheetParameters().level);
+      });
+}
+
 PlanSlab
 reliefOf(const Sheet& sheet, double spacing)
 {

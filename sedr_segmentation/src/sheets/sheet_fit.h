@@ -24,6 +24,7 @@ struct SheetParameters {
   std::size_t most_cells = 20000; ///< of a room
   double unevenness = 0.005;      ///< by which a ceiling strays from its shape, metres:
                                   ///< plaster within a straightedge's tolerance
+  double largest_noise = 0.02; ///< of points, metres: more is relief, of ribs or beams
   double patch = 0.5;      ///< metres within which it strays as one: what is seen there
                            ///< counts once
   double outlier = 4.5;    ///< cost of a patch that no facet explains: three deviations
@@ -35,7 +36,9 @@ struct SheetParameters {
   double least_relief = 1; ///< of a free form, square metres
   double relief_spacing = 0.25; ///< between its heights, metres
   double steepest = M_PI / 3;   ///< of a plane, radians
-  double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
+  double level =
+      4 * M_PI / 180;         ///< planes of level ceilings lean by 3 degrees, radians
+  double largest_radius = 40; ///< of a vault; flatter ones are planes, metres
   unsigned threads = 1;
 };
 
@@ -122,10 +125,14 @@ Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
                const std::vector<double>& directions,
                const SheetParameters& parameters = {});
 
-/** @brief The share of the patches of a ceiling, of half a metre, that are smooth and
- * slope by more than 4 degrees: none of level planes, most of a roof or of vaults,
- * however shallow these are. 0 where there are no points. O(n). */
-double slopingShare(const std::vector<Eigen::Vector3d>& points);
+/** @brief The largest part of a ceiling, in square metres, that is smooth, slopes by
+ * more than 4 degrees and is nowhere narrower than half a metre: none of level planes,
+ * their steps and what hangs below them, much of a roof, a vault or a cove. 0 where
+ * there are no points. O(n). */
+double slopingArea(const std::vector<Eigen::Vector3d>& points);
+
+/** @brief Whether a sheet has a facet in closed form that is no level plane. */
+bool hasSlope(const Sheet& sheet);
 
 /** @brief The last fit: every facet of a sheet to the points of the scan near it, as
  * many of each cell, away from its borders; reliefs stay as they are.
@@ -148,9 +155,11 @@ PlanSlab reliefOf(const Sheet& sheet, double spacing);
 /** @brief Gives a room its ceiling: its largest facet is the main one, others lie over
  * it, with borders where facets meet, at steps, and at the room's walls. Details of the
  * ceiling make way.
- * @param points those that the sheet was fitted to */
+ * @param points those that the sheet was fitted to
+ * @param risers points of what is upright between its facets; may be empty */
 void giveCeiling(const Sheet& sheet,
                  const std::vector<Eigen::Vector3d>& points,
+                 const std::vector<Eigen::Vector3d>& risers,
                  PlanRoom& room);
 
 /** @brief The directions of a room's straight walls and those square to them, radians,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
+#include "boundary_points.h"
 
 #include "neighbour_cells.h"
 
-#include <pcl/sedr_filters/number_text.h>
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -11,7 +11,7 @@ namespace {
 /** @brief Gaps that differ by less from the angle are not told by sectors, radians. */
 constexpr float margin = 1e-3f;
 
-constexpr auto two_pi = static_cast<float>(2 * M_PI);
+constexpr auto full_turn = static_cast<float>(2 * M_PI);
 
 } // namespace
 
@@ -39,7 +39,7 @@ float
 DirectionSectors::turnOver(unsigned first, unsigned count) const
 {
   const unsigned end = first + count;
-  return from_[end % sectors] + two_pi * static_cast<float>(end / sectors) -
+  return from_[end % sectors] + full_turn * static_cast<float>(end / sectors) -
          from_[first];
 }
 

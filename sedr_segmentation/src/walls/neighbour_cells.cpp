@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbour_cells.h"
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
+#include "boundary_points.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

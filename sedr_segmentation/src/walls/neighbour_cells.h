@@ -3,7 +3,7 @@
 
 #include "direction_sectors.h"
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "wall_boards.h"
 
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../curves/plan_points.h"
+#include "../plan/room_fit.h"
 #include "../profiles/column_table.h"
-#include <pcl/sedr_segmentation/plan_points.h>
-#include <pcl/sedr_segmentation/room_fit.h>
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/detail/wall_growing.h>
+#include "wall_growing.h"
 
 #include "../profiles/rim_support.h"
+#include "boundary_points.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/number_text.h>
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

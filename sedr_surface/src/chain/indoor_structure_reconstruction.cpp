@@ -1,9 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_segmentation/src/refit/plan_refit.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/search/impl/search.hpp>
 #include <pcl/surface/impl/reconstruction.hpp>
+
+#include <limits>
+
+namespace pcl {
+namespace sedr {
+
+std::string
+voxelProblem(double voxel_size, double grid_size)
+{
+  if (voxel_size <= 1.001 * grid_size)
+    return {};
+  return "the voxel size " + numberText(voxel_size) +
+         " m must not be above the grid size " + numberText(grid_size) +
+         " m, or cells stay empty";
+}
+
+std::string
+cloudProblem(const PointView& points, const pcl::Indices& indices)
+{
+  const std::string problem = indicesProblem(indices, points.size());
+  return problem.empty() ? scanProblem(points, indices) : problem;
+}
+
+std::size_t
+excerptStep(std::size_t points)
+{
+  return rawStep(points, RefitParameters().most_points);
+}
+
+std::shared_ptr<std::vector<Eigen::Vector3f>>
+excerptOf(const PointView& points, const pcl::Indices& indices)
+{
+  const std::size_t step = excerptStep(points.size());
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto excerpt = std::make_shared<std::vector<Eigen::Vector3f>>(
+      (points.size() + step - 1) / step, Eigen::Vector3f::Constant(nan));
+  for (const auto index : indices) {
+    const auto i = static_cast<std::size_t>(index);
+    if (i % step == 0)
+      (*excerpt)[i / step] = points[i];
+  }
+  return excerpt;
+}
+
+std::string
+thinWithExcerpt(const RowSource& source,
+                unsigned threads,
+                const std::function<void(const RowSource&)>& thin,
+                std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt)
+{
+  const ScanExcerpt scan(source, RefitParameters().most_points, threads);
+  thin(scan);
+  const std::string problem = scan.problem();
+  if (problem.empty())
+    excerpt = scan.points();
+  return problem;
+}
+
+} // namespace sedr
+} // namespace pcl
 
 PCL_INSTANTIATE(IndoorStructureReconstruction, SEDR_POINT_TYPES)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
-#include <pcl/sedr_filters/large_memory.h>
+#include "sedr_filters/src/base/large_memory.h"
+#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,31 +23,6 @@ secondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
-}
-
-/** @brief What to try where no structure was found in a scan that is as high as a room,
- * or a building, in inches, and no building in metres; the outermost hundredths do not
- * count. */
-std::string
-inchDoubt(const pcl::PointCloud<pcl::PointXYZ>& cloud)
-{
-  constexpr float lowest = 60;   // metres, if the metre is the unit
-  constexpr float highest = 200; // above, the check of the scan tells the unit
-  if (cloud.empty())
-    return {};
-  std::vector<float> heights;
-  for (const auto& p : cloud)
-    heights.push_back(p.z);
-  const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 100);
-  std::nth_element(heights.begin(), heights.begin() + cut, heights.end());
-  const float low = heights[static_cast<std::size_t>(cut)];
-  std::nth_element(heights.begin(), heights.end() - 1 - cut, heights.end());
-  const float height = *(heights.end() - 1 - cut) - low;
-  if (!(height > lowest && height < highest))
-    return {};
-  return "; the scan is " + std::to_string(std::lround(height)) +
-         " m high: if its unit is the inch, scale it by 0.0254 (--unit 0.0254 in "
-         "pcl_sedr)";
 }
 
 } // namespace
@@ -116,6 +93,11 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
   levelling.reset();
+  straightening = Straightening();
+  tilts.clear();
+  leaning_faces_.clear();
+  straight_plan_ = plan;
+  straight_structure_ = structure;
   refined_.clear();
   repaired_shares_.clear();
   unseen_.clear();
@@ -148,7 +130,10 @@ StructureChain::runStage(const std::string& name, std::size_t points_in, Step st
 bool
 StructureChain::fail(const std::string& reason)
 {
-  problem = reason + inchDoubt(*cloud);
+  problem = reason;
+  const std::string doubt = inchProblem(PointView(*cloud), 0);
+  if (!doubt.empty())
+    problem += "; " + doubt;
   return false;
 }
 
@@ -171,6 +156,7 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
   if (!thinned)
     return fail("no cloud was given");
   reset(thinned);
+  sight_ = mirrored.lines;
   if (stray_limit > 0)
     warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +
@@ -184,6 +170,7 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
   if (!checkScan())
     return false;
   levelScan();
+  straightenScan();
   const std::size_t n = cloud->size();
   return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
@@ -221,8 +208,8 @@ bool
 StructureChain::makeMesh()
 {
   return runStage("StructuralPoisson", structure->size(), [&](StageReport& report) {
-    poisson.setInputCloud(structure);
-    poisson.setFloorplan(mesh_from_plan ? plan : nullptr);
+    poisson.setInputCloud(straight_structure_);
+    poisson.setFloorplan(mesh_from_plan ? straight_plan_ : nullptr);
     poisson.setRoomWorkers(room_workers);
     const bool is_made = poisson.makeMesh();
     giveFreedMemoryBack();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/label_values.h"
+#include <pcl/sedr_surface/room_jobs.h>
 
 #include <pcl/sedr_surface/structure_chain.h>
 
-#include <pcl/sedr_filters/surface_cells.h>
-#include <pcl/sedr_segmentation/detail/wall_growing.h>
+#include "sedr_segmentation/src/walls/wall_growing.h"
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>
 
@@ -121,19 +122,21 @@ StructureChain::repairJob(const PlanRoom& room) const
 bool
 StructureChain::refineElsewhere(StageReport& report)
 {
-  const std::string excess = surfaceCellsProblem(*plan, hole_repair.getGridSize());
+  const std::string excess =
+      surfaceCellsProblem(*straight_plan_, hole_repair.getGridSize());
   if (!excess.empty())
     return fail(excess);
   shareOut();
   std::vector<std::size_t> sizes;
-  for (const PlanRoom& room : plan->rooms)
+  for (const PlanRoom& room : straight_plan_->rooms)
     sizes.push_back(shares_[room.id].size());
-  std::vector<RoomResult> results(plan->rooms.size());
+  std::vector<RoomResult> results(straight_plan_->rooms.size());
   room_workers->work(
-      sizes, [this](std::size_t r) { return RoomJob(repairJob(plan->rooms[r])); },
+      sizes,
+      [this](std::size_t r) { return RoomJob(repairJob(straight_plan_->rooms[r])); },
       [&](std::size_t r, RoomResult result) { results[r] = std::move(result); });
   for (std::size_t r = 0; r < results.size(); ++r) {
-    const std::uint32_t room = plan->rooms[r].id;
+    const std::uint32_t room = straight_plan_->rooms[r].id;
     if (const auto* lost = std::get_if<LostRoom>(&results[r])) {
       warn(room, "it has no points and no mesh: " + lost->reason);
       continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/structure_chain.h>
 
-#include <pcl/sedr_filters/mirrored_points.h>
+#include "sedr_filters/src/rays/mirrored_points.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,10 +23,14 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
                     [](const ScanPosition& position) { return position.isKnown(); }));
   mirrored.rays = found.rays;
   mirrored.mirrors = found.mirrors;
+  mirrored.lines = std::make_shared<SightLines>(found.lines);
+  mirrored.behind.clear();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < thinned.size(); ++i)
-    if (found.of_thinned[i] == 0)
+    if (found.of_thinned[i] == 0) {
       thinned[kept++] = thinned[i];
+      mirrored.behind.push_back(found.behind[i]);
+    }
   mirrored.points = thinned.size() - kept;
   thinned.resize(kept);
   for (std::size_t k = 0; k < rows.size(); ++k)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
-#include <pcl/sedr_filters/surface_cells.h>
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -42,7 +43,7 @@ StructureChain::refine(StageReport& report)
   if (room_workers)
     return refineElsewhere(report);
   shareOut();
-  for (const PlanRoom& room : plan->rooms) {
+  for (const PlanRoom& room : straight_plan_->rooms) {
     refined_.emplace_back(new StructureCloud);
     refinement.setInputCloud(labelledCloud(room.id));
     refinement.setFloorplan(planOf(room));
@@ -52,7 +53,7 @@ StructureChain::refine(StageReport& report)
     tellResult("StructureRefinement", room.id);
     report.points_out += refined_.back()->size();
   }
-  refinement.setFloorplan(plan);
+  refinement.setFloorplan(straight_plan_);
   return report.points_out > 0 || fail("no labelled point lies on the floor plan");
 }
 
@@ -60,11 +61,11 @@ bool
 StructureChain::repair(StageReport& report)
 {
   const double size = hole_repair.getGridSize();
-  const std::string excess = size > 0 ? surfaceCellsProblem(*plan, size) : "";
+  const std::string excess = size > 0 ? surfaceCellsProblem(*straight_plan_, size) : "";
   if (!excess.empty())
     return fail(excess);
   for (std::size_t r = 0; r < refined_.size(); ++r) { // none if done elsewhere
-    const PlanRoom& room = plan->rooms[r];
+    const PlanRoom& room = straight_plan_->rooms[r];
     StructureCloud whole;
     hole_repair.setInputCloud(refined_[r]);
     hole_repair.setFloorplan(planOf(room));
@@ -81,8 +82,9 @@ StructureChain::repair(StageReport& report)
           static_cast<double>(whole.size());
     *structure += whole;
   }
-  hole_repair.setFloorplan(plan);
+  hole_repair.setFloorplan(straight_plan_);
   report.points_out = structure->size();
+  leanStructure();
   warnOfGuesses();
   return true;
 }
@@ -109,6 +111,7 @@ bool
 StructureChain::extrude(StageReport& report)
 {
   extrusion.setFloorplan(plan);
+  extrusion.setTilts(tilts);
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
   tellResult("FloorplanExtrusion");

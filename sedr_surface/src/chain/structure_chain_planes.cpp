@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/label_values.h"
 #include "all_indices.h"
+#include "sedr_segmentation/src/plan/room_territory.h"
+#include "sedr_segmentation/src/walls/wall_growing.h"
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_lean.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_filters/plane_fit.h>
-#include <pcl/sedr_segmentation/scan_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -240,6 +242,12 @@ StructureChain::scopes() const
   for (const ChainRoom& room : regions_)
     scopes.push_back(room.scope);
   return scopes;
+}
+
+RoomTerritory
+StructureChain::territory() const
+{
+  return territory(RoomTerritory::farthest_wall);
 }
 
 RoomTerritory

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/label_values.h"
+#include "sedr_filters/src/plan/plan_surfaces.h"
+#include <pcl/sedr_surface/room_jobs.h>
+#include "all_indices.h"
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
+#include "sedr_segmentation/src/plan/room_territory.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/sheets/sheet_fit.h"
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/room_territory.h>
-#include <pcl/sedr_segmentation/scan_check.h>
+#include "sedr_segmentation/src/scan/unit_check.h"
+#include "sedr_filters/src/plan/plan_evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,12 +187,11 @@ StructureChain::ceilingOff(
 bool
 StructureChain::hasSheet(std::size_t region) const
 {
-  constexpr double least_share = 0.2; // of patches: ribs, risers and lamps make a few
   std::vector<Eigen::Vector3d> points;
   for (const int i : seenCeiling(region))
     points.push_back(
         (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
-  return slopingShare(points) >= least_share;
+  return slopingArea(points) >= SheetParameters().least_area;
 }
 
 pcl::Indices
@@ -334,18 +338,25 @@ StructureChain::fitPlan(StageReport& report)
   floorplan_fitting.setRooms(rooms);
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
+  if (sight_) {                        // rays prove openings
+    constexpr double tolerance = 0.05; // metres, of what lies on a wall
+    measureEvidence(*plan, PointView(*cloud), *allIndices(cloud->size()), tolerance,
+                    room_segmentation.getNumberOfThreads(), sight_.get());
+  }
   tellResult("FloorplanFitting");
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
   giveStoreys(getBuilding(), *plan);
   warnOfCeilings();
-  const std::string doubt = footProblem(*plan);
-  if (!doubt.empty())
-    warnings.push_back(doubt);
+  for (const std::string& doubt :
+       {footProblem(*plan), inchProblem(PointView(*cloud), plan->storeys.size())})
+    if (!doubt.empty())
+      warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
   giveUpRoomsWithoutPlan();
+  leanPlan();
   labelNiches();
   return true;
 }
@@ -368,7 +379,7 @@ StructureChain::labelNiches()
   const double reach = refinement.getMaximumDistance();
   std::vector<const PlanRoom*> recessed(regions_.size(), nullptr);
   std::vector<std::optional<RoomSurfaces>> surfaces(regions_.size());
-  for (const PlanRoom& room : plan->rooms)
+  for (const PlanRoom& room : straight_plan_->rooms)
     if (!room.niches.empty()) {
       recessed[room.id - 1] = &room;
       surfaces[room.id - 1].emplace(room, reach);

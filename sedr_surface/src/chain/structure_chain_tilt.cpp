@@ -3,8 +3,10 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include "../mesh/mesh_repair.h"
+#include "sedr_segmentation/src/refit/wall_tilt_fit.h"
+#include "sedr_segmentation/src/scan/leaning_faces.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
-#include <pcl/sedr_surface/mesh_repair.h>
 
 #include <cmath>
 #include <cstdio>
@@ -40,7 +42,10 @@ StructureChain::levelScan()
   for (auto& p : *cloud)
     p.getVector3fMap() =
         levelling->level(p.getVector3fMap().cast<double>()).cast<float>();
-  floorplan_fitting.levelRawPoints(*levelling);
+  floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return levelling->level(p); });
+  if (sight_)
+    sight_ = std::make_shared<SightLines>(sight_->levelled(*levelling));
   char text[300];
   std::snprintf(
       text, sizeof text,
@@ -50,6 +55,64 @@ StructureChain::levelScan()
       keep_levelled ? "points, mesh and solid stay level"
                     : "points, mesh and solid are turned back");
   warnings.push_back(text);
+}
+
+void
+StructureChain::straightenScan()
+{
+  leaning_faces_ = leaningFaces(PointView(*cloud), *allIndices(cloud->size()),
+                                room_segmentation.getNumberOfThreads());
+  straightening = Straightening(leaning_faces_);
+  if (straightening.isIdentity())
+    return;
+  for (auto& p : *cloud)
+    p.getVector3fMap() =
+        straightening.straighten(p.getVector3fMap().cast<double>()).cast<float>();
+  floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return straightening.straighten(p); });
+}
+
+void
+StructureChain::leanPlan()
+{
+  straight_plan_ = plan;
+  if (straightening.isIdentity())
+    return;
+  const pcl::IndicesConstPtr indices = floorplan_fitting.getRawIndices();
+  const PointView raw = floorplan_fitting.getRawPoints();
+  tilts =
+      fitTilts(straightening, leaning_faces_, raw.size() > 0 ? raw : PointView(*cloud),
+               indices ? *indices : pcl::Indices(), *plan);
+  straight_plan_ = std::make_shared<Floorplan>(straightened(*plan, tilts));
+  const Straightening fitted(leaningFaces(*plan, tilts));
+  for (auto& p : *cloud) {
+    const Eigen::Vector3d scanned =
+        straightening.back(p.getVector3fMap().cast<double>());
+    p.getVector3fMap() = fitted.straighten(scanned).cast<float>();
+  }
+  straightening = fitted;
+  for (const WallTilt& tilt : tilts) {
+    char text[120];
+    std::snprintf(text, sizeof text, "its wall %zu leans by %.2f degrees %s it",
+                  tilt.wall + 1, std::abs(tilt.tilt) * 180 / M_PI,
+                  tilt.tilt > 0 ? "into" : "out of");
+    warn(tilt.room, text);
+  }
+}
+
+void
+StructureChain::leanStructure()
+{
+  straight_structure_ = structure;
+  if (straightening.isIdentity())
+    return;
+  structure.reset(new StructureCloud(*straight_structure_));
+  for (auto& p : *structure) {
+    const Eigen::Vector3d at = p.getVector3fMap().cast<double>();
+    const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
+    p.getVector3fMap() = straightening.back(at).cast<float>();
+    p.getNormalVector3fMap() = straightening.normalBack(at, normal).cast<float>();
+  }
 }
 
 TriangleMesh
@@ -79,10 +142,20 @@ StructureChain::structureInScanFrame() const
 }
 
 TriangleMesh
+StructureChain::leanedMesh() const
+{
+  TriangleMesh mesh = poisson.getMesh();
+  if (!straightening.isIdentity())
+    for (Eigen::Vector3d& v : mesh.vertices)
+      v = straightening.back(v);
+  return mesh;
+}
+
+TriangleMesh
 StructureChain::meshInScanFrame() const
 {
-  TriangleMesh mesh = inScanFrame(poisson.getMesh());
-  if (levelling && !keep_levelled)
+  TriangleMesh mesh = inScanFrame(leanedMesh());
+  if (isMeshMoved())
     partEqualPositions(mesh); // a float may hold two turned places alike
   return mesh;
 }

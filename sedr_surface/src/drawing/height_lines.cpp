@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_lines.h"
 
-#include <pcl/sedr_filters/room_lookup.h>
+#include "sedr_filters/src/plan/room_lookup.h"
 
 #include <Eigen/Geometry>
 

@@ -7,7 +7,7 @@
 #include "height_lines.h"
 #include "roof_lines.h"
 
-#include <pcl/sedr_surface/plan_facets.h>
+#include "../solid/plan_facets.h"
 
 #include <algorithm>
 #include <cmath>

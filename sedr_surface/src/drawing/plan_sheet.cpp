@@ -9,7 +9,7 @@
 #include "plan_annotations.h"
 #include "wall_bodies.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/solid_glb.h>
+#include <pcl/sedr_surface/solid_io.h>
 
 #include "label_colours.h"
 
@@ -122,25 +122,27 @@ private:
     const SolidElement& e = elements_[element - 1];
     const auto& triangles = triangles_of_[element];
     Eigen::AlignedBox3f box;
-    std::string normals;
+    std::map<std::uint32_t, std::uint32_t> number_of; // of a vertex, in this element
+    std::string corners;
     const std::size_t start = bytes_.size();
-    for (const std::size_t t : triangles) {
-      const Eigen::Vector3d normal = turned(mesh_.scaledNormal(t).normalized());
-      for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d p = turned(mesh_.corner(t, k));
+    for (const std::size_t t : triangles)
+      for (const std::uint32_t vertex : mesh_.triangles[t]) {
+        const auto number = static_cast<std::uint32_t>(number_of.size());
+        const auto [entry, is_new] = number_of.emplace(vertex, number);
+        appendNumber(corners, entry->second);
+        if (!is_new)
+          continue;
+        const Eigen::Vector3d p = turned(mesh_.vertices[vertex]);
         box.extend(p.cast<float>());
         appendFloats(bytes_, p);
-        appendFloats(normals, normal);
       }
-    }
-    const std::size_t count = 3 * triangles.size();
-    const std::size_t place = addAccessor(start, count);
+    const std::size_t place = addAccessor(start, number_of.size(), vertices);
     json_["accessors"][place]["min"] = {box.min().x(), box.min().y(), box.min().z()};
     json_["accessors"][place]["max"] = {box.max().x(), box.max().y(), box.max().z()};
     const std::size_t after = bytes_.size();
-    bytes_ += normals;
-    const std::size_t normal = addAccessor(after, count);
-    Json primitive{{"attributes", {{"POSITION", place}, {"NORMAL", normal}}}};
+    bytes_ += corners;
+    const std::size_t indices = addAccessor(after, 3 * triangles.size(), triangle_list);
+    Json primitive{{"attributes", {{"POSITION", place}}}, {"indices", indices}};
     const auto material = material_of_.find(static_cast<std::uint32_t>(e.label));
     if (material != material_of_.end())
       primitive["material"] = material->second;
@@ -149,19 +151,25 @@ private:
     return addNode({{"name", e.name}, {"mesh", json_["meshes"].size() - 1}});
   }
 
+  struct Kind { ///< of numbers, as glTF has them
+    int target;
+    int component;
+    const char* type;
+  };
+  static constexpr Kind vertices{34962, 5126, "VEC3"}; ///< floats
+  static constexpr Kind triangle_list{34963, 5125, "SCALAR"};
+
   /** @brief Of what has been appended to the bytes since `start`. */
-  std::size_t addAccessor(std::size_t start, std::size_t count)
+  std::size_t addAccessor(std::size_t start, std::size_t count, const Kind& kind)
   {
-    constexpr int array_buffer = 34962;
-    constexpr int float_type = 5126;
     json_["bufferViews"].push_back({{"buffer", 0},
                                     {"byteOffset", start},
                                     {"byteLength", bytes_.size() - start},
-                                    {"target", array_buffer}});
+                                    {"target", kind.target}});
     json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
-                                  {"componentType", float_type},
+                                  {"componentType", kind.component},
                                   {"count", count},
-                                  {"type", "VEC3"}});
+                                  {"type", kind.type}});
     return json_["accessors"].size() - 1;
   }
 

@@ -2,7 +2,7 @@
 #include "decimal_text.h"
 #include "label_colours.h"
 
-#include <pcl/sedr_surface/solid_obj.h>
+#include <pcl/sedr_surface/solid_io.h>
 
 #include <algorithm>
 #include <numeric>

@@ -34,7 +34,7 @@ IfcDocument::addRooms()
     rooms.emplace_back();
     IfcRoom& added = rooms.back();
     added.room = &room;
-    added.report = extrudeRoom(room, {}, added.solid, added.elements);
+    added.report = extrudeRoom(room, {}, added.solid, added.elements, settings.tilts);
     if (added.solid.empty())
       model.warnings.push_back("room " + std::to_string(room.id) +
                                " has no body in the IFC: " + added.report.problem);

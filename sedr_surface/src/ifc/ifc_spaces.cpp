@@ -4,7 +4,7 @@
 #include "level_slab.h"
 #include "mesh_prism.h"
 
-#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "../solver/cell_corners.h"
 #include "dual_vertices.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,6 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr std::size_t nodes = BandGrid::nodes;
-constexpr std::size_t blocks_at_once = 16;
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
 // Which cells hold a vertex, and which one.
@@ -44,7 +42,7 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
     const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
     if (*range.first > 0 || *range.second <= 0)
       return;
-    for (int i = 0; i < static_cast<int>(nodes); ++i) {
+    for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
       const int n[3] = {i & 7, i >> 3 & 7, i >> 6};
       // Cells at the rim are of one sign, what lies around the band counted.
       if (crossed(halo + BandGrid::haloIndex(n[0], n[1], n[2])) &&
@@ -52,7 +50,7 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
         visit(static_cast<std::size_t>(i));
     }
   };
-  parallelBlocks(grid.size(), blocks_at_once, threads,
+  parallelBlocks(grid.size(), BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t b = begin; b < end; ++b)
                      scan(b, [&](std::size_t) { ++counts[b]; });
@@ -67,13 +65,14 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
       vertices += counts[b];
     }
   cells.first.push_back(vertices);
-  cells.table.assign(cells.blocks.size() * nodes, none);
-  parallelBlocks(cells.blocks.size(), blocks_at_once, threads,
+  cells.table.assign(cells.blocks.size() * BandGrid::nodes, none);
+  parallelBlocks(cells.blocks.size(), BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t s = begin; s < end; ++s) {
                      auto next = static_cast<std::uint32_t>(cells.first[s]);
-                     scan(cells.blocks[s],
-                          [&](std::size_t i) { cells.table[s * nodes + i] = next++; });
+                     scan(cells.blocks[s], [&](std::size_t i) {
+                       cells.table[s * BandGrid::nodes + i] = next++;
+                     });
                    }
                  });
   return cells;
@@ -88,7 +87,7 @@ vertexOf(const BandGrid& grid,
   const std::size_t block = grid.neighbour(b, cell[0] >> 3, cell[1] >> 3, cell[2] >> 3);
   if (block == grid.size() || cells.row[block] == grid.size())
     return none;
-  return cells.table[cells.row[block] * nodes +
+  return cells.table[cells.row[block] * BandGrid::nodes +
                      BandGrid::nodeIndex(cell[0] & 7, cell[1] & 7, cell[2] & 7)];
 }
 
@@ -149,7 +148,7 @@ addTriangles(const BandGrid& grid,
   const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
   if (*range.first > 0 || *range.second <= 0)
     return;
-  for (int i = 0; i < static_cast<int>(nodes); ++i) {
+  for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
     const std::array<int, 3> n = {i & 7, i >> 3 & 7, i >> 6};
     const float* here = halo + BandGrid::haloIndex(n[0], n[1], n[2]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -188,20 +187,20 @@ extractDualSurface(const BandGrid& grid,
   const CellVertices cells = numberCells(grid, values, threads);
   mesh.vertices.resize(cells.first.back());
   vertices.assign(mesh.vertices.size(), {});
-  parallelBlocks(cells.blocks.size(), blocks_at_once, threads,
+  parallelBlocks(cells.blocks.size(), BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {
                    DualVertices placer(grid, values, samples, radius);
                    for (std::size_t s = begin; s < end; ++s)
-                     placer.place(cells.blocks[s], &cells.table[s * nodes],
+                     placer.place(cells.blocks[s], &cells.table[s * BandGrid::nodes],
                                   mesh.vertices.data(), vertices.data());
                  });
-  std::vector<std::vector<Triangle>> parts((grid.size() + blocks_at_once - 1) /
-                                           blocks_at_once);
-  parallelBlocks(grid.size(), blocks_at_once, threads,
+  std::vector<std::vector<Triangle>> parts(
+      (grid.size() + BandGrid::blocks_at_once - 1) / BandGrid::blocks_at_once);
+  parallelBlocks(grid.size(), BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t b = begin; b < end; ++b)
                      addTriangles(grid, values, cells, b, mesh, vertices,
-                                  parts[begin / blocks_at_once]);
+                                  parts[begin / BandGrid::blocks_at_once]);
                  });
   for (const auto& part : parts)
     mesh.triangles.insert(mesh.triangles.end(), part.begin(), part.end());

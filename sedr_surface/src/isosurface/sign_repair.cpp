@@ -2,7 +2,7 @@
 #include "sign_repair.h"
 #include "../solver/cell_corners.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr std::size_t nodes = BandGrid::nodes;
 constexpr int gentle_rounds = 8;
 
 using Corners = std::array<int, 4>;
@@ -83,7 +82,8 @@ findFlipOfCell(const BandGrid& grid,
     if (block == grid.size())
       return none; // no cell of the band: what lies around it has no sign here
     if (c == flip)
-      place = block * nodes + BandGrid::nodeIndex(n[0] & 7, n[1] & 7, n[2] & 7);
+      place =
+          block * BandGrid::nodes + BandGrid::nodeIndex(n[0] & 7, n[1] & 7, n[2] & 7);
   }
   return place;
 }
@@ -110,7 +110,7 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
             const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
             if (*range.first > 0 || *range.second <= 0)
               continue;
-            for (int i = 0; i < static_cast<int>(nodes); ++i) {
+            for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
               const std::array<int, 3> cell = {i & 7, i >> 3 & 7, i >> 6};
               const std::size_t place = findFlipOfCell(grid, b, halo, cell, gentle);
               if (place < values.size())
@@ -129,8 +129,8 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
       values[place] = values[place] > 0 ? -1e-4f : 1e-4f;
       for (std::size_t i = 0; i < 27; ++i) {
         const int n = static_cast<int>(i);
-        const std::size_t b =
-            grid.neighbour(place / nodes, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const std::size_t b = grid.neighbour(place / BandGrid::nodes, n % 3 - 1,
+                                             n / 3 % 3 - 1, n / 9 - 1);
         if (b < grid.size())
           suspects.push_back(b);
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "thin_sheets.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Core>
 
@@ -15,8 +15,6 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr std::size_t nodes = BandGrid::nodes;
-constexpr std::size_t blocks_at_once = 16;
 constexpr float thickest = 2.f;  // cells: what is thicker holds a layer of nodes
 constexpr float thinnest = 0.1f; // cells: what is thinner has no sides to tell apart
 constexpr float opposite =
@@ -131,8 +129,9 @@ private:
             continue;
           const std::size_t block = grid_.neighbour(b, x >> 3, y >> 3, z >> 3);
           if (block < grid_.size())
-            votes.push_back({block * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7),
-                             from.norm(), apart > 0});
+            votes.push_back(
+                {block * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7),
+                 from.norm(), apart > 0});
         }
   }
 
@@ -153,12 +152,13 @@ keepThinSheets(const BandGrid& grid,
                std::vector<float>& values)
 {
   const std::size_t blocks = samples.grid.size();
-  std::vector<std::vector<Vote>> parts((blocks + blocks_at_once - 1) / blocks_at_once);
-  parallelBlocks(blocks, blocks_at_once, threads,
+  std::vector<std::vector<Vote>> parts((blocks + BandGrid::blocks_at_once - 1) /
+                                       BandGrid::blocks_at_once);
+  parallelBlocks(blocks, BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {
                    SheetFinder finder(grid, samples, static_cast<float>(spacing));
                    for (std::size_t s = begin; s < end; ++s)
-                     finder.collect(s, parts[begin / blocks_at_once]);
+                     finder.collect(s, parts[begin / BandGrid::blocks_at_once]);
                  });
   std::vector<Vote> votes;
   for (const auto& part : parts)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/number_text.h>
+#include "mesh_intersection.h"
+#include "mesh_repair.h"
+#include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_surface/mesh_evaluation.h>
-#include <pcl/sedr_surface/mesh_intersection.h>
-#include <pcl/sedr_surface/mesh_repair.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/mesh_intersection.h>
+#include "mesh_intersection.h"
 
 #include <algorithm>
 #include <array>

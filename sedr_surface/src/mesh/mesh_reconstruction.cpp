@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 
-namespace pcl {
-namespace sedr {
-
-template class MeshReconstruction<pcl::PointXYZ>;
-template class MeshReconstruction<pcl::PointNormal>;
-template class MeshReconstruction<pcl::PointXYZRGBNormal>;
-template class MeshReconstruction<pcl::PointStructure>;
-
-} // namespace sedr
-} // namespace pcl
+PCL_INSTANTIATE(MeshReconstruction, SEDR_POINT_TYPES)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_samples.h"
 #include <pcl/sedr_surface/mesh_distance.h>
-#include <pcl/sedr_surface/plan_samples.h>
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <Eigen/Geometry>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_support.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
-#include <pcl/sedr_filters/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,14 +93,14 @@ constexpr double most_left_out = 1. / 3;
 
 // What to know of the surfaces that were left out beside the largest, or empty.
 std::string
-leftOutBeside(const TriangleMesh& largest, const MeshRepairReport& repair)
+leftOutBeside(const TriangleMesh& largest, const RoomPoissonReport& report)
 {
-  const auto left_out = static_cast<double>(repair.removed_triangles);
+  const auto left_out = static_cast<double>(report.removed_triangles);
   const double share =
       left_out / std::max(1., left_out + static_cast<double>(largest.triangles.size()));
   if (share < most_left_out)
     return {};
-  return "its points have " + std::to_string(repair.removed_components + 1) +
+  return "its points have " + std::to_string(report.removed_components + 1) +
          " surfaces, of which only the largest is kept: " +
          std::to_string(std::lround(100 * share)) + " % of the triangles are left out";
 }
@@ -166,7 +166,7 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
                      " % of its surface is a guess, further than " +
                      shortNumber(supportDistance(parameters, report)) +
                      " m from all points";
-  const std::string left_out = leftOutBeside(mesh, report.repair);
+  const std::string left_out = leftOutBeside(mesh, report);
   if (!left_out.empty())
     report.warning += (report.warning.empty() ? "" : "; ") + left_out;
 }

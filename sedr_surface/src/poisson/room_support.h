@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_surface/room_poisson.h>
+#include "room_poisson.h"
 
 #include <Eigen/Core>
 

@@ -3,9 +3,10 @@
 #include "../isosurface/sign_repair.h"
 #include "../isosurface/thin_sheets.h"
 #include "../solver/poisson_hierarchy.h"
+#include <pcl/sedr_surface/structural_poisson.h>
 
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_surface/screened_poisson.h>
+#include "screened_poisson.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Geometry>
 

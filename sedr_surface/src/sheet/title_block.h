@@ -4,7 +4,7 @@
 #include "sheet.h"
 #include "sheet_layout.h"
 
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <string>
 

@@ -1,11 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../mesh/mesh_intersection.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
 
+#include <set>
+#include <sstream>
+#include <utility>
+
 namespace pcl {
+namespace sedr {
 
-template class FloorplanExtrusion<pcl::PointXYZ>;
-template class FloorplanExtrusion<pcl::PointNormal>;
-template class FloorplanExtrusion<pcl::PointXYZRGBNormal>;
-template class FloorplanExtrusion<pcl::PointStructure>;
+namespace {
 
+std::string
+toleranceProblem(double value, double low, double high, const char* name)
+{
+  if (value >= low && value <= high)
+    return {};
+  std::ostringstream text;
+  text << "the " << name << " tolerance must lie from " << low << " to " << high
+       << " m, it is " << value << " m";
+  return text.str();
+}
+
+/** @brief Which rooms run into each other, a sentence each. */
+void
+warnOfCrossings(const TriangleMesh& mesh, std::vector<std::string>& warnings)
+{
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;
+  for (const auto& [t, u] : findSelfIntersections(mesh))
+    crossing.insert({mesh.rooms[t], mesh.rooms[u]});
+  for (const auto& [room, other] : crossing)
+    warnings.push_back(room == other
+                           ? "room " + std::to_string(room) + " meets itself"
+                           : "rooms " + std::to_string(room) + " and " +
+                                 std::to_string(other) + " run into each other");
+}
+
+} // namespace
+
+std::string
+extrudePlan(const Floorplan* plan,
+            const WallTilts& tilts,
+            const SolidParameters& parameters,
+            PlanSolids solids)
+{
+  if (!plan)
+    return "no floor plan is set";
+  if (plan->rooms.empty())
+    return "the floor plan has 0 rooms";
+  std::string problem = toleranceProblem(parameters.chord_tolerance, 1e-6, 1, "chord");
+  if (problem.empty())
+    problem = toleranceProblem(parameters.snap_tolerance, 0, 0.5, "snap");
+  if (!problem.empty())
+    return problem;
+  for (const PlanRoom& room : plan->rooms) {
+    TriangleMesh solid;
+    const RoomSolidReport report =
+        extrudeRoom(room, parameters, solid, solids.elements, tilts);
+    const std::string name = "room " + std::to_string(room.id) + ": ";
+    solids.mesh.append(solid);
+    if (!report.problem.empty())
+      problem += (problem.empty() ? "" : "; ") + name + report.problem;
+    for (const std::string& warning : report.warnings)
+      solids.warnings.push_back(name + warning);
+    solids.reports.push_back(report);
+  }
+  warnOfCrossings(solids.mesh, solids.warnings);
+  return problem;
+}
+
+} // namespace sedr
 } // namespace pcl
+
+PCL_INSTANTIATE(FloorplanExtrusion, SEDR_POINT_TYPES)

@@ -3,7 +3,7 @@
 
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/segment_arrangement.h"
-#include <pcl/sedr_surface/plan_subdivision.h>
+#include "plan_subdivision.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/plan_facets.h>
+#include "plan_facets.h"
 
 #include <Eigen/Geometry>
 

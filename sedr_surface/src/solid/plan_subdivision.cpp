@@ -3,6 +3,8 @@
 #include "subdivision_mending.h"
 #include "visible_creases.h"
 
+#include <pcl/sedr_surface/room_solid.h>
+
 #include <algorithm>
 
 namespace pcl {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/room_layers.h>
+#include "room_layers.h"
 
 #include <algorithm>
 

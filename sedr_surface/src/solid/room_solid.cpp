@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "leaning_walls.h"
 #include "solid_builder.h"
 
+#include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <cmath>
@@ -110,7 +112,8 @@ RoomSolidReport
 extrudeRoom(const PlanRoom& room,
             const SolidParameters& parameters,
             TriangleMesh& solid,
-            std::vector<SolidElement>& elements)
+            std::vector<SolidElement>& elements,
+            const WallTilts& tilts)
 {
   solid = TriangleMesh();
   RoomSolidReport report;
@@ -118,11 +121,23 @@ extrudeRoom(const PlanRoom& room,
   report.problem = roomProblem(room);
   if (!report.problem.empty())
     return report;
-  const RoomLayers layers(room);
+  const bool does_lean = leans(room, tilts);
+  const PlanRoom straight =
+      does_lean ? straightened(Floorplan{{room}}, tilts).rooms.front() : PlanRoom();
+  const RoomLayers layers(does_lean ? straight : room);
   PlanSubdivision subdivision;
   report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);
   if (report.problem.empty())
     report.problem = SolidBuilder(layers, subdivision).build(solid);
+  if (report.problem.empty() && does_lean) {
+    const std::string folded =
+        leanWalls(layers, wallRuns(room, tilts), headOf(room, tilts), solid);
+    if (!folded.empty()) {
+      report = extrudeRoom(room, parameters, solid, elements);
+      report.warnings.push_back("its walls stand vertical in the solid: " + folded);
+      return report;
+    }
+  }
   if (!report.problem.empty()) {
     solid = TriangleMesh();
     return report;

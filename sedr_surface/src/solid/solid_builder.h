@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "plan_subdivision.h"
 #include "vertex_levels.h"
-#include <pcl/sedr_surface/plan_subdivision.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "plan_facets.h"
+#include "room_layers.h"
 #include "slab_creases.h"
-#include <pcl/sedr_surface/plan_facets.h>
-#include <pcl/sedr_surface/room_layers.h>
 
 #include <cstddef>
 #include <vector>

@@ -23,6 +23,8 @@ public:
 
   static constexpr std::int64_t edge = 8;
   static constexpr std::size_t nodes = 512;
+  /// Blocks that a thread takes at a time; sums are formed in their order.
+  static constexpr std::size_t blocks_at_once = 32;
   static constexpr std::size_t halo_edge = 10; ///< a block with a layer of nodes around
   static constexpr std::size_t halo_nodes = 1000;
   static constexpr std::int64_t reach = 1 << 20; ///< coordinates of blocks stay below

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poisson_hierarchy.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,6 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr std::size_t nodes = BandGrid::nodes;
-constexpr std::size_t blocks_at_once = 32;
 constexpr float outside = -0.5f;
 constexpr std::size_t least_for_threads = 8000; // samples
 
@@ -46,7 +44,8 @@ PoissonHierarchy::valueAt(std::size_t level,
       grid.find({floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
                  floorDivide(z, BandGrid::edge)});
   if (b < grid.size())
-    return levels_[level].values[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
+    return levels_[level]
+        .values[b * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
   const std::int64_t lo[3] = {floorDivide(x, 2), floorDivide(y, 2), floorDivide(z, 2)};
   const std::int64_t hi[3] = {lo[0] + (x & 1), lo[1] + (y & 1), lo[2] + (z & 1)};
   float sum = 0;
@@ -87,10 +86,10 @@ PoissonHierarchy::interpolate(std::size_t level,
                             z >= (base[2] + 1) * 8};
         const std::size_t b =
             blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
-        *value++ =
-            b < grid.size()
-                ? coarser.values[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
-                : valueAt(level + 1, x, y, z);
+        *value++ = b < grid.size()
+                       ? coarser.values[b * BandGrid::nodes +
+                                        BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
+                       : valueAt(level + 1, x, y, z);
       }
   float along_x[6 * 6 * 10];
   float along_y[6 * 10 * 10];
@@ -129,13 +128,14 @@ PoissonHierarchy::start(std::size_t level, const PoissonLevel& before, unsigned 
   PoissonLevel& current = levels_[level];
   const BandGrid& grid = current.grid();
   parallelBlocks(
-      grid.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
+      grid.size(), BandGrid::blocks_at_once, threads,
+      [&](std::size_t begin, std::size_t end) {
         float halo[BandGrid::halo_nodes];
         for (std::size_t b = begin; b < end; ++b) {
-          float* values = &current.values[b * nodes];
+          float* values = &current.values[b * BandGrid::nodes];
           const std::size_t old = before.grid().find(grid.at(b));
           if (old < before.grid().size()) {
-            std::copy_n(&before.values[old * nodes], nodes, values);
+            std::copy_n(&before.values[old * BandGrid::nodes], BandGrid::nodes, values);
             continue;
           }
           interpolate(level, grid.at(b), halo);

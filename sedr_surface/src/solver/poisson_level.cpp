@@ -2,7 +2,7 @@
 #include "poisson_level.h"
 #include "cell_corners.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,6 @@
 namespace pcl {
 namespace sedr {
 namespace {
-
-constexpr std::size_t nodes = BandGrid::nodes;
-constexpr std::size_t blocks_at_once = 32;
 
 // The right side that one sample gives the nodes from two before its block on to two
 // behind it.
@@ -145,7 +142,8 @@ PoissonLevel::addNormals(unsigned threads)
   }
   for (const auto& set : sets)
     parallelBlocks(
-        set.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
+        set.size(), BandGrid::blocks_at_once, threads,
+        [&](std::size_t begin, std::size_t end) {
           std::vector<float> nodes12(12 * 12 * 12);
           for (std::size_t i = begin; i < end; ++i) {
             const std::size_t s = set[i];
@@ -162,8 +160,8 @@ PoissonLevel::addNormals(unsigned threads)
                     continue;
                   const std::size_t b = grid_.neighbour(own, side(x), side(y), side(z));
                   if (b < grid_.size())
-                    right_[b * nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)] +=
-                        *value;
+                    right_[b * BandGrid::nodes +
+                           BandGrid::nodeIndex(x & 7, y & 7, z & 7)] += *value;
                 }
           }
         });
@@ -174,7 +172,8 @@ PoissonLevel::setDiagonal(unsigned threads)
 {
   diagonal_.assign(grid_.valueCount(), 1.f);
   parallelBlocks(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
+      grid_.size(), BandGrid::blocks_at_once, threads,
+      [&](std::size_t begin, std::size_t end) {
         float sums[BandGrid::halo_nodes];
         float shares[8];
         for (std::size_t b = begin; b < end; ++b) {
@@ -188,7 +187,7 @@ PoissonLevel::setDiagonal(unsigned threads)
           for (int z = 0; z < 8; ++z)
             for (int y = 0; y < 8; ++y)
               for (int x = 0; x < 8; ++x)
-                diagonal_[b * nodes + BandGrid::nodeIndex(x, y, z)] =
+                diagonal_[b * BandGrid::nodes + BandGrid::nodeIndex(x, y, z)] =
                     sums[BandGrid::haloIndex(x, y, z)];
         }
       });

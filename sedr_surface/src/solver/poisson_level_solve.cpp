@@ -2,7 +2,7 @@
 #include "cell_corners.h"
 #include "poisson_level.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,6 @@
 namespace pcl {
 namespace sedr {
 namespace {
-
-constexpr std::size_t nodes = BandGrid::nodes;
-constexpr std::size_t blocks_at_once = 32;
 
 // Sums body(begin, end) over parts of [0, n) that are the same for any number of
 // threads, in their order.
@@ -71,17 +68,17 @@ PoissonLevel::applyAll(const std::vector<float>& x,
                        double& product,
                        unsigned threads) const
 {
-  product = sumInOrder(grid_.size(), blocks_at_once, threads,
+  product = sumInOrder(grid_.size(), BandGrid::blocks_at_once, threads,
                        [&](std::size_t begin, std::size_t end) {
                          float halo[BandGrid::halo_nodes];
                          double sum = 0;
                          for (std::size_t b = begin; b < end; ++b) {
                            grid_.gatherHalo(x, b, halo);
-                           float* own = &result[b * nodes];
+                           float* own = &result[b * BandGrid::nodes];
                            apply(halo, b, own);
                            float block_sum = 0;
-                           for (std::size_t i = 0; i < nodes; ++i)
-                             block_sum += own[i] * x[b * nodes + i];
+                           for (std::size_t i = 0; i < BandGrid::nodes; ++i)
+                             block_sum += own[i] * x[b * BandGrid::nodes + i];
                            sum += static_cast<double>(block_sum);
                          }
                          return sum;
@@ -95,28 +92,29 @@ PoissonLevel::solve(const GatherHalo& gather,
                     unsigned threads)
 {
   SolveReport report;
-  const std::size_t n = grid_.size() * nodes;
+  const std::size_t n = grid_.size() * BandGrid::nodes;
   std::vector<float> residual(grid_.valueCount(), 0.f);
   std::vector<float> step(grid_.valueCount(), 0.f);
   std::vector<float> applied(n);
   double right_length = 0;
   // What is left of the right side, the given values around the blocks in their place.
-  double length = sumInOrder(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        float halo[BandGrid::halo_nodes];
-        double sum = 0;
-        for (std::size_t b = begin; b < end; ++b) {
-          gather(b, halo);
-          apply(halo, b, &applied[b * nodes]);
-          for (std::size_t i = b * nodes; i < (b + 1) * nodes; ++i) {
-            residual[i] = right_[i] - applied[i];
-            step[i] = residual[i] / diagonal_[i];
-            sum += static_cast<double>(residual[i] * step[i]);
-          }
-        }
-        return sum;
-      });
-  constexpr std::size_t part = 32 * nodes;
+  double length = sumInOrder(grid_.size(), BandGrid::blocks_at_once, threads,
+                             [&](std::size_t begin, std::size_t end) {
+                               float halo[BandGrid::halo_nodes];
+                               double sum = 0;
+                               for (std::size_t b = begin; b < end; ++b) {
+                                 gather(b, halo);
+                                 apply(halo, b, &applied[b * BandGrid::nodes]);
+                                 for (std::size_t i = b * BandGrid::nodes;
+                                      i < (b + 1) * BandGrid::nodes; ++i) {
+                                   residual[i] = right_[i] - applied[i];
+                                   step[i] = residual[i] / diagonal_[i];
+                                   sum += static_cast<double>(residual[i] * step[i]);
+                                 }
+                               }
+                               return sum;
+                             });
+  constexpr std::size_t part = 32 * BandGrid::nodes;
   right_length = sumInOrder(n, part, threads, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i)
@@ -133,9 +131,9 @@ PoissonLevel::solve(const GatherHalo& gather,
     const double next =
         sumInOrder(n, part, threads, [&](std::size_t begin, std::size_t end) {
           double sum = 0;
-          for (std::size_t row = begin; row < end; row += nodes) {
+          for (std::size_t row = begin; row < end; row += BandGrid::nodes) {
             float row_sum = 0;
-            for (std::size_t i = row; i < row + nodes; ++i) {
+            for (std::size_t i = row; i < row + BandGrid::nodes; ++i) {
               values[i] += along * step[i];
               residual[i] -= along * applied[i];
               row_sum += residual[i] * residual[i] / diagonal_[i];
@@ -159,9 +157,11 @@ PoissonLevel::solve(const GatherHalo& gather,
 double
 PoissonLevel::meanAtSamples(unsigned threads) const
 {
-  std::vector<double> areas((grid_.size() + blocks_at_once - 1) / blocks_at_once, 0.);
+  std::vector<double> areas(
+      (grid_.size() + BandGrid::blocks_at_once - 1) / BandGrid::blocks_at_once, 0.);
   const double sum = sumInOrder(
-      grid_.size(), blocks_at_once, threads, [&](std::size_t begin, std::size_t end) {
+      grid_.size(), BandGrid::blocks_at_once, threads,
+      [&](std::size_t begin, std::size_t end) {
         float halo[BandGrid::halo_nodes];
         float shares[8];
         double part = 0;
@@ -176,7 +176,7 @@ PoissonLevel::meanAtSamples(unsigned threads) const
             for (std::size_t c = 0; c < 8; ++c)
               value += shares[c] * halo[screen.corner + corners[c]];
             part += static_cast<double>(screen.area * value);
-            areas[begin / blocks_at_once] += static_cast<double>(screen.area);
+            areas[begin / BandGrid::blocks_at_once] += static_cast<double>(screen.area);
           }
         }
         return part;

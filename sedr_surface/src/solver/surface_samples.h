@@ -3,7 +3,7 @@
 
 #include "band_grid.h"
 
-#include <pcl/sedr_surface/poisson_solver.h>
+#include <pcl/sedr_surface/impl/room_samples.h>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_surface/plan_grid.h>
+#include "../solid/plan_grid.h"
 
 #include <array>
 #include <cstddef>

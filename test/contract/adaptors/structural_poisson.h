@@ -15,7 +15,7 @@ namespace contract {
 class StructuralPoissonAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;
-  static constexpr int spoils = 11;
+  static constexpr int spoils = 7;
 
   StructuralPoissonAdaptor() { mend(); }
 
@@ -36,11 +36,7 @@ public:
   void mend()
   {
     poisson_.setDepth(9);
-    poisson_.setMinDepth(3);
     poisson_.setPointWeight(10);
-    poisson_.setScale(1.1f);
-    poisson_.setSamplesPerNode(1);
-    poisson_.setSolverThreads(1);
     poisson_.setCellRatio(4);
     poisson_.setMinimumPoints(100);
     poisson_.setSupportDistance(0.3);
@@ -56,20 +52,12 @@ public:
     case 1:
       return poisson_.setDepth(15);
     case 2:
-      return poisson_.setMinDepth(-1);
-    case 3:
       return poisson_.setPointWeight(nan);
-    case 4:
-      return poisson_.setScale(1);
-    case 5:
-      return poisson_.setSamplesPerNode(0);
-    case 6:
-      return poisson_.setSolverThreads(0);
-    case 7:
+    case 3:
       return poisson_.setCellRatio(0);
-    case 8:
+    case 4:
       return poisson_.setMinimumPoints(9);
-    case 9:
+    case 5:
       return poisson_.setSupportDistance(0);
     default:
       return poisson_.setRoomLabels({1, 1, 1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/number_text.h>
+#include "sedr_filters/src/base/number_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <gtest/gtest.h>
 

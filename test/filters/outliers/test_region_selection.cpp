@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/outliers/region_selection.h"
 #include "sedr_filters/src/plan/room_map.h"
-#include <pcl/sedr_filters/region_selection.h>
 
 #include <gtest/gtest.h>
 

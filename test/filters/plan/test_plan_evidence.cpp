@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/sedr_filters/plan_evidence.h>
 
 #include <gtest/gtest.h>
 
@@ -39,12 +39,12 @@ protected:
       }
   }
 
-  Floorplan measured()
+  Floorplan measured(const SightLines* sight = nullptr)
   {
     Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
     std::vector<int> all(cloud_.size());
     std::iota(all.begin(), all.end(), 0);
-    measureEvidence(plan, PointView(cloud_), all);
+    measureEvidence(plan, PointView(cloud_), all, 0.05, 0, sight);
     return plan;
   }
 
@@ -83,6 +83,52 @@ TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
   EXPECT_LT(wall(plan, 3).seen, 0.05);
   EXPECT_EQ(wall(plan, 3).opening, 0);
   EXPECT_NEAR(wall(plan, 3).seen + wall(plan, 3).hidden, 1, 1e-9);
+}
+
+TEST_F(PlanEvidenceTest, RaysProveAnOpeningBehindWhatStandsBeforeIt)
+{
+  // The walls y = 0 and y = 3 have a hole each, 0.5 m before which a screen stands; the
+  // scanner is between the first screen and its wall.
+  const auto isMiddle = [](const Place& p) {
+    return p.x() > 1 && p.x() < 3 && p.z() > 0.5 && p.z() < 2;
+  };
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
+  for (const double y : {0.0, 3.0})
+    addFace({0, y, 0}, {4, 0, 0}, {0, 0, 2.5}, isMiddle);
+  for (const double y : {0.5, 2.5})
+    addFace({0.8, y, 0.3}, {2.4, 0, 0}, {0, 0, 1.9});
+  const Place from(2, 0.3, 1.25);
+  std::vector<SightLine> lines;
+  const auto look = [&](const Place& at, double share) {
+    lines.push_back({from.cast<float>(), (from + share * (at - from)).cast<float>()});
+  };
+  for (double x = 0.02; x < 4; x += 0.04)
+    for (double z = 0.02; z < 2.5; z += 0.04) {
+      look({x, 0, z}, isMiddle({x, 0, z}) ? 4 : 1);
+      look({x, 3, z}, 0.1); // the screen is in the way
+    }
+  const Floorplan guessed = measured();
+  EXPECT_NEAR(wall(guessed, 0).hidden, 0.3, 0.04); // 2 x 1.5 of 4 x 2.5 m
+  EXPECT_NEAR(wall(guessed, 2).hidden, 0.3, 0.04);
+  const SightLines sight(lines);
+  const Floorplan proved = measured(&sight);
+  EXPECT_NEAR(wall(proved, 0).opening, 0.3, 0.04);
+  EXPECT_LT(wall(proved, 0).hidden, 0.01);
+  EXPECT_EQ(wall(proved, 0).seen, wall(guessed, 0).seen);
+  EXPECT_EQ(wall(proved, 2).hidden, wall(guessed, 2).hidden) << "rays that end before";
+}
+
+TEST_F(PlanEvidenceTest, ASideThatRaysGoThroughIsOpenAlthoughNothingOfItWasSeen)
+{
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
+  std::vector<SightLine> lines;
+  for (double x = 0.05; x < 4; x += 0.1)
+    for (double z = 0.05; z < 2.5; z += 0.1)
+      lines.push_back({{2, 2, 1.2F},
+                       Place(2 + 2 * (x - 2), -2, 1.2 + 2 * (z - 1.2)).cast<float>()});
+  EXPECT_EQ(wall(measured(), 0).opening, 0);
+  const SightLines sight(lines);
+  EXPECT_GT(wall(measured(&sight), 0).opening, 0.95);
 }
 
 TEST_F(PlanEvidenceTest, WhatIsOffTheWallDoesNotShowIt)

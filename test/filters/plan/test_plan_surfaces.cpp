@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/plan_surfaces.h>
+#include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <gtest/gtest.h>
 

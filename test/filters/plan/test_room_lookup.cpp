@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/place_table.h>
-#include <pcl/sedr_filters/plan_surfaces.h>
-#include <pcl/sedr_filters/room_lookup.h>
+#include "sedr_filters/src/grids/place_table.h"
+#include "sedr_filters/src/plan/plan_surfaces.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include "sedr_filters/src/base/plane_fit.h"
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_filters/plane_fit.h>
 
 #include <gtest/gtest.h>
 

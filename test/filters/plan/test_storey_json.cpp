@@ -11,7 +11,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 Floorplan
-samplePlan()
+twoNamedStoreys()
 {
   Floorplan plan = twoStoreys(1.0 / 3);
   plan.storeys = {{1, "ground \"floor\"", 0, 2.5, {1, 2}},
@@ -33,7 +33,7 @@ readOf(const std::string& text, std::string& problem)
 std::string
 problemWith(const std::string& what, const std::string& by)
 {
-  std::string text = floorplanToJson(samplePlan());
+  std::string text = floorplanToJson(twoNamedStoreys());
   const std::size_t at = text.find(what, text.find("\"storeys\""));
   EXPECT_NE(at, std::string::npos) << what << " in " << text;
   text.replace(at, what.size(), by);
@@ -50,7 +50,7 @@ holds(const std::string& text, const std::string& part)
 
 TEST(StoreyJson, ReadsBackExactly)
 {
-  const Floorplan plan = samplePlan();
+  const Floorplan plan = twoNamedStoreys();
   std::string problem;
   const Floorplan read = readOf(floorplanToJson(plan), problem);
   EXPECT_EQ(problem, "");
@@ -103,7 +103,7 @@ TEST(StoreyJson, AFileThatTellsNoneOrLessOfThemIsRead)
 
 TEST(StoreyJson, ARoomThatIsGoneIsOutside)
 {
-  Floorplan plan = samplePlan();
+  Floorplan plan = twoNamedStoreys();
   plan.rooms.erase(plan.rooms.begin(), plan.rooms.begin() + 2);
   std::string problem;
   const Floorplan read = readOf(floorplanToJson(plan), problem);

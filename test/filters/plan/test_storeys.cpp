@@ -3,8 +3,7 @@
 #include "two_storeys.h"
 
 #include "sedr_filters/src/plan/room_map.h"
-#include <pcl/sedr_filters/room_measures.h>
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>
 

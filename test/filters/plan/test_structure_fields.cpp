@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include <pcl/sedr_filters/impl/structure_fields.hpp>
 #include <pcl/sedr_filters/stage_filter.h>
-#include <pcl/sedr_filters/structure_fields.h>
 
 #include <gtest/gtest.h>
 

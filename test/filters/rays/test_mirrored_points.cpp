@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/mirrored_points.h>
+#include "sedr_filters/src/rays/mirrored_points.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -167,6 +167,41 @@ TEST(MirroredPoints, ARoomBehindGlassThatDoesNotMirrorStays)
   EXPECT_GT(found.rays, 1000u);
   EXPECT_EQ(found.mirrors, 0u);
   EXPECT_EQ(countOf(found.of_rows), 0u);
+}
+
+TEST(MirroredPoints, WhatIsSeenOnlyThroughGlassIsMarkedAndItsRaysAreKept)
+{
+  GlazedRoom room;
+  room.mirrored = 0;
+  room.has_room_behind = true;
+  room.scanFrom({2.8, 2.4, 1.5}, 1);
+  const MirroredPoints found = room.found();
+  ASSERT_EQ(found.behind.size(), room.rows.size());
+  EXPECT_EQ(found.lines.size(), found.rays);
+  std::size_t behind = 0;
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < room.rows.size(); ++i) {
+    if (room.rows[i].x() < 6.001F)
+      EXPECT_EQ(found.behind[i], 0) << room.rows[i].transpose();
+    else if (room.rows[i].x() > 6.5F) {
+      ++behind;
+      marked += found.behind[i];
+    }
+  }
+  EXPECT_GT(behind, 5000u);
+  EXPECT_GT(marked, behind * 9 / 10);
+}
+
+TEST(MirroredPoints, RaysThatMeetReflectionsAreNoLinesOfSight)
+{
+  GlazedRoom room;
+  room.scanFrom({2.8, 2.4, 1.5}, 1);
+  const MirroredPoints found = room.found();
+  std::size_t beyond = 0;
+  for (const pcl::sedr::SightLine& line : found.lines)
+    beyond += line.to.x() > 6.5F ? 1 : 0;
+  EXPECT_GT(found.rays - found.lines.size(), 100u);
+  EXPECT_LT(beyond, (found.rays - found.lines.size()) / 5);
 }
 
 TEST(MirroredPoints, WhatIsSeenFreelyTooStays)

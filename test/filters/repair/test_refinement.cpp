@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_filters/refinement.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/structure_refinement.h>
-#include <pcl/sedr_filters/surface_cells.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <gtest/gtest.h>

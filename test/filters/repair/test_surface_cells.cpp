@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/surface_cells.h>
+#include "sedr_filters/src/repair/surface_cells.h"
 
 #include <gtest/gtest.h>
 

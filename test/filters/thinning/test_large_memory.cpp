@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/large_memory.h>
+#include "sedr_filters/src/base/large_memory.h"
 
 #include <gtest/gtest.h>
 

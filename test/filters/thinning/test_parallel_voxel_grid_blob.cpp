@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/field_access.h>
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include <pcl/conversions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/voxel_census.h>
+#include "sedr_filters/src/voxels/voxel_census.h"
 
 #include <gtest/gtest.h>
 

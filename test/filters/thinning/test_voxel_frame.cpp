@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/voxel_frame.h>
-#include <pcl/sedr_filters/voxel_hash.h>
+#include "sedr_filters/src/voxels/voxel_frame.h"
+#include "sedr_filters/src/voxels/voxel_hash.h"
 
 #include <gtest/gtest.h>
 

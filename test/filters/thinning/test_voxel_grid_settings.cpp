@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_test.h"
 
+#include "sedr_filters/src/voxels/voxel_sums.h"
+
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_test.h"
 
-#include <pcl/sedr_filters/voxel_index.h>
+#include "sedr_filters/src/voxels/voxel_index.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using namespace pcl::sedr;
 using voxel_test::sumsOf;
 using voxel_test::viewOf;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /** Points of a room about `middle`, some far away, some not finite. */
 std::vector<Eigen::Vector3f>
@@ -34,7 +34,7 @@ roomWithStrays(std::size_t n, const Eigen::Vector3f& middle)
     points.push_back(middle + Eigen::Vector3f(x, y, coordinate(random) / 3));
   }
   for (std::size_t i = 0; i < n; i += 97)
-    points[i][static_cast<int>(i % 3)] = nan;
+    points[i][static_cast<int>(i % 3)] = not_a_number;
   points.emplace_back(6e4f, -2e5f, 1e6f);
   points.emplace_back(1e30f, 3e38f, -1e30f);
   points.emplace_back(-3e5f, 0.f, 0.01f);
@@ -234,7 +234,8 @@ TEST(VoxelSums, TwoToTheThirtyFirstPointsInAVoxelDoNotOverflow)
 TEST(VoxelSums, NothingComesOfNothing)
 {
   EXPECT_TRUE(sumsOf({}).empty());
-  EXPECT_TRUE(sumsOf({{nan, 0, 0}, {0, INFINITY, 0}, {0, 0, -INFINITY}}).empty());
+  EXPECT_TRUE(
+      sumsOf({{not_a_number, 0, 0}, {0, INFINITY, 0}, {0, 0, -INFINITY}}).empty());
 }
 
 TEST(VoxelIndex, FindsTheVoxelOfEveryPointAndNoOther)

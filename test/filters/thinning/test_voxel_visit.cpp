@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_test.h"
 
-#include <pcl/sedr_filters/voxel_visit.h>
+#include "sedr_filters/src/voxels/voxel_visit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/voxel_sums.h>
+#include "sedr_filters/src/voxels/voxel_sums.h"
 
 #include <vector>
 

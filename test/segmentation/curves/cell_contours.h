@@ -3,9 +3,9 @@
 
 #include "plan_loops.h"
 
+#include "sedr_filters/src/grids/cell_mask.h"
+#include "sedr_segmentation/src/curves/contour.h"
 #include <pcl/sedr_filters/cell_grid.h>
-#include <pcl/sedr_filters/cell_mask.h>
-#include <pcl/sedr_segmentation/contour.h>
 
 #include <algorithm>
 #include <functional>

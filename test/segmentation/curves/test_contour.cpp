@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_segmentation/contour.h>
+#include "sedr_segmentation/src/curves/contour.h"
 
 #include <gtest/gtest.h>
 

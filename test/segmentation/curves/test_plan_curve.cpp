@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/plan_curve.h>
-#include <pcl/sedr_segmentation/plan_points.h>
+#include "sedr_segmentation/src/curves/plan_curve.h"
+#include "sedr_segmentation/src/curves/plan_points.h"
 
 #include <gtest/gtest.h>
 

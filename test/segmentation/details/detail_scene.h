@@ -3,7 +3,7 @@
 
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/slice_detail.h>
+#include "sedr_segmentation/src/details/slice_detail.h"
 
 #include <gtest/gtest.h>
 

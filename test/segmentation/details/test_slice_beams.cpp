@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_scene.h"
 
-#include <pcl/sedr_segmentation/slice_detail.h>
+#include "sedr_segmentation/src/details/slice_detail.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "sedr_segmentation/src/levels/horizontal_levels.h"
 
 #include <gtest/gtest.h>
 

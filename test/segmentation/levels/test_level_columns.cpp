@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/level_columns.h>
+#include "sedr_segmentation/src/levels/level_columns.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "room_points.h"
 #include "segmentation/curves/cell_contours.h"
 
-#include <pcl/sedr_segmentation/loop_fit.h>
+#include "sedr_segmentation/src/loop/loop_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/ceiling_slits.h>
+#include "sedr_segmentation/src/niches/ceiling_slits.h"
 
 #include <gtest/gtest.h>
 

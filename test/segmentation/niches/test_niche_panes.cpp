@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "niche_rooms.h"
 
-#include <pcl/sedr_segmentation/niche_panes.h>
+#include "sedr_segmentation/src/niches/niche_panes.h"
 
 #include <cstddef>
 

@@ -3,7 +3,7 @@
 
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/room_fit.h>
+#include "sedr_segmentation/src/plan/room_fit.h"
 
 #include <gtest/gtest.h>
 

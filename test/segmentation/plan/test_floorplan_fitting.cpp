@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_rooms.h"
 
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 namespace {
@@ -70,9 +71,9 @@ protected:
 TEST_F(OffRaw, IsMetByThePlan)
 {
   EXPECT_GT(errorOfPlan(), 0.003);
-  fitting_.setRawCloud<pcl::PointXYZ>(scan_);
+  fitting_.setRawCloud(scan_);
   EXPECT_LT(errorOfPlan(), 0.0005);
-  fitting_.setRawCloud<pcl::PointXYZ>(nullptr);
+  fitting_.setRawCloud(nullptr);
   EXPECT_GT(errorOfPlan(), 0.003);
 }
 
@@ -81,7 +82,7 @@ TEST_F(OffRaw, IsMetAsWellWhereItIsAListOfPoints)
   const auto points = std::make_shared<std::vector<Eigen::Vector3f>>();
   for (const auto& p : *scan_)
     points->push_back(p.getVector3fMap());
-  fitting_.setRawCloud<pcl::PointXYZ>(scan_);
+  fitting_.setRawCloud(scan_);
   const double error = errorOfPlan();
   fitting_.setRawPoints(points);
   EXPECT_EQ(errorOfPlan(), error);
@@ -92,18 +93,18 @@ TEST_F(OffRaw, IsMetAsWellWhereItIsAListOfPoints)
 TEST_F(OffRaw, IsSeenAsItIsWhenThePlanIsFitted)
 {
   const auto filled_later = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  fitting_.setRawCloud<pcl::PointXYZ>(filled_later);
+  fitting_.setRawCloud(filled_later);
   *filled_later = *scan_;
   EXPECT_LT(errorOfPlan(), 0.0005);
 }
 
 TEST_F(OffRaw, CountsByItsIndices)
 {
-  fitting_.setRawCloud<pcl::PointXYZ>(scan_, shared({}));
+  fitting_.setRawCloud(scan_, shared({}));
   EXPECT_GT(errorOfPlan(), 0.003) << "none of them";
   Floorplan plan;
   plan.rooms.resize(1);
-  fitting_.setRawCloud<pcl::PointXYZ>(scan_, shared({-1}));
+  fitting_.setRawCloud(scan_, shared({-1}));
   EXPECT_FALSE(fitting_.segment(plan));
   EXPECT_TRUE(plan.rooms.empty());
   EXPECT_NE(fitting_.getErrorMessage().find("raw cloud"), std::string::npos);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_rooms.h"
 
+#include "sedr_segmentation/src/plan/plan_fit.h"
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_segmentation/plan_fit.h>
 
 namespace {
 

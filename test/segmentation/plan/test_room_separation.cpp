@@ -2,7 +2,7 @@
 #include "room_points.h"
 
 #include "sedr_segmentation/src/curves/loop_difference.h"
-#include <pcl/sedr_segmentation/room_separation.h>
+#include "sedr_segmentation/src/plan/room_separation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/room_territory.h>
+#include "sedr_segmentation/src/plan/room_territory.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include "room_points.h"
 #include "two_storeys.h"
 
-#include <pcl/sedr_filters/plan_evidence.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
-#include <pcl/sedr_segmentation/plan_regularisation.h>
-#include <pcl/sedr_segmentation/room_separation.h>
+#include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_segmentation/src/plan/room_separation.h"
+#include "sedr_segmentation/src/refit/plan_refit.h"
+#include "sedr_segmentation/src/refit/plan_regularisation.h"
 
 #include <gtest/gtest.h>
 

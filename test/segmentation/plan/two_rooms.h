@@ -3,7 +3,7 @@
 
 #include "room_evidence.h"
 
-#include <pcl/sedr_segmentation/plan_fit.h>
+#include "sedr_segmentation/src/plan/plan_fit.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/floor_platforms.h>
+#include "sedr_segmentation/src/planes/floor_platforms.h"
 
 #include <gtest/gtest.h>
 

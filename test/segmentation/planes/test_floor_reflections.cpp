@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/levels/level_checks.h"
 
-#include <pcl/sedr_segmentation/floor_reflections.h>
+#include "sedr_segmentation/src/planes/floor_reflections.h"
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
 #include <algorithm>

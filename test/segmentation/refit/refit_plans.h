@@ -3,7 +3,7 @@
 
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/plan_refit.h>
+#include "sedr_segmentation/src/refit/plan_refit.h"
 
 #include <algorithm>
 

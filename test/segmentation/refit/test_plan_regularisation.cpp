@@ -2,7 +2,7 @@
 #include "plan_loops.h"
 
 #include "sedr_segmentation/src/curves/plan_curves.h"
-#include <pcl/sedr_segmentation/plan_regularisation.h>
+#include "sedr_segmentation/src/refit/plan_regularisation.h"
 
 #include <gtest/gtest.h>
 

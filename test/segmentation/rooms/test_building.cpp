@@ -298,6 +298,32 @@ TEST(FindBuilding, EachFaceOfAThinSlabIsOfTheRoomThatSeesIt)
   EXPECT_EQ(wrong, 0u);
 }
 
+TEST(FindBuilding, WhatWasSeenOnlyThroughPanesIsNoRoom)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 4.05, 0.01, 2.51);
+  scene.room(4.15, 0.05, 7.05, 4.05, 0.01, 2.51);
+  ASSERT_EQ(Found(scene).building.rooms.size(), 2u);
+  const auto roomsIf = [&](double share) { // of the second room's points
+    BuildingSight sight;
+    std::size_t k = 0;
+    for (int i = 0; i < static_cast<int>(scene.points.size()); ++i)
+      sight.behind.push_back(scene.points[i].x() > 4.1F &&
+                                     static_cast<double>(k++ % 100) < 100 * share
+                                 ? 1
+                                 : 0);
+    std::string problem;
+    return findBuilding(scene.points.view(), {}, {}, problem, sight);
+  };
+  EXPECT_EQ(roomsIf(0.5).rooms.size(), 2u) << "half of it was seen freely";
+  const Building building = roomsIf(1);
+  ASSERT_EQ(building.rooms.size(), 1u);
+  EXPECT_NEAR(building.rooms[0].area, 16, 1.5);
+  ASSERT_FALSE(building.left_out.empty());
+  EXPECT_EQ(building.left_out[0].kind, LeftOutKind::Mirror);
+  EXPECT_NE(building.left_out[0].reason.find("panes"), std::string::npos);
+}
+
 /** A glass front along x = 4.15: what is behind it has walls on a side only. */
 TEST(FindBuilding, WhatIsSeenThroughGlassIsNoRoom)
 {

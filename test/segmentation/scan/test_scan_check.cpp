@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_segmentation/scan_check.h>
+#include "sedr_segmentation/src/scan/scan_check.h"
+#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <gtest/gtest.h>
 
@@ -142,6 +143,10 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   with_sliver.rooms[0].boundary = rectangle(0, 20, 16, 36);
   const std::string beside = footProblem(with_sliver);
   EXPECT_TRUE(mentions(beside, "the room is 9.2 m high")) << beside;
+  Floorplan with_shaft = planOf({9.2, 8.4}, 19);
+  with_shaft.rooms[0].boundary = rectangle(0, 20, 16, 36);
+  EXPECT_TRUE(mentions(footProblem(with_shaft), "the room is 9.2 m high"))
+      << "what is less than a tenth of the largest room is no second hall";
   Floorplan two = planOf({8, 8}, 150);
   two.doorways.resize(1);
   two.doorways[0].top = 6.7;
@@ -158,6 +163,17 @@ TEST(FootProblem, HallsAndRoomsInMetresAreNone)
   EXPECT_EQ(footProblem(planOf({8, 8, 15}, 150)), "");
   EXPECT_EQ(footProblem(planOf({8, 8, 9}, 600)), "") << "three large halls";
   EXPECT_EQ(footProblem(Floorplan()), "");
+}
+
+TEST(InchProblem, IsToldByTheHeightOfTheStoreysThatWereFound)
+{
+  const RoomPoints points = changed([](auto p) -> Eigen::Vector3d { return 40 * p; });
+  const std::string problem = inchProblem(points.view(), 1);
+  EXPECT_TRUE(mentions(problem, "--unit 0.0254")) << problem;
+  EXPECT_EQ(inchProblem(points.view(), 0), problem);
+  EXPECT_EQ(inchProblem(points.view(), 20), "") << "a tower";
+  EXPECT_EQ(inchProblem(changed([](auto p) { return p; }).view(), 1), "");
+  EXPECT_EQ(inchProblem(PointView(), 0), "");
 }
 
 TEST(UpProblem, OfARoomThatStandsIsNone)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/parallel.h>
-#include <pcl/sedr_segmentation/scan_excerpt.h>
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 #include <gtest/gtest.h>
 

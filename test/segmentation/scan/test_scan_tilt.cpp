@@ -2,7 +2,7 @@
 #include "sedr_segmentation/src/scan/scan_tilt.h"
 
 #include "turned_room.h"
-#include <pcl/sedr_filters/levelling.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -22,6 +22,7 @@ struct Scene {
   double depth = 4;
   Height height;
   std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> risers; ///< points of upright faces
   PlanRoom room;
 };
 
@@ -67,7 +68,7 @@ inline PlanRoom
 fittedRoom(const Scene& scene)
 {
   PlanRoom room = scene.room;
-  giveCeiling(fitted(scene), scene.points, room);
+  giveCeiling(fitted(scene), scene.points, scene.risers, room);
   return room;
 }
 

@@ -183,17 +183,47 @@ TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
   EXPECT_NEAR(room.ceilingAt({3.25, 2}), 3, 0.005);
 }
 
-TEST(SlopingShare, TellsVaultsFromLevelCeilings)
+TEST(FitSheet, AStepIsWhereItsRiserWasSeen)
 {
-  EXPECT_GT(slopingShare(sceneOf(6, 4, jackArches).points), 0.5);
-  EXPECT_GT(slopingShare(sceneOf(6, 4, gable).points), 0.8);
+  // Of the ceiling nothing was seen for 40 cm, the riser is not in their middle.
+  Scene scene = sceneOf(
+      6, 4, [](double x, double y) { return x < 3.07 ? 2.2 : segmental(x, y) - 1; });
+  scene.points.erase(std::remove_if(scene.points.begin(), scene.points.end(),
+                                    [](const Eigen::Vector3d& p) {
+                                      return p.x() > 2.97 && p.x() < 3.37;
+                                    }),
+                     scene.points.end());
+  for (double y = 0.01; y < 4; y += 0.04)
+    for (double z = 2.2; z < 3; z += 0.04)
+      scene.risers.emplace_back(3.07 + 0.003 * std::sin(97 * y + 31 * z), y, z);
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_NEAR(room.ceilingAt({3.06, 2}), 2.2, 0.005);
+  EXPECT_NEAR(room.ceilingAt({3.08, 2}), 3, 0.005);
+}
+
+TEST(SlopingArea, TellsWhatSlopesFromLevelCeilings)
+{
+  EXPECT_GT(slopingArea(sceneOf(6, 4, jackArches).points), 1);
+  EXPECT_GT(slopingArea(sceneOf(6, 4, gable).points), 8);
+  // A cove along one wall of a level ceiling.
+  EXPECT_GT(slopingArea(sceneOf(6, 4,
+                                [](double x, double) {
+                                  const double off = std::max(0.0, 0.8 - x);
+                                  return 2.2 + std::sqrt(1 - off * off);
+                                })
+                            .points),
+            1);
   for (const double noise : {0.002, 0.01, 0.02})
-    EXPECT_LT(slopingShare(
-                  sceneOf(
-                      6, 4, [](double x, double) { return x < 2.3 ? 2.3 : 2.5; }, noise)
-                      .points),
-              0.05);
-  EXPECT_EQ(slopingShare({}), 0);
+    for (const double step : {0.02, 0.04, 0.2})
+      EXPECT_EQ(
+          slopingArea(sceneOf(
+                          6, 4,
+                          [&](double x, double) { return x < 2.3 ? 2.5 - step : 2.5; },
+                          noise)
+                          .points),
+          0)
+          << noise << ' ' << step;
+  EXPECT_EQ(slopingArea({}), 0);
 }
 
 TEST(FitSheet, TooFewPointsMakeNoSheet)

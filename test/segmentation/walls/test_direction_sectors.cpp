@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/walls/direction_sectors.h"
 
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
+#include "sedr_segmentation/src/walls/boundary_points.h"
 
 #include <gtest/gtest.h>
 

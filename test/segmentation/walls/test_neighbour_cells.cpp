@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
+#include "sedr_segmentation/src/walls/boundary_points.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -27,7 +27,7 @@ seenRoom(std::uint32_t id, double x0, double x1)
 
 /** Rooms 1, of 4 m x 3 m, and 2, of 2 m x 3 m. */
 Building
-twoRooms()
+buildingOfTwoRooms()
 {
   Building building;
   building.cell_size = 0.1;
@@ -44,7 +44,7 @@ planned(std::uint32_t id, double x0, double x1)
 TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
 {
   const Coverage coverage =
-      coverageOf(twoRooms(), {{planned(1, 0, 4), planned(2, 5, 7)}});
+      coverageOf(buildingOfTwoRooms(), {{planned(1, 0, 4), planned(2, 5, 7)}});
   EXPECT_NEAR(coverage.modelled, 18, 1e-9);
   EXPECT_EQ(coverage.seen, coverage.modelled);
   EXPECT_EQ(coverage.share(), 1);
@@ -55,7 +55,7 @@ TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
 
 TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
 {
-  const Coverage coverage = coverageOf(twoRooms(), {{planned(2, 5, 7)}});
+  const Coverage coverage = coverageOf(buildingOfTwoRooms(), {{planned(2, 5, 7)}});
   EXPECT_NEAR(coverage.seen, 18, 1e-6);
   EXPECT_NEAR(coverage.share(), 1 / 3.0, 1e-6);
   ASSERT_EQ(coverage.left_out.size(), 1u);
@@ -69,7 +69,7 @@ TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
 TEST(Coverage, SoIsThePartOfARoomThatItsPlanDoesNotHold)
 {
   const Coverage coverage =
-      coverageOf(twoRooms(), {{planned(1, 0, 2), planned(2, 5, 7)}});
+      coverageOf(buildingOfTwoRooms(), {{planned(1, 0, 2), planned(2, 5, 7)}});
   ASSERT_EQ(coverage.left_out.size(), 1u);
   EXPECT_NEAR(coverage.left_out[0].area, 2 * 3, 0.7) << "but for the edge";
   EXPECT_GT(coverage.left_out[0].at.x(), 2);
@@ -77,7 +77,7 @@ TEST(Coverage, SoIsThePartOfARoomThatItsPlanDoesNotHold)
 
 TEST(Coverage, VoidsAndWhatHasNoHeadroomDoNotCount)
 {
-  Building building = twoRooms();
+  Building building = buildingOfTwoRooms();
   building.left_out = {{LeftOutKind::Low, "low", 30, 0, 1, {0, 9}},
                        {LeftOutKind::Void, "voids", 50, 0, 0, {0, 0}}};
   const Coverage coverage =
@@ -90,7 +90,7 @@ TEST(Coverage, VoidsAndWhatHasNoHeadroomDoNotCount)
 
 TEST(Coverage, WhatHasNoWallsIsAGlimpseUnlessItIsLargerThanAllRooms)
 {
-  Building building = twoRooms();
+  Building building = buildingOfTwoRooms();
   const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
   building.left_out = {{LeftOutKind::Open, "no walls", 11, 0, 2.5, {0, 9}}};
   EXPECT_EQ(coverageOf(building, plan).share(), 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include "sedr_surface/src/jobs/room_threads.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/room_jobs.h>
-#include <pcl/sedr_surface/room_threads.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include <gtest/gtest.h>

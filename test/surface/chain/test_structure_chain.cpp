@@ -67,7 +67,7 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
 
 /** A room of 4 m x 3 m with a point every `spacing` metres. */
 StructureChain::Cloud::Ptr
-roomOf(double spacing)
+roomScannedEvery(double spacing)
 {
   RoomPoints points(spacing);
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
@@ -77,7 +77,7 @@ roomOf(double spacing)
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomOf(0.1))) << chain.problem;
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.problem;
   EXPECT_GT(chain.slice_detail.getGridSize(), 0.09);
   ASSERT_EQ(chain.warnings.size(), 1u);
   EXPECT_NE(chain.warnings[0].find("too sparse for cells of 0.05 m"),
@@ -85,7 +85,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
   ASSERT_EQ(chain.plan->rooms.size(), 1u);
   EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
 
-  ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
   EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
   EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
@@ -183,7 +183,7 @@ TEST(StructureChain, KeepsItsCellsWhereItIsAskedTo)
 {
   StructureChain chain;
   chain.adapts_grid = false;
-  chain.findStructure(roomOf(0.1));
+  chain.findStructure(roomScannedEvery(0.1));
   EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
 }
 
@@ -221,7 +221,7 @@ TEST(StructureChain, TheCeilingBetweenADuctAndTheWallBehindItIsOfTheRoom)
 
 TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
 {
-  const auto scan = roomOf(0.04);
+  const auto scan = roomScannedEvery(0.04);
   const std::size_t size = scan->size();
   for (std::size_t i = 0; i < size; ++i)
     if ((*scan)[i].z > 0.3F) {
@@ -259,7 +259,7 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   // Three quarters of the walls: 52.5 of 94 square metres.
   EXPECT_NEAR(chain.repairedShares().at(1), 52.5 / 94, 0.05);
 
-  ASSERT_TRUE(chain.findStructure(roomOf(0.04))) << chain.problem;
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
   EXPECT_TRUE(chain.warnings.empty());
 }
 

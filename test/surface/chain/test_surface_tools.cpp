@@ -69,8 +69,6 @@ protected:
   TemporaryFolder folder_;
 };
 
-} // namespace
-
 TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
 {
   writeFile(in("room.pcd"), structureBytes(LatticeRoom(6, 5, 5).points(0.125), 4));
@@ -90,13 +88,6 @@ TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
   run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--threads", "3"});
   EXPECT_TRUE(bytesOf(in("mesh.ply")) == first)
       << "another number of threads, another file";
-
-  const ProgramRun other =
-      run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--solver", "pcl"});
-  EXPECT_EQ(other.exit_code, 0) << other.err;
-  EXPECT_FALSE(bytesOf(in("mesh.ply")) == first) << "the same solver";
-  ASSERT_EQ(loadMesh(in("mesh.ply"), mesh), "");
-  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
 }
 
 TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
@@ -111,9 +102,6 @@ TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
   expectFailure(
       run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}), 1,
       "depth");
-  expectFailure(
-      run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--solver", "x"}), 1,
-      "solver");
   writeFile(in("few.pcd"),
             structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
   expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
@@ -198,3 +186,5 @@ TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
   expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
                 "no");
 }
+
+} // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_storeys.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
 #include <gtest/gtest.h>

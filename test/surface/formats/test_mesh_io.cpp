@@ -68,8 +68,6 @@ const std::string ascii_square =
     "property list uchar int vertex_index\nend_header\n"
     "0 0 0 255\n2 0 0 255\n2 2 0 0\n0 2 1e0 0\n4 0 1 2 3\n";
 
-} // namespace
-
 TEST_F(MeshIo, a_mesh_comes_back_to_the_last_digit_of_a_float)
 {
   TriangleMesh mesh = torus();
@@ -240,3 +238,5 @@ TEST_F(MeshIo, what_cannot_be_written_leaves_nothing_behind)
             std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(path("broken.ply")));
 }
+
+} // namespace

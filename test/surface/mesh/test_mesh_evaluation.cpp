@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
 
+#include "sedr_surface/src/mesh/mesh_repair.h"
 #include <pcl/PolygonMesh.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
-#include <pcl/sedr_surface/mesh_repair.h>
 
 #include <gtest/gtest.h>
 

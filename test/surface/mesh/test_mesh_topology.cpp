@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
 
-#include <pcl/sedr_surface/mesh_repair.h>
+#include "sedr_surface/src/mesh/mesh_repair.h"
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <gtest/gtest.h>

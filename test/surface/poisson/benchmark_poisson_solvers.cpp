@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the two solvers of StructuralPoisson on structures with a truth: prints the
+// Compares StructuralPoisson with pcl::Poisson on structures with a truth: prints the
 // table of doc/structural_poisson.md.
 //
 //     benchmark_poisson_solvers RUNS THREADS FOLDER...
+//     benchmark_poisson_solvers STRUCTURE.pcd MESH.ply    the mesh of pcl::Poisson
+//     alone
 //
 // Each FOLDER holds structure.pcd and truth.ply, as pcl_sedr_benchmark --keep leaves
 // them. Seconds are the median of RUNS runs, in which the solvers take turns: of the
@@ -10,13 +12,19 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/surface/poisson.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,26 +52,75 @@ median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
+double
+secondsOf(unsigned threads, const std::function<void()>& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t clock = std::clock();
+  work();
+  const double processor = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return threads == 1 ? processor : passed.count();
+}
+
 void
-run(const Cloud::ConstPtr& cloud,
-    Poisson::Solver solver,
-    unsigned threads,
-    Figures& figures,
-    TriangleMesh& mesh)
+runSedr(const Cloud::ConstPtr& cloud,
+        unsigned threads,
+        Figures& figures,
+        TriangleMesh& mesh)
 {
   Poisson poisson;
   poisson.setInputCloud(cloud);
-  poisson.setSolver(solver);
   poisson.setNumberOfThreads(threads);
-  pcl::PolygonMesh unused;
-  const auto start = std::chrono::steady_clock::now();
-  const std::clock_t clock = std::clock();
-  poisson.reconstruct(unused);
-  const double processor = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  figures.seconds.push_back(threads == 1 ? processor : passed.count());
+  figures.seconds.push_back(secondsOf(threads, [&] { poisson.makeMesh(); }));
   figures.closed = poisson.isClosed();
   mesh = poisson.getMesh();
+}
+
+/** @brief Room by room, with cells of the size that StructuralPoisson takes: the octree
+ * is as deep as needed, and its cube as large as that gives. */
+void
+runPcl(const Cloud::ConstPtr& cloud,
+       unsigned threads,
+       Figures& figures,
+       TriangleMesh& mesh)
+{
+  std::map<std::uint32_t, pcl::PointCloud<pcl::PointNormal>::Ptr> rooms;
+  for (const auto& p : *cloud) {
+    auto& room = rooms[p.room];
+    if (!room)
+      room = std::make_shared<pcl::PointCloud<pcl::PointNormal>>();
+    pcl::PointNormal point;
+    point.getVector3fMap() = p.getVector3fMap();
+    point.getNormalVector3fMap() = p.getNormalVector3fMap();
+    room->push_back(point);
+  }
+  mesh = TriangleMesh();
+  figures.closed = true;
+  figures.seconds.push_back(secondsOf(threads, [&] {
+    for (const auto& [number, room] : rooms) {
+      constexpr double cell = 0.04; // metres: 0.8 times the spacing of the points
+      Eigen::AlignedBox3f box;
+      for (const auto& p : *room)
+        box.extend(p.getVector3fMap());
+      const double extent = static_cast<double>(box.sizes().maxCoeff());
+      const int depth =
+          std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / cell))), 3, 9);
+      pcl::Poisson<pcl::PointNormal> poisson;
+      poisson.setDepth(depth);
+      poisson.setPointWeight(10);
+      poisson.setScale(
+          static_cast<float>(std::max(1.1, cell * std::ldexp(1., depth) / extent)));
+      poisson.setSamplesPerNode(1);
+      poisson.setInputCloud(room);
+      pcl::PolygonMesh polygons;
+      poisson.reconstruct(polygons);
+      TriangleMesh surface;
+      figures.closed = fromPolygonMesh(polygons, surface).empty() &&
+                       checkTopology(surface).isClosedManifold() && figures.closed;
+      mesh.append(surface);
+    }
+  }));
 }
 
 void
@@ -101,8 +158,8 @@ compareOn(const std::string& folder,
   Figures figures[2]; // pcl, sedr
   TriangleMesh meshes[2];
   for (int i = 0; i < runs; ++i) {
-    run(cloud, Poisson::Solver::Pcl, threads, figures[0], meshes[0]);
-    run(cloud, Poisson::Solver::Sedr, threads, figures[1], meshes[1]);
+    runPcl(cloud, threads, figures[0], meshes[0]);
+    runSedr(cloud, threads, figures[1], meshes[1]);
   }
   for (int i = 0; i < 2; ++i)
     compare(meshes[i], truth, figures[i]);
@@ -125,6 +182,19 @@ compareOn(const std::string& folder,
 int
 main(int argc, char** argv)
 {
+  if (argc == 3) {
+    const Cloud::Ptr cloud(new Cloud);
+    Figures figures;
+    TriangleMesh mesh;
+    if (pcl::io::loadPCDFile(argv[1], *cloud) < 0)
+      return 1;
+    runPcl(cloud, 1, figures, mesh);
+    const std::string problem = savePly(argv[2], mesh);
+    if (problem.empty())
+      return 0;
+    std::fprintf(stderr, "%s\n", problem.c_str());
+    return 1;
+  }
   const int runs = argc > 3 ? std::atoi(argv[1]) : 0;
   if (runs < 1) {
     std::fprintf(stderr, "usage: benchmark_poisson_solvers RUNS THREADS FOLDER...\n");

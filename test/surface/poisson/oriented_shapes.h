@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_surface/poisson_solver.h>
+#include <pcl/sedr_surface/impl/room_samples.h>
 
 #include <cmath>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include "sedr_surface/src/poisson/plan_samples.h"
 #include <pcl/sedr_surface/mesh_distance.h>
-#include <pcl/sedr_surface/plan_samples.h>
 #include <pcl/sedr_surface/room_solid.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 

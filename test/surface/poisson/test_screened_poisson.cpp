@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "oriented_shapes.h"
 #include "surface/chain/lattice_room.h"
+#include <pcl/sedr_surface/structural_poisson.h>
 
+#include "sedr_surface/src/poisson/screened_poisson.h"
 #include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_topology.h>
-#include <pcl/sedr_surface/screened_poisson.h>
 
 #include <gtest/gtest.h>
 

@@ -311,14 +311,10 @@ TEST(StructuralPoisson, parameters_out_of_range_are_refused)
   };
   refuses("depth must lie from 3 to 14, it is 2", [](Poisson& p) { p.setDepth(2); });
   refuses("depth must lie from 3 to 14, it is 15", [](Poisson& p) { p.setDepth(15); });
-  refuses("least depth", [](Poisson& p) { p.setMinDepth(10); });
   refuses("point weight", [](Poisson& p) { p.setPointWeight(-1); });
   refuses("point weight", [](Poisson& p) { p.setPointWeight(NAN); });
-  refuses("scale must lie above 1", [](Poisson& p) { p.setScale(1); });
-  refuses("samples per node", [](Poisson& p) { p.setSamplesPerNode(0); });
   refuses("cell ratio must lie from 0.1 to 10, it is 0.01",
           [](Poisson& p) { p.setCellRatio(0.01); });
-  refuses("solver threads", [](Poisson& p) { p.setSolverThreads(0); });
   refuses("support distance", [](Poisson& p) { p.setSupportDistance(0); });
   refuses("least number of points", [](Poisson& p) { p.setMinimumPoints(3); });
 }
@@ -328,27 +324,16 @@ TEST(StructuralPoisson, getters_return_what_was_set_and_the_paper_s_depth_by_def
   pcl::StructuralPoisson<pcl::PointNormal> poisson;
   EXPECT_EQ(poisson.getDepth(), 9);
   EXPECT_FLOAT_EQ(poisson.getPointWeight(), 10);
-  EXPECT_FLOAT_EQ(poisson.getScale(), 1.1f);
   poisson.setDepth(7);
-  poisson.setMinDepth(4);
   poisson.setPointWeight(2);
-  poisson.setScale(1.5f);
-  poisson.setSamplesPerNode(3);
   poisson.setCellRatio(1.5);
-  poisson.setMaxHoleEdges(10);
   poisson.setMinimumPoints(50);
-  poisson.setSolverThreads(2);
   poisson.setNumberOfThreads(3);
   poisson.setSupportDistance(0.5);
   EXPECT_EQ(poisson.getDepth(), 7);
-  EXPECT_EQ(poisson.getMinDepth(), 4);
   EXPECT_FLOAT_EQ(poisson.getPointWeight(), 2);
-  EXPECT_FLOAT_EQ(poisson.getScale(), 1.5f);
-  EXPECT_FLOAT_EQ(poisson.getSamplesPerNode(), 3);
   EXPECT_DOUBLE_EQ(poisson.getCellRatio(), 1.5);
-  EXPECT_EQ(poisson.getMaxHoleEdges(), 10u);
   EXPECT_EQ(poisson.getMinimumPoints(), 50u);
-  EXPECT_EQ(poisson.getSolverThreads(), 2);
   EXPECT_EQ(poisson.getNumberOfThreads(), 3u);
   EXPECT_DOUBLE_EQ(poisson.getSupportDistance(), 0.5);
 }
@@ -362,7 +347,6 @@ TEST(StructuralPoisson, the_depth_is_a_maximum)
   EXPECT_LE(poisson.getReports()[0].depth, 6);
   const std::size_t fine = output.polygons.size();
   poisson.setDepth(4);
-  poisson.setMinDepth(3);
   poisson.reconstruct(output);
   EXPECT_EQ(poisson.getReports()[0].depth, 4);
   EXPECT_LT(output.polygons.size(), fine / 2);

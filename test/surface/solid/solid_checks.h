@@ -3,7 +3,7 @@
 
 #include "plan_loops.h"
 
-#include <pcl/sedr_surface/mesh_intersection.h>
+#include "sedr_surface/src/mesh/mesh_intersection.h"
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
@@ -22,8 +22,9 @@ struct Solid {
   pcl::sedr::RoomSolidReport report;
 
   explicit Solid(const pcl::sedr::PlanRoom& room,
-                 const pcl::sedr::SolidParameters& parameters = {})
-      : report(pcl::sedr::extrudeRoom(room, parameters, mesh, elements))
+                 const pcl::sedr::SolidParameters& parameters = {},
+                 const pcl::sedr::WallTilts& tilts = {})
+      : report(pcl::sedr::extrudeRoom(room, parameters, mesh, elements, tilts))
   {}
 
   /** Names of the elements that have triangles. */

@@ -3,7 +3,7 @@
 
 #include "plan_loops.h"
 
-#include <pcl/sedr_surface/plan_subdivision.h>
+#include "sedr_surface/src/solid/plan_subdivision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_surface/plan_facets.h>
+#include "sedr_surface/src/solid/plan_facets.h"
 
 #include <gtest/gtest.h>
 

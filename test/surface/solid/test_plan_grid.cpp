@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/plan_grid.h>
+#include "sedr_surface/src/solid/plan_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_surface/room_layers.h>
+#include "sedr_surface/src/solid/room_layers.h"
 
 #include <gtest/gtest.h>
 

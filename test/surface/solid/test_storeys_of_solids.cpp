@@ -2,8 +2,9 @@
 #include "room_points.h"
 #include "two_storeys.h"
 
-#include <pcl/sedr_filters/refinement.h>
-#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/impl/structure_fields.hpp>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_topology.h>

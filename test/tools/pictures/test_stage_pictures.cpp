@@ -14,6 +14,8 @@
 #include "unrolled_walls.h"
 #include "wall_picture.h"
 
+#include <pcl/sedr_filters/impl/refinement.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

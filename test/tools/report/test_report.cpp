@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/model/depth_image.h"
 #include "report/model/mesh_reduction.h"
-#include "report/model/model_data.h"
 #include "report/page/advice.h"
 #include "report/page/histogram_svg.h"
 #include "report/page/html_text.h"
@@ -242,15 +241,6 @@ angle(int n)
       }
   }
   return mesh;
-}
-
-TEST(ModelData, RoomsBeyondAByteKeepTheirColours)
-{
-  TriangleMesh mesh = angle(1);
-  mesh.rooms = {0, 1, 256, 265};
-  const auto json = nlohmann::json::parse(modelData(mesh, CeilingRule(), false));
-  // Colours of a palette of 12, counted from 1: none, 1st, 4th, 1st.
-  EXPECT_EQ(json.at("rooms"), base64(std::string("\0\x01\x04\x0d", 4)));
 }
 
 TEST(ReducedMesh, KeepsPlanesEdgesAndLabels)

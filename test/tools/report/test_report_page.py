@@ -18,6 +18,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -53,7 +54,7 @@ def sample_report():
                  "within_1cm": 0.9, "within_5cm": 0.99, "beyond_5cm": 0.01, "histogram_range": 0.1,
                  "histogram": [900, 50, 20, 10, 10], "beyond_histogram": 10}
     return {"format": "sedr-report", "version": 1, "input": {"path": NASTY, "points": 4800, "unit": 1.0},
-            "parameters": {"voxel_size": 0.05, "plane_tolerance": 0.07, "tree_depth": 9, "poisson_solver": "screened"},
+            "parameters": {"voxel_size": 0.05, "plane_tolerance": 0.07, "tree_depth": 9},
             "stages": [{"stage": "ParallelVoxelGrid", "points_in": 1234567, "points_out": 4800, "seconds": 0.25},
                        {"stage": "StructuralPoisson", "points_in": 4800, "points_out": 9000, "seconds": 1.5}],
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
@@ -123,6 +124,39 @@ class Page(html.parser.HTMLParser):
         return next(row for row in self.rows if row and row[0] == first)
 
 
+def glb_of(page):
+    """The models of a page by their name."""
+    found = re.findall(r'<script type="model/gltf-binary" class="model" data-name="(\w+)">([^<]*)</script>', page.text)
+    return {name: base64.b64decode(text, validate=True) for name, text in found}
+
+
+def parts_of(glb):
+    """Elements of a binary glTF: name of the room above, material, triangles."""
+    size, = struct.unpack_from("<I", glb, 12)
+    gltf, binary = json.loads(glb[20:20 + size]), glb[28 + size:]
+
+    def numbers(accessor, kind, width):
+        a = gltf["accessors"][accessor]
+        start = gltf["bufferViews"][a["bufferView"]]["byteOffset"]
+        return struct.unpack_from("<%d%s" % (width * a["count"], kind), binary, start)
+
+    parts = []
+    for node in gltf["nodes"]:
+        for child in (gltf["nodes"][c] for c in node.get("children", [])):
+            if "mesh" in child:
+                primitive, = gltf["meshes"][child["mesh"]]["primitives"]
+                places = list(zip(*[iter(numbers(primitive["attributes"]["POSITION"], "f", 3))] * 3))
+                corners = [places[i] for i in numbers(primitive["indices"], "I", 1)]
+                parts.append({"room": node["name"], "label": gltf["materials"][primitive["material"]]["name"] if "material" in primitive else "",
+                              "triangles": list(zip(*[iter(corners)] * 3))})
+    return parts
+
+
+def volume_of(triangles):
+    return sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+               + a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in triangles) / 6
+
+
 def png_size(data):
     """Width and height of a PNG, all of whose chunks and pixels are read."""
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
@@ -179,7 +213,8 @@ class ReportCase(unittest.TestCase):
         os.mkdir(self.model)
         self.write("floorplan.json", sample_plan())
         self.write("report.json", sample_report())
-        subprocess.run([EXTRUSION, self.file("floorplan.json"), self.file("solid.ply")], check=True)
+        for name in ("solid.ply", "model.glb"):
+            subprocess.run([EXTRUSION, self.file("floorplan.json"), self.file(name)], check=True)
         shutil.copy(self.file("solid.ply"), self.file("mesh.ply"))
         self.scan = os.path.join(self.root, "scan.pcd")
         write_scan(self.scan)
@@ -234,7 +269,7 @@ class ReportPage(ReportCase):
         stage = page.row("ParallelVoxelGrid")
         self.assertEqual(stage[1:4], ["1\u202f234\u202f567", "4\u202f800", "0.25"])
         self.assertIn("voxel\u00a00.05\u00a0m", stage[4])
-        self.assertIn("solver\u00a0screened, depth", page.row("StructuralPoisson")[4])
+        self.assertIn("depth up to\u00a09", page.row("StructuralPoisson")[4])
         self.assertEqual(page.row("together")[3], "1.75")
         self.assertIn("17.8\u00a0m²", page.words, "floor area of all")
         self.assertEqual(page.row("plane_tolerance")[1], "0.07")
@@ -271,24 +306,28 @@ class ReportPage(ReportCase):
         heights = [float(height) for height, _ in bars]
         self.assertAlmostEqual(heights[0] / heights[1], 18, delta=0.1)
 
-    def test_model_data_reads_back(self):
+    def test_models_are_gltf(self):
+        """The folder's model.glb as it is, and the mesh: both closed, with rooms and labels."""
         if not HAS_THREE:
             self.skipTest("three.js is missing: Debian package libjs-three")
-        page = self.page()
-        data = json.loads(next(s for s in page.scripts if s.startswith('{"label_colours"')))
-        solid = data["models"]["solid"]
-        shares = struct.unpack(f"<{3 * solid['vertices']}H", base64.b64decode(solid["positions"]))
-        corners = struct.unpack(f"<{3 * solid['triangles']}I", base64.b64decode(solid["corners"]))
-        vertices = [tuple(solid["low"][k] + shares[3 * i + k] / 65535 * solid["size"][k] for k in range(3))
-                    for i in range(solid["vertices"])]
-        volume = 0
-        for a, b, c in zip(*[iter(vertices[i] for i in corners)] * 3):
-            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-                       + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
-        # 12 m2 less the column, 2.5 m high, less the soffit; and the second room. Faces turn into the rooms.
-        self.assertAlmostEqual(volume, -(11.75 * 2.5 - 3 * 0.3 + 15), delta=0.01)
-        ceilings = sum(base64.b64decode(solid["ceilings"]))
-        self.assertTrue(0 < ceilings < solid["triangles"])
+        models = glb_of(self.page())
+        with open(self.file("model.glb"), "rb") as file:
+            self.assertEqual(models["solid"], file.read())
+        # 12 m2 less the column, 2.5 m high, less the soffit; and the second room. Faces look out of the rooms.
+        volume = 11.75 * 2.5 - 3 * 0.3 + 15
+        for name, glb in models.items():
+            parts = parts_of(glb)
+            way = 1 if name == "solid" else -1  # the sample's mesh.ply is a solid, whose faces look out already
+            self.assertAlmostEqual(way * sum(map(volume_of, (p["triangles"] for p in parts))), volume, 3, name)
+            self.assertEqual({p["room"] for p in parts}, {"room_1", "room_2"})
+            self.assertEqual({p["label"] for p in parts}, {"ceiling", "floor", "wall", "detail", "column"})
+
+    def test_a_folder_without_model_glb_shows_its_solid(self):
+        if not HAS_THREE:
+            self.skipTest("three.js is missing: Debian package libjs-three")
+        os.remove(self.file("model.glb"))
+        parts = parts_of(glb_of(self.page())["solid"])
+        self.assertEqual({p["room"] for p in parts}, {"room_1", "room_2"})
 
     def test_a_large_mesh_is_thinned(self):
         if not HAS_THREE:
@@ -314,9 +353,8 @@ class ReportPage(ReportCase):
             file.writelines(struct.pack("<3f", *v) for v in vertices)
             file.writelines(struct.pack("<B3i", 3, *f) for f in faces)
         page = self.page("--most-triangles", "20000")
-        data = json.loads(next(s for s in page.scripts if s.startswith('{"label_colours"')))
-        self.assertLessEqual(data["models"]["mesh"]["triangles"], 20000)
-        self.assertGreater(data["models"]["mesh"]["triangles"], 5000)
+        triangles = sum(len(p["triangles"]) for p in parts_of(glb_of(page)["mesh"]))
+        self.assertTrue(5000 < triangles <= 20000, triangles)
         self.assertIn("is thinned for this page", page.words)
 
     def test_without_three_the_page_says_so_and_has_pictures(self):
@@ -360,9 +398,19 @@ class ReportInABrowser(ReportCase):
         browser = chromium.Browser(width, height, *flags)
         self.addCleanup(browser.close)
         browser.open(self.file("report.html"))
+        self.wait(browser)
         self.assertEqual(browser.messages, [], "nothing on the console")
         self.assertTrue(all(r.startswith(("file://", "data:")) for r in browser.requests), browser.requests)
         return browser
+
+    def wait(self, browser):
+        """Until the model is read: glTF is read in steps."""
+        for _ in range(100):
+            if not HAS_THREE or browser.run("!document.getElementById('view-controls').hidden"
+                                            " || !document.getElementById('view-problem').hidden"):
+                return
+            time.sleep(0.1)
+        self.fail("the model does not appear")
 
     def canvas(self, browser):
         """What the model's canvas shows: rows of RGB."""
@@ -446,6 +494,7 @@ class ReportInABrowser(ReportCase):
         browser = chromium.Browser(1000, 800, "--disable-3d-apis")
         self.addCleanup(browser.close)
         browser.open(self.file("report.html"))
+        self.wait(browser)
         self.assertIn("no WebGL", browser.run("document.getElementById('view-problem').textContent"))
         self.assertTrue(browser.run("document.getElementById('view').hidden"))
 

@@ -4,8 +4,8 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/conversions.h>
-#include <pcl/sedr_filters/field_access.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/conversions.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_segmentation/scan_excerpt.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "nearest_points.h"
 
-#include <pcl/sedr_filters/voxel_sums.h>
-#include <pcl/sedr_filters/voxel_visit.h>
+#include "sedr_filters/src/voxels/voxel_sums.h"
+#include "sedr_filters/src/voxels/voxel_visit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearest_points.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include <pcl/search/kdtree.h>
-#include <pcl/sedr_filters/parallel.h>
 
 namespace pcl {
 namespace sedr {

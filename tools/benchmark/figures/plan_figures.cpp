@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_figures.h"
 
+#include "largest_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -103,13 +105,6 @@ distanceOf(const Eigen::Vector2d& corner,
   return nearest;
 }
 
-/** @brief Takes the larger figure; NaN is none. */
-void
-raise(double& figure, double other)
-{
-  figure = std::isnan(figure) ? other : std::max(figure, other);
-}
-
 /** @brief What the loops of one pair of rooms add up to. */
 class PairFigures {
 public:
@@ -124,8 +119,8 @@ public:
     for (const PlanLoop& column : room.columns)
       found_ += cornersAmong(column.elements.size());
     note();
-    raise(figures.perimeter_error,
-          std::abs(room.perimeter() - truth.perimeter) / truth.perimeter);
+    keepLarger(figures.perimeter_error,
+               std::abs(room.perimeter() - truth.perimeter) / truth.perimeter);
   }
 
 private:
@@ -137,11 +132,12 @@ private:
       const sim::Element& first = curves[i].front();
       const sim::Element& last = curves[(i + curves.size() - 1) % curves.size()].back();
       if (std::abs(turnBetween(last, first)) > sharp_corner)
-        raise(figures_.corner_distance_max, distanceOf(eigen(first.start), elements_));
+        keepLarger(figures_.corner_distance_max,
+                   distanceOf(eigen(first.start), elements_));
       if (first.bulge == 0)
         continue;
       ++arcs_true_;
-      raise(figures_.radius_error, radiusErrorOf(first, elements_));
+      keepLarger(figures_.radius_error, radiusErrorOf(first, elements_));
     }
   }
 

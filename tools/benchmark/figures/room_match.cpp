@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_match.h"
 
-#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include "largest_error.h"
+
 
 #include <Eigen/Geometry>
 
@@ -47,14 +49,6 @@ overlapsOf(const PlanRoom& room, const std::vector<sim::RoomTruth>& truths)
   return overlaps;
 }
 
-/** @brief Takes the larger error; NaN is none. */
-void
-raise(double& error, double found, double truth)
-{
-  const double other = std::abs(found - truth) / truth;
-  error = std::isnan(error) ? other : std::max(error, other);
-}
-
 } // namespace
 
 std::vector<RoomPair>
@@ -93,12 +87,12 @@ measureRooms(const Floorplan& plan,
     const double height = meanHeight(room);
     const double both = area + truth.area - pair.overlap;
     figures.rooms_matched += pair.overlap >= least_overlap * both ? 1 : 0;
-    raise(figures.area_error, area, truth.area);
-    raise(figures.height_error, height, truth.height);
-    raise(figures.volume_error, volumeOf(room, height), truth.volume);
+    keepLargerError(figures.area_error, area, truth.area);
+    keepLargerError(figures.height_error, height, truth.height);
+    keepLargerError(figures.volume_error, volumeOf(room, height), truth.volume);
     const auto mesh = mesh_volumes.find(room.id);
     if (mesh != mesh_volumes.end())
-      raise(figures.mesh_volume_error, mesh->second, truth.volume);
+      keepLargerError(figures.mesh_volume_error, mesh->second, truth.volume);
   }
   return figures;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_figures.h"
 
+#include "sedr_surface/src/mesh/mesh_intersection.h"
+#include "largest_error.h"
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/mesh_distance.h>
-#include <pcl/sedr_surface/mesh_intersection.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <algorithm>
@@ -14,9 +15,6 @@ namespace sedr {
 namespace benchmark {
 
 namespace {
-
-constexpr double sample_spacing = 0.02;
-constexpr std::uint64_t sample_seed = 1;
 
 struct MeanAndMax {
   double mean = not_known;
@@ -60,14 +58,6 @@ wallAreaOf(const TriangleMesh& mesh)
   return area;
 }
 
-/** @brief Takes the larger error; NaN is none. */
-void
-raise(double& error, double found, double truth)
-{
-  const double other = std::abs(found - truth) / truth;
-  error = std::isnan(error) ? other : std::max(error, other);
-}
-
 } // namespace
 
 SolidFigures
@@ -96,8 +86,8 @@ measureSolid(const TriangleMesh& solid,
   for (const RoomPair& pair : matchRooms(plan, rooms)) {
     const TriangleMesh found = partOf(solid, plan.rooms[pair.found].id);
     const TriangleMesh real = partOf(truth, rooms[pair.truth].id);
-    raise(figures.volume_error, found.signedVolume(), real.signedVolume());
-    raise(figures.wall_area_error, wallAreaOf(found), wallAreaOf(real));
+    keepLargerError(figures.volume_error, found.signedVolume(), real.signedVolume());
+    keepLargerError(figures.wall_area_error, wallAreaOf(found), wallAreaOf(real));
   }
   return figures;
 }

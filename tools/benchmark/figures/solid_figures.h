@@ -6,6 +6,7 @@
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,10 @@
 namespace pcl {
 namespace sedr {
 namespace benchmark {
+
+/// How densely surfaces are sampled to be compared, in metres, and the seed of it.
+constexpr double sample_spacing = 0.02;
+constexpr std::uint64_t sample_seed = 1;
 
 /** @brief How good the solids of a plan are. Lengths are metres, errors shares of the
  * truth, of all paired rooms the largest; what was not measured is empty or NaN. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structure_figures.h"
 
+#include "solid_figures.h"
+
 #include "nearest_points.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
@@ -13,9 +15,6 @@ namespace sedr {
 namespace benchmark {
 
 namespace {
-
-constexpr double sample_spacing = 0.02;
-constexpr std::uint64_t sample_seed = 1;
 
 double
 coveredShare(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& structure,

@@ -125,8 +125,8 @@ measure(const Reconstruction& chain,
   noteLabels(scoreLabels(structure, scan, voxel_diagonal, settings.threads), row);
   if (has_mesh)
     row.mesh = measureModel(
-        std::make_shared<const TriangleMesh>(chain.getChain().poisson.getMesh()),
-        truth.mesh, settings.threads);
+        std::make_shared<const TriangleMesh>(chain.getChain().leanedMesh()), truth.mesh,
+        settings.threads);
 }
 
 void

@@ -3,7 +3,7 @@
 
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/floor_recovery.h>
+#include <pcl/sedr_filters/impl/floor_recovery.h>
 
 namespace pcl {
 namespace sedr {

@@ -3,8 +3,8 @@
 
 #include "tool_cloud.h"
 
+#include "sedr_filters/src/plan/plan_surfaces.h"
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/plan_surfaces.h>
 
 #include <memory>
 #include <string>

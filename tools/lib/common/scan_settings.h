@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_alignment.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -16,11 +16,11 @@ namespace tools {
 
 namespace {
 
-constexpr double step = 0.1; // between samples of walls, metres
+constexpr double sample_step = 0.1; // between samples of walls, metres
 constexpr int rounds = 60;
-constexpr double narrowing = 0.85;       // of the reach, a round
-constexpr double last_reach = 0.03;      // metres
-const double alike = std::cos(M_PI / 6); // of directions
+constexpr double narrowing = 0.85;             // of the reach, a round
+constexpr double last_reach = 0.03;            // metres
+const double alike_walls = std::cos(M_PI / 6); // of directions
 
 /** @brief A place of a wall, and the way into its room. */
 struct Sample {
@@ -53,7 +53,7 @@ samplesOf(const Floorplan& plan)
   for (const auto& room : plan.rooms) {
     const RoomHeights heights = heightsOf(room);
     for (const auto& wall : room.boundary.elements) {
-      const auto count = static_cast<std::size_t>(wall.length() / step);
+      const auto count = static_cast<std::size_t>(wall.length() / sample_step);
       for (std::size_t k = 0; k < count; ++k) {
         const double s =
             wall.length() * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
@@ -86,7 +86,7 @@ findPartner(const Floorplan& plan,
       const double s = wall.project(sample.place);
       const Sample candidate{1, wall.pointAt(s), wall.normalAt(s), heights[r]};
       const double distance = (candidate.place - sample.place).norm();
-      if (distance < least && candidate.normal.dot(sample.normal) > alike) {
+      if (distance < least && candidate.normal.dot(sample.normal) > alike_walls) {
         least = distance;
         partner = candidate;
       }

@@ -3,7 +3,7 @@
 
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <map>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "change.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include "room_picture.h"
 #include "thinning_picture.h"
 
-#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/impl/structure_fields.hpp>
 
 namespace pcl {
 namespace sedr {

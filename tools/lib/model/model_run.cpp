@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_run.h"
 
+#include "bytes/whole_file.h"
 #include "chain_pictures.h"
 #include "drawing_files.h"
 #include "ifc_file.h"
@@ -12,15 +13,17 @@
 #include "solid_files.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
+#include "sedr_segmentation/src/scan/unit_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,12 +60,17 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
   constexpr double least = 0.5;
   const Coverage coverage =
       coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
-  if (coverage.share() < least && !takes_partial)
-    throw ToolError("less than half of the floor that was seen could be modelled: " +
-                        coverageWarning(coverage) +
-                        "; say --partial for a model of what there is",
-                    NothingFound);
-  return coverage;
+  if (coverage.share() >= least || takes_partial)
+    return coverage;
+  const Floorplan& plan = *chain.getFloorplan();
+  std::string reason = coverageWarning(coverage);
+  for (const std::string& doubt :
+       {footProblem(plan),
+        inchProblem(PointView(*chain.getChain().cloud), plan.storeys.size())})
+    reason += doubt.empty() ? "" : "; " + doubt;
+  throw ToolError("less than half of the floor that was seen could be modelled: " +
+                      reason + "; say --partial for a model of what there is",
+                  NothingFound);
 }
 
 /** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
@@ -118,18 +126,26 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
 {
   const StructureChain& c = chain.getChain();
   saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
-  const bool is_turned = c.levelling && !c.keep_levelled; // else no copy is needed
   const std::string problem =
-      !with_mesh  ? std::string()
-      : is_turned ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
-                            originComments(c.origin))
-                  : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
-                            originComments(c.origin));
+      !with_mesh ? std::string()
+
+      : c.isMeshMoved() // else no copy is needed
+          ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
+                    originComments(c.origin))
+          : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
+                    originComments(c.origin));
   if (!problem.empty())
     throw ToolError(problem);
+  std::map<std::uint32_t, double> volumes; // of rooms with walls that lean
+  for (const RoomSolidReport& report : c.extrusion.getReports())
+    for (const WallTilt& tilt : c.tilts)
+      if (tilt.room == report.room && report.closed)
+        volumes[report.room] = report.volume;
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << floorplanToJson(*chain.getFloorplan(),
-                              c.levelling ? &*c.levelling : nullptr, c.origin);
+    stream << withTilts(floorplanToJson(*chain.getFloorplan(),
+                                        c.levelling ? &*c.levelling : nullptr,
+                                        c.origin),
+                        c.tilts, volumes);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
@@ -154,8 +170,10 @@ writeBuildingModel(const OutputFolder& folder,
                    Reconstruction& chain,
                    const ModelSettings& settings)
 {
-  const IfcModel model = saveIfc(folder.file("model.ifc"), *chain.getFloorplan(),
-                                 settingsOf(settings.ifc), chain.getOrigin());
+  IfcSettings ifc = settingsOf(settings.ifc);
+  ifc.tilts = chain.getChain().tilts;
+  const IfcModel model =
+      saveIfc(folder.file("model.ifc"), *chain.getFloorplan(), ifc, chain.getOrigin());
   auto& warnings = chain.getChain().warnings;
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }

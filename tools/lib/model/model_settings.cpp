@@ -47,11 +47,6 @@ addModelOptions(Options& options, ModelSettings& s)
                  "tolerance of the walls' lines and circles", Range::between(0.001, 1));
   options.number("tree-depth", s.depth, "levels",
                  "greatest depth of the Poisson reconstruction", Range::between(3, 14));
-  options.text(
-      "poisson-solver", s.poisson_solver,
-      "what solves the equation of mesh.ply: cells along the surface of its own, "
-      "or pcl::Poisson",
-      {"sedr", "pcl"});
   options.number("threads", s.threads, "", "threads, 0 for all processors",
                  Range::between(0, 1024));
   options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
@@ -94,9 +89,6 @@ apply(const ModelSettings& s, Reconstruction& chain)
   chain.setMinimumDetailCells(s.minimum_cells);
   chain.setBoundaryTolerance(s.boundary_tolerance);
   chain.setTreeDepth(s.depth);
-  chain.getChain().poisson.setSolver(s.poisson_solver == "pcl"
-                                         ? pcl::sedr::PoissonSolver::Pcl
-                                         : pcl::sedr::PoissonSolver::Sedr);
   chain.setNumberOfThreads(s.threads);
   chain.setSeed(s.seed);
   chain.getChain().trust_up = s.z_up;

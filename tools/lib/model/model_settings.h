@@ -34,7 +34,6 @@ struct ModelSettings {
   std::size_t minimum_cells;
   double boundary_tolerance;
   int depth;
-  std::string poisson_solver = "sedr";
   unsigned threads;
   std::uint64_t seed;
   ScanOptions scan; ///< how it is read, the unit too

@@ -2,8 +2,7 @@
 #include "report.h"
 
 #include <pcl/common/angles.h>
-#include <pcl/sedr_filters/room_measures.h>
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <nlohmann/json.hpp>
 
@@ -82,18 +81,11 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"snap_tolerance", c.extrusion.getSnapTolerance()},
           {"mesh_from_plan", c.mesh_from_plan},
-          {"poisson_solver",
-           c.poisson.getSolver() == pcl::sedr::PoissonSolver::Pcl ? "pcl" : "sedr"},
           {"tree_depth", chain.getTreeDepth()},
-          {"minimum_tree_depth", c.poisson.getMinDepth()},
           {"cell_ratio", c.poisson.getCellRatio()},
           {"point_weight", c.poisson.getPointWeight()},
-          {"poisson_scale", c.poisson.getScale()},
-          {"samples_per_node", c.poisson.getSamplesPerNode()},
           {"minimum_points", c.poisson.getMinimumPoints()},
-          {"maximum_hole_edges", c.poisson.getMaxHoleEdges()},
-          {"support_distance", c.poisson.getSupportDistance()},
-          {"solver_threads", c.poisson.getSolverThreads()}};
+          {"support_distance", c.poisson.getSupportDistance()}};
 }
 
 /** @brief How the scan was made level, or null. */
@@ -141,9 +133,11 @@ meshOf(const StructureChain& chain, std::uint32_t room)
 {
   for (const auto& report : chain.poisson.getReports())
     if (report.room == room)
-      return {{"closed_manifold", report.closed}, {"area", report.area},
-              {"volume", report.volume},          {"depth", report.depth},
-              {"attempts", report.attempts},      {"problem", report.problem}};
+      return {{"closed_manifold", report.closed},
+              {"area", report.area},
+              {"volume", report.volume},
+              {"depth", report.depth},
+              {"problem", report.problem}};
   return nullptr;
 }
 

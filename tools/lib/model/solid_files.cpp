@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_files.h"
 
-#include "tool_error.h"
 #include "bytes/whole_file.h"
+#include "tool_error.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/solid_glb.h>
-#include <pcl/sedr_surface/solid_obj.h>
+#include <pcl/sedr_surface/solid_io.h>
 
 #include <filesystem>
 

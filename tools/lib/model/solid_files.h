@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_surface/src/solid/room_layers.h"
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
-#include <pcl/sedr_surface/room_layers.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <optional>

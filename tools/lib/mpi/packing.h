@@ -191,20 +191,11 @@ serialize(Archive& archive, pcl::sedr::RoomSamples& samples, unsigned)
 
 template <typename Archive>
 void
-serialize(Archive& archive, pcl::sedr::PoissonParameters& parameters, unsigned)
-{
-  static_assert(std::is_trivially_copyable<pcl::sedr::PoissonParameters>::value,
-                "goes as it stands");
-  archive& make_binary_object(&parameters, sizeof parameters);
-}
-
-template <typename Archive>
-void
 serialize(Archive& archive, pcl::sedr::RoomPoissonParameters& parameters, unsigned)
 {
-  archive& parameters.method& parameters.solver& parameters.cell_ratio;
-  archive& parameters.min_points& parameters.max_hole_edges;
-  archive& parameters.support_distance& parameters.threads;
+  static_assert(std::is_trivially_copyable<pcl::sedr::RoomPoissonParameters>::value,
+                "goes as it stands");
+  archive& make_binary_object(&parameters, sizeof parameters);
 }
 
 template <typename Archive>
@@ -241,15 +232,13 @@ template <typename Archive>
 void
 serialize(Archive& archive, pcl::sedr::RoomPoissonReport& report, unsigned)
 {
-  static_assert(std::is_trivially_copyable<pcl::sedr::ScreenedPoissonReport>::value &&
-                    std::is_trivially_copyable<pcl::sedr::MeshRepairReport>::value,
-                "go as they stand");
+  static_assert(std::is_trivially_copyable<pcl::sedr::ScreenedPoissonReport>::value,
+                "goes as it stands");
   archive& report.room& report.points& report.skipped_points;
-  archive& report.scaled_normals& report.spacing& report.depth& report.scale;
-  archive& report.cell& report.attempts;
+  archive& report.scaled_normals& report.spacing& report.depth& report.cell;
   archive& make_binary_object(&report.screened, sizeof report.screened);
-  archive& report.complaints;
-  archive& make_binary_object(&report.repair, sizeof report.repair);
+  archive& report.parted_vertices& report.removed_components;
+  archive& report.removed_triangles;
   archive& report.topology& report.closed& report.area& report.volume;
   archive& report.unsupported_share& report.problem& report.warning;
 }

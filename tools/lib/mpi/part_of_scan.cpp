@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_of_scan.h"
 
-#include <pcl/sedr_segmentation/scan_excerpt.h>
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 namespace pcl {
 namespace sedr {

@@ -3,10 +3,10 @@
 
 #include "scan_parts.h"
 
+#include "sedr_filters/src/voxels/voxel_sums.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/sedr_filters/voxel_sums.h>
-#include <pcl/sedr_segmentation/scan_check.h>
 
 #include <cstddef>
 #include <functional>

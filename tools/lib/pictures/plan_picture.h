@@ -3,7 +3,7 @@
 
 #include "picture.h"
 
-#include <pcl/sedr_segmentation/room_fit.h>
+#include "sedr_segmentation/src/plan/room_fit.h"
 
 #include <vector>
 

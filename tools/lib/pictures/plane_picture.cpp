@@ -18,7 +18,7 @@ namespace {
 using Planes = std::vector<pcl::HorizontalPlane>;
 
 Colour
-colourOf(LevelKind kind)
+colourOfLevel(LevelKind kind)
 {
   return kind == LevelKind::Ceiling ? colours::ceiling
          : kind == LevelKind::Floor ? colours::floor
@@ -82,7 +82,7 @@ histogramPanel(const Planes& planes, const HeightHistogram& histogram)
     for (const auto& plane : planes)
       if (std::abs(plane.height - height) < least) {
         least = std::abs(plane.height - height);
-        colour = colourOf(plane.kind);
+        colour = colourOfLevel(plane.kind);
       }
     return colour;
   };
@@ -93,7 +93,7 @@ histogramPanel(const Planes& planes, const HeightHistogram& histogram)
   const auto [low, high] = heightsOf(planes);
   for (const auto* plane : bySize(planes)) // above the bar
     panel.addLabel({static_cast<double>(most), plane->height + 0.03 * (high - low)},
-                   nameOf(*plane), darkened(colourOf(plane->kind), 0.3), Anchor::Right);
+                   nameOf(*plane), darkened(colourOfLevel(plane->kind), 0.3), Anchor::Right);
   panel.setView({{0, low}, {1.05 * static_cast<double>(most), high}});
   return panel;
 }
@@ -117,7 +117,7 @@ drawPlanes(const Planes& planes,
     if (cells.empty())
       continue;
     const bool is_ceiling = plane->kind == LevelKind::Ceiling;
-    Colour colour = colourOf(plane->kind);
+    Colour colour = colourOfLevel(plane->kind);
     if (is_ceiling)
       colour = ceilingShade(count[0]++);
     else if (plane->kind == LevelKind::Floor)

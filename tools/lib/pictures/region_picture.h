@@ -3,7 +3,7 @@
 
 #include "picture.h"
 
-#include <pcl/sedr_filters/region_selection.h>
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
 
 #include <vector>
 

@@ -29,7 +29,7 @@ filledShare(const RepairedStrip::Column& column, const std::vector<bool>& is_see
 }
 
 Colour
-colourOf(const NamedStrip& strip)
+colourOfStrip(const NamedStrip& strip)
 {
   return tools::colourOf(strip.parts.front()->label);
 }
@@ -44,7 +44,7 @@ elevationPanel(const std::vector<NamedStrip>& strips,
   const StripLines lines = breakIntoLines(strips, sheet_width, sheet_height);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     StripBoxes boxes = boxesOf(strips[i], is_seen, lines.origins[i]);
-    panel.addBoxes(std::move(boxes.seen), colourOf(strips[i]));
+    panel.addBoxes(std::move(boxes.seen), colourOfStrip(strips[i]));
     panel.addBoxes(std::move(boxes.filled), colours::recovered);
     panel.addLabel(lines.origins[i] +
                        Eigen::Vector2d(strips[i].length / 2, nameHeight(strips[i])),
@@ -73,7 +73,7 @@ planPanel(const Floorplan& plan,
       const double start = static_cast<double>(c) * width;
       panel.addPath(
           {strip.element().pointAt(start), strip.element().pointAt(start + width)},
-          mixed(colourOf(strip), colours::recovered, share), 4);
+          mixed(colourOfStrip(strip), colours::recovered, share), 4);
     }
   }
   for (const auto& strip : strips)

@@ -3,8 +3,8 @@
 
 #include "picture.h"
 
+#include "sedr_segmentation/src/details/slice_detail.h"
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_segmentation/slice_detail.h>
 #include <pcl/types.h>
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "map_cells.h"
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "wall_picture.h"
 
 #include "map_cells.h"
+#include "sedr_segmentation/src/walls/wall_growing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,7 @@
 
 #include "plan_file.h"
 
-#include <pcl/sedr_filters/room_measures.h>
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 namespace pcl {
 namespace sedr {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_page.h"
 
+#include "bytes/whole_file.h"
 #include "report/model/model_part.h"
 #include "report/model/model_pictures.h"
 #include "report/page/html_text.h"
@@ -9,7 +10,6 @@
 #include "results/distance_colour.h"
 #include "results/result_folder.h"
 #include "scan_file.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/sedr_surface/mesh_distance.h>
 
@@ -178,10 +178,10 @@ makePage(const std::string& path, const PageSettings& settings)
 {
   const ResultFolder folder(path);
   const Contents contents = readContents(folder, settings);
-  std::string body = advicePart(contents.data) + coveragePart(contents.data) +
-                     storeysPart(contents.data) + planPart(contents.data) +
-                     roomsPart(contents.data) +
-                     modelPart(contents.mesh, contents.solid, contents.rule, settings);
+  std::string body =
+      advicePart(contents.data) + coveragePart(contents.data) +
+      storeysPart(contents.data) + planPart(contents.data) + roomsPart(contents.data) +
+      modelPart(folder, contents.mesh, contents.solid, contents.data.plan, settings);
   const auto outline = contents.outline();
   if (!outline.empty()) {
     const ModelPictures pictures(outline, contents.rule);

@@ -3,7 +3,7 @@
 
 #include "display_cloud.h"
 
-#include <pcl/sedr_filters/storeys.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstdint>

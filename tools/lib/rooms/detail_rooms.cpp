@@ -5,8 +5,8 @@
 #include "labelled_points.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/plane_fit.h>
-#include <pcl/sedr_segmentation/horizontal_levels.h>
+#include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_segmentation/src/levels/horizontal_levels.h"
 
 #include <string>
 #include <utility>

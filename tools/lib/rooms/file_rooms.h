@@ -3,8 +3,8 @@
 
 #include "tool_cloud.h"
 
+#include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
-#include <pcl/sedr_segmentation/room_territory.h>
 
 #include <cstdint>
 #include <vector>

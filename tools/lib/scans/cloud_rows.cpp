@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_rows.h"
 
-#include <pcl/sedr_filters/field_access.h>
+#include "sedr_filters/src/base/field_access.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/conversions.h>
 #include <pcl/io/lzf.h>
-#include <pcl/sedr_filters/field_access.h>
 
 #include <algorithm>
 #include <cstring>

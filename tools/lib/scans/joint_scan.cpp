@@ -4,7 +4,7 @@
 #include "bytes/standard_input.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>

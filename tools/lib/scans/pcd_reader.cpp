@@ -2,8 +2,8 @@
 #include "cloud_readers.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/io/lzf.h>
-#include <pcl/sedr_filters/field_access.h>
 
 #include <array>
 #include <charconv>
@@ -32,7 +32,7 @@ struct PcdHeader {
 };
 
 [[noreturn]] void
-refuse(const std::string& path, const std::string& reason)
+refusePcd(const std::string& path, const std::string& reason)
 {
   throw ToolError("cannot read '" + path + "' as PCD: " + reason);
 }
@@ -47,7 +47,7 @@ isKeyword(std::string_view word)
 }
 
 PcdHeader
-readHeader(const MappedFile& file, const std::string& path)
+readPcdHeader(const MappedFile& file, const std::string& path)
 {
   PcdHeader header;
   TextCursor cursor(file, 0);
@@ -58,7 +58,7 @@ readHeader(const MappedFile& file, const std::string& path)
     if (words.empty() || words[0][0] == '#')
       continue;
     if (!isKeyword(words[0]))
-      refuse(path, "its header holds a line that is none, before DATA");
+      refusePcd(path, "its header holds a line that is none, before DATA");
     const std::string keyword(words[0] == "COLUMNS" ? "FIELDS" : words[0]);
     header.lines[keyword] = Words(words.begin() + 1, words.end());
     if (keyword == "DATA") {
@@ -66,7 +66,7 @@ readHeader(const MappedFile& file, const std::string& path)
       return header;
     }
   }
-  refuse(path, "its header ends without a DATA line, the file may be cut off");
+  refusePcd(path, "its header ends without a DATA line, the file may be cut off");
 }
 
 std::uint64_t
@@ -75,7 +75,7 @@ wholeNumber(std::string_view word, const std::string& what, const std::string& p
   std::uint64_t value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
-    refuse(path, what + " is '" + std::string(word) + "', not a whole number");
+    refusePcd(path, what + " is '" + std::string(word) + "', not a whole number");
   return value;
 }
 
@@ -100,13 +100,13 @@ readFields(const PcdHeader& header, const std::string& path)
   const Words* types = header.find("TYPE");
   const Words* counts = header.find("COUNT");
   if (!names || !sizes || !types)
-    refuse(path, "its header lacks FIELDS, SIZE or TYPE");
+    refusePcd(path, "its header lacks FIELDS, SIZE or TYPE");
   if (sizes->size() != names->size() || types->size() != names->size() ||
       (counts && counts->size() != names->size()))
-    refuse(path, "its header names " + std::to_string(names->size()) + " fields, but " +
-                     std::to_string(sizes->size()) + " sizes, " +
-                     std::to_string(types->size()) + " types and " +
-                     std::to_string(counts ? counts->size() : 0) + " counts");
+    refusePcd(path, "its header names " + std::to_string(names->size()) +
+                        " fields, but " + std::to_string(sizes->size()) + " sizes, " +
+                        std::to_string(types->size()) + " types and " +
+                        std::to_string(counts ? counts->size() : 0) + " counts");
   constexpr std::uint64_t most_values = 1 << 16;
   std::vector<pcl::PCLPointField> fields;
   for (std::size_t i = 0; i < names->size(); ++i) {
@@ -115,9 +115,10 @@ readFields(const PcdHeader& header, const std::string& path)
     const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
     field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
     if (field.datatype == 0 || count == 0 || count > most_values)
-      refuse(path, "field '" + field.name + "' is of type " + std::string((*types)[i]) +
-                       ", size " + std::string((*sizes)[i]) + ", count " +
-                       std::to_string(count) + ", which is unknown");
+      refusePcd(path, "field '" + field.name + "' is of type " +
+                          std::string((*types)[i]) + ", size " +
+                          std::string((*sizes)[i]) + ", count " +
+                          std::to_string(count) + ", which is unknown");
     field.count = static_cast<pcl::uindex_t>(count);
     fields.push_back(field);
   }
@@ -133,18 +134,18 @@ readSize(const PcdHeader& header, const std::string& path)
                                     : otherwise;
   };
   if (!header.find("WIDTH") && !header.find("POINTS"))
-    refuse(path, "its header lacks WIDTH and POINTS");
+    refusePcd(path, "its header lacks WIDTH and POINTS");
   const std::uint64_t height = number("HEIGHT", 1);
   const std::uint64_t points = number("POINTS", number("WIDTH", 0) * height);
   const std::uint64_t width = number("WIDTH", points);
   constexpr std::uint64_t most = std::uint64_t{1} << 32;
   if (width > most || height > most)
-    refuse(path, "its header gives " + std::to_string(width) + " x " +
-                     std::to_string(height) + " points, more than can be counted");
+    refusePcd(path, "its header gives " + std::to_string(width) + " x " +
+                        std::to_string(height) + " points, more than can be counted");
   if (width * height != points)
-    refuse(path, "its header gives " + std::to_string(width) + " x " +
-                     std::to_string(height) + " points in rows, but " +
-                     std::to_string(points) + " in all");
+    refusePcd(path, "its header gives " + std::to_string(width) + " x " +
+                        std::to_string(height) + " points in rows, but " +
+                        std::to_string(points) + " in all");
   return points;
 }
 
@@ -168,11 +169,11 @@ readViewpoint(const PcdHeader& header, FileLayout& layout)
 refuseCutOff(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t left)
 {
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
-  refuse(path, "the file is cut off, its header promises " +
-                   std::to_string(blob.width) + " points of " +
-                   std::to_string(blob.point_step) + " bytes, " +
-                   std::to_string(needed) + " bytes, but " + std::to_string(left) +
-                   " bytes follow");
+  refusePcd(path, "the file is cut off, its header promises " +
+                      std::to_string(blob.width) + " points of " +
+                      std::to_string(blob.point_step) + " bytes, " +
+                      std::to_string(needed) + " bytes, but " + std::to_string(left) +
+                      " bytes follow");
 }
 
 } // namespace
@@ -192,7 +193,7 @@ looksLikePcd(const MappedFile& file)
 FileLayout
 readPcdLayout(const MappedFile& file, const std::string& path)
 {
-  const PcdHeader header = readHeader(file, path);
+  const PcdHeader header = readPcdHeader(file, path);
   FileLayout layout;
   auto& blob = layout.blob;
   blob.fields = readFields(header, path);
@@ -209,7 +210,7 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   else if (name == "binary_compressed")
     layout.data = FileData::Compressed;
   else if (name != "binary")
-    refuse(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
+    refusePcd(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
   else if (left < std::size_t{blob.width} * blob.point_step)
     refuseCutOff(path, blob, left);
   return layout;
@@ -227,9 +228,9 @@ readAsciiPcd(const MappedFile& file,
     values += field.count;
   // A number and a blank take two bytes: a header may promise no more than that.
   if ((file.size() - begin + 1) / 2 < std::size_t{blob.width} * values)
-    refuse(path, "the file is cut off, its header promises " +
-                     std::to_string(blob.width) + " points, but " +
-                     std::to_string(file.size() - begin) + " bytes follow");
+    refusePcd(path, "the file is cut off, its header promises " +
+                        std::to_string(blob.width) + " points, but " +
+                        std::to_string(file.size() - begin) + " bytes follow");
   blob.data.resize(std::size_t{blob.width} * blob.point_step);
   TextCursor cursor(file, begin);
   std::size_t point = 0;
@@ -239,15 +240,15 @@ readAsciiPcd(const MappedFile& file,
     const std::size_t read =
         readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
     if (read != values)
-      refuse(path, "point " + std::to_string(point + 1) + " has " +
-                       std::to_string(read) + " of " + std::to_string(values) +
-                       " numbers");
+      refusePcd(path, "point " + std::to_string(point + 1) + " has " +
+                          std::to_string(read) + " of " + std::to_string(values) +
+                          " numbers");
     ++point;
   }
   if (point < blob.width)
-    refuse(path, "the file is cut off, its header promises " +
-                     std::to_string(blob.width) + " points, it holds " +
-                     std::to_string(point));
+    refusePcd(path, "the file is cut off, its header promises " +
+                        std::to_string(blob.width) + " points, it holds " +
+                        std::to_string(point));
 }
 
 void
@@ -261,29 +262,29 @@ readCompressedPcd(const MappedFile& file,
   std::uint32_t whole = 0;
   const std::size_t left = file.size() - begin;
   if (left < sizeof compressed + sizeof whole)
-    refuse(path,
-           "the file is cut off, " + std::to_string(left) + " bytes follow the header");
+    refusePcd(path, "the file is cut off, " + std::to_string(left) +
+                        " bytes follow the header");
   std::memcpy(&compressed, file.data() + begin, sizeof compressed);
   std::memcpy(&whole, file.data() + begin + sizeof compressed, sizeof whole);
   const std::size_t data = begin + sizeof compressed + sizeof whole;
   if (file.size() - data < compressed)
-    refuse(path, "the file is cut off, " + std::to_string(compressed) +
-                     " bytes of compressed points are promised, " +
-                     std::to_string(file.size() - data) + " follow");
+    refusePcd(path, "the file is cut off, " + std::to_string(compressed) +
+                        " bytes of compressed points are promised, " +
+                        std::to_string(file.size() - data) + " follow");
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
   if (whole != needed)
-    refuse(path, "its " + std::to_string(blob.width) + " points take " +
-                     std::to_string(needed) + " bytes, the compressed ones hold " +
-                     std::to_string(whole));
+    refusePcd(path, "its " + std::to_string(blob.width) + " points take " +
+                        std::to_string(needed) + " bytes, the compressed ones hold " +
+                        std::to_string(whole));
   // Three bytes unpack to 264 at most: no memory for what cannot come.
   constexpr std::uint64_t most_expansion = 88;
   if (whole > most_expansion * compressed)
-    refuse(path, "its compressed points are damaged, " + std::to_string(compressed) +
-                     " bytes cannot hold " + std::to_string(whole));
+    refusePcd(path, "its compressed points are damaged, " + std::to_string(compressed) +
+                        " bytes cannot hold " + std::to_string(whole));
   std::vector<std::uint8_t> by_field(whole);
   if (pcl::lzfDecompress(file.data() + data, compressed, by_field.data(), whole) !=
       whole)
-    refuse(path, "its compressed points are damaged");
+    refusePcd(path, "its compressed points are damaged");
   blob.data.resize(needed);
   std::size_t from = 0;
   for (const auto& field : blob.fields) {

@@ -2,7 +2,7 @@
 #include "cloud_readers.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/field_access.h>
+#include "sedr_filters/src/base/field_access.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ struct PlyHeader {
 };
 
 [[noreturn]] void
-refuse(const std::string& path, const std::string& reason)
+refusePly(const std::string& path, const std::string& reason)
 {
   throw ToolError("cannot read '" + path + "' as PLY: " + reason);
 }
@@ -59,7 +59,7 @@ addProperty(const std::vector<std::string_view>& words,
             PlyHeader& header)
 {
   if (header.elements.empty() || words.size() < 3)
-    refuse(path, "its header holds a property without an element or a name");
+    refusePly(path, "its header holds a property without an element or a name");
   auto& element = header.elements.back();
   if (words[1] == "list") {
     element.has_lists = true;
@@ -70,13 +70,13 @@ addProperty(const std::vector<std::string_view>& words,
   field.count = 1;
   field.datatype = dataType(words[1]);
   if (field.datatype == 0)
-    refuse(path, "property '" + field.name + "' is of the unknown type '" +
-                     std::string(words[1]) + "'");
+    refusePly(path, "property '" + field.name + "' is of the unknown type '" +
+                        std::string(words[1]) + "'");
   element.fields.push_back(field);
 }
 
 PlyHeader
-readHeader(const MappedFile& file, const std::string& path)
+readPlyHeader(const MappedFile& file, const std::string& path)
 {
   PlyHeader header;
   TextCursor cursor(file, 0);
@@ -102,20 +102,20 @@ readHeader(const MappedFile& file, const std::string& path)
       const auto& n = words[2];
       const auto result = std::from_chars(n.data(), n.data() + n.size(), element.count);
       if (result.ec != std::errc() || result.ptr != n.data() + n.size())
-        refuse(path, "'" + std::string(n) + "' is no number of elements");
+        refusePly(path, "'" + std::string(n) + "' is no number of elements");
       header.elements.push_back(element);
     }
     else
-      refuse(path, "its header holds a line that is none, before end_header");
+      refusePly(path, "its header holds a line that is none, before end_header");
   }
-  refuse(path, "its header does not end, the file may be cut off");
+  refusePly(path, "its header does not end, the file may be cut off");
 }
 
 [[noreturn]] void
 refuseCutOff(const std::string& path, std::uint64_t vertices, const std::string& found)
 {
-  refuse(path, "the file is cut off, its header promises " + std::to_string(vertices) +
-                   " vertices, " + found);
+  refusePly(path, "the file is cut off, its header promises " +
+                      std::to_string(vertices) + " vertices, " + found);
 }
 
 /** @brief Gives the properties the names of PCL's fields. */
@@ -184,15 +184,15 @@ looksLikePly(const MappedFile& file)
 FileLayout
 readPlyLayout(const MappedFile& file, const std::string& path)
 {
-  const PlyHeader header = readHeader(file, path);
+  const PlyHeader header = readPlyHeader(file, path);
   const bool ascii = header.format == "ascii";
   if (!ascii && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
-    refuse(path, "its format is '" + header.format + "'");
+    refusePly(path, "its format is '" + header.format + "'");
   const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const auto& e) { return e.name == "vertex"; });
   if (vertices == header.elements.end() || vertices->has_lists)
-    refuse(path, "it has no element 'vertex' without lists");
+    refusePly(path, "it has no element 'vertex' without lists");
 
   FileLayout layout;
   layout.is_ply = true;
@@ -207,7 +207,8 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   std::size_t skip = 0;
   for (auto e = header.elements.begin(); e != vertices; ++e) {
     if (e->has_lists || e->count > file.size())
-      refuse(path, "element '" + e->name + "' before the vertices cannot be skipped");
+      refusePly(path,
+                "element '" + e->name + "' before the vertices cannot be skipped");
     std::string_view line;
     for (std::uint64_t i = 0; ascii && i < e->count; ++i)
       cursor.nextLine(line);
@@ -248,9 +249,9 @@ readAsciiPly(const MappedFile& file,
     const std::size_t read =
         readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
     if (read != values)
-      refuse(path, "vertex " + std::to_string(point + 1) + " has " +
-                       std::to_string(read) + " of " + std::to_string(values) +
-                       " numbers");
+      refusePly(path, "vertex " + std::to_string(point + 1) + " has " +
+                          std::to_string(read) + " of " + std::to_string(values) +
+                          " numbers");
   }
   if (point < blob.width)
     refuseCutOff(path, blob.width, "it holds " + std::to_string(point));

@@ -3,7 +3,7 @@
 
 #include "cloud_readers.h"
 
-#include <pcl/sedr_filters/field_access.h>
+#include "sedr_filters/src/base/field_access.h"
 
 #include <cstring>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/PCLPointField.h>
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/parallel.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <future>

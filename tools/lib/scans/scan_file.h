@@ -5,7 +5,7 @@
 #include "row_plan.h"
 
 #include <pcl/sedr_filters/row_source.h>
-#include <pcl/sedr_filters/scan_positions.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <array>
 #include <memory>

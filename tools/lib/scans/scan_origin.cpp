@@ -4,8 +4,8 @@
 #include "scan_file.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include <pcl/sedr_filters/field_access.h>
 
 #include <algorithm>
 #include <cmath>

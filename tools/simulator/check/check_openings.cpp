@@ -12,7 +12,6 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kInside = 1e-3; ///< how far inside a loop is not on its edge
 constexpr double kBeside = 1e-4; ///< how far into a room its floor is asked for
 
 /** @brief What an opening or niche takes of a wall, and what to call it. */

@@ -11,8 +11,6 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kInside = 1e-3; ///< how far inside a loop is not on its edge
-
 bool
 touchesOutline(const Loop& loop, Vec2 point)
 {
@@ -93,13 +91,15 @@ private:
     return true;
   }
 
-  /** @brief The ceiling is above the floor wherever one of them ends or changes. */
+  /** @brief The ceiling is above the floor wherever one of them ends or changes; walls
+   * that lean meet the floor or the ceiling in an edge. */
   bool checkHeights()
   {
     const std::vector<Vec2> samples = placesOf(room_);
+    const double clear = room_.tilts.empty() ? kContact : -kContact;
     for (const Vec2 sample : samples)
       if (isInRoom(room_, sample) &&
-          !(floorBelow(room_, sample) < ceilingAbove(room_, sample) - kContact))
+          !(floorBelow(room_, sample) < ceilingAbove(room_, sample) - clear))
         return fail(" has no height at (", sample.x, ", ", sample.y, ")");
     return true;
   }

@@ -9,8 +9,6 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kInside = 1e-3; ///< how far inside a loop is not on its edge
-
 /** @brief Points just inside a loop, whichever way it runs. */
 std::vector<Vec2>
 samplesWithin(const Loop& loop)

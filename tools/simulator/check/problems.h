@@ -39,6 +39,7 @@ placeOf(const std::string& list, std::size_t index)
 }
 
 constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
+constexpr double kInside = 1e-3;  ///< metres: how far inside a loop is not on its edge
 
 /** @brief Outlines, heights, details and columns; rooms that overlap. */
 void checkRooms(const Scene& scene, Problems& problems);

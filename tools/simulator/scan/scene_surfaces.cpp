@@ -53,16 +53,13 @@ private:
     std::vector<Loop> ceiling_voids;
     for (const CeilingVoid& hole : room.voids)
       ceiling_voids.push_back(hole.loop);
-    addSlabs(room, Layer::Floor, Label::Floor, Side::AboveOrLeft, floor_voids);
-    addSlabs(room, Layer::Ceiling, Label::Ceiling, Side::BelowOrRight, ceiling_voids);
+    addSlabs(room, Layer::Floor, Side::AboveOrLeft, floor_voids);
+    addSlabs(room, Layer::Ceiling, Side::BelowOrRight, ceiling_voids);
   }
 
   /** @brief Adds a floor or ceiling, its details cut out of what they overlap. */
-  void addSlabs(const Room& room,
-                Layer layer,
-                Label label,
-                Side front,
-                const std::vector<Loop>& voids)
+  void
+  addSlabs(const Room& room, Layer layer, Side front, const std::vector<Loop>& voids)
   {
     std::vector<Loop> holes = room.columns;
     holes.insert(holes.end(), voids.begin(), voids.end());
@@ -70,10 +67,10 @@ private:
     for (std::size_t i = details.size(); i > 0; --i)
       add(SlabPatch{details[i - 1].slab, details[i - 1].loop,
                     withDetails(holes, room, layer, static_cast<Region>(i))},
-          details[i - 1].is_facet ? label : Label::Detail, front);
+          labelOf(room, static_cast<Region>(i), layer), front);
     add(SlabPatch{slabOf(room, kMain, layer), room.outline,
                   withDetails(holes, room, layer, kMain)},
-        label, front);
+        labelOf(room, kMain, layer), front);
   }
 
   /** @brief @p holes and the details that cut a region.

@@ -20,12 +20,6 @@ angleAlong(double from, double to, double sweep)
   return angle;
 }
 
-double
-directionOf(Vec2 v)
-{
-  return std::atan2(v.y, v.x);
-}
-
 /** @brief True if @p point is right of the chord; ties fall as in crossesChord(). */
 bool
 isRightOf(const Element& element, Vec2 point)
@@ -78,6 +72,12 @@ extendByArc(Rectangle& bounds, const Arc& arc)
 }
 
 } // namespace
+
+double
+directionOf(Vec2 v)
+{
+  return std::atan2(v.y, v.x);
+}
 
 Element
 elementOf(const Loop& loop, std::size_t i)

@@ -71,6 +71,9 @@ double areaOf(const Loop& loop);
 /** @brief Length of the outline in metres. */
 double perimeterOf(const Loop& loop);
 
+/** @brief The angle of a vector from x, counter-clockwise, in radians. */
+double directionOf(Vec2 v);
+
 /** @brief Smallest axis-parallel rectangle around a loop. */
 struct Rectangle {
   Vec2 min;

@@ -13,12 +13,6 @@ namespace {
 constexpr double kLeafThickness = 0.04;
 constexpr double kLeafStandOff = 0.03; ///< of an open leaf's axis from wall and jamb
 
-double
-directionOf(Vec2 v)
-{
-  return std::atan2(v.y, v.x);
-}
-
 Object
 makeShutLeaf(const Element& wall, const Opening& opening)
 {

@@ -53,6 +53,7 @@ struct SlabDetail {
   Loop loop;
   Slab slab;
   bool is_facet = false; ///< of a ceiling that is not level: labelled as the ceiling
+  bool is_wall = false;  ///< a wall that leans, as it is seen from above
 };
 
 /** @brief The pane of a window, in the middle of the reveal. */
@@ -96,6 +97,8 @@ struct CeilingVoid {
 struct Room {
   std::string name;
   Loop outline; ///< counter-clockwise
+  Loop foot; ///< the outline at the floor where walls lean, else empty: see tiltWalls()
+  std::vector<double> tilts; ///< of its elements, radians, positive into the room
   Slab floor;
   Slab ceiling;
   std::vector<SlabDetail> details; ///< of the ceiling

@@ -10,7 +10,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kSame = 1e-9; ///< metres
+constexpr double kSameHeight = 1e-9; ///< metres
 
 /** @brief The part of a convex polygon where dot(p, across) lies in a band. */
 std::vector<Vec2>
@@ -25,9 +25,10 @@ bandOf(const std::vector<Vec2>& polygon, Vec2 across, double low, double high)
       const Vec2 b = part[(i + 1) % part.size()];
       const double over_a = side * dot(a, across) - limit;
       const double over_b = side * dot(b, across) - limit;
-      if (over_a <= kSame)
+      if (over_a <= kSameHeight)
         kept.push_back(a);
-      if ((over_a < -kSame && over_b > kSame) || (over_a > kSame && over_b < -kSame))
+      if ((over_a < -kSameHeight && over_b > kSameHeight) ||
+          (over_a > kSameHeight && over_b < -kSameHeight))
         kept.push_back(a + (over_a / (over_a - over_b)) * (b - a));
     }
     part = kept;
@@ -77,7 +78,7 @@ facetsOf(const Vault& vault, const Loop& loop)
     low = std::min(low, dot(polygon.back(), across));
     high = std::max(high, dot(polygon.back(), across));
   }
-  if (std::max(high, -low) > vault.radius + kSame)
+  if (std::max(high, -low) > vault.radius + kSameHeight)
     throw std::invalid_argument("A vault does not reach the sides of its loop");
   const Steps steps = stepsOf(vault.radius);
   const double first = std::asin(std::max(-1.0, low / steps.radius));

@@ -67,6 +67,16 @@ slabOf(const Room& room, Region region, Layer layer)
   return detailsOf(room, layer)[region - 1].slab;
 }
 
+Label
+labelOf(const Room& room, Region region, Layer layer)
+{
+  const Label whole = layer == Layer::Floor ? Label::Floor : Label::Ceiling;
+  if (region == kMain)
+    return whole;
+  const SlabDetail& detail = detailsOf(room, layer)[region - 1];
+  return detail.is_wall ? Label::Wall : detail.is_facet ? whole : Label::Detail;
+}
+
 double
 floorBelow(const Room& room, Vec2 point)
 {

@@ -35,6 +35,9 @@ bool isInRoom(const Room& room, Vec2 point);
 /** @brief The plane of a region other than kVoid. */
 const Slab& slabOf(const Room& room, Region region, Layer layer);
 
+/** @brief What the plane of a region other than kVoid is. */
+Label labelOf(const Room& room, Region region, Layer layer);
+
 /** @brief z of the floor below @p point, as if the room had no end. */
 double floorBelow(const Room& room, Vec2 point);
 

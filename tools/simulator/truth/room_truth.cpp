@@ -63,9 +63,11 @@ truthOf(const Room& room, std::uint32_t number, const Scene& scene, const Mesh& 
   RoomTruth truth;
   truth.name = room.name;
   truth.id = number;
-  truth.outline = placed(scene.placement, room.outline);
-  truth.area = areaOf(room.outline);
-  truth.perimeter = perimeterOf(room.outline);
+  const Loop& outline = room.foot.empty() ? room.outline : room.foot;
+  truth.outline = placed(scene.placement, outline);
+  truth.tilts = room.tilts;
+  truth.area = areaOf(outline);
+  truth.perimeter = perimeterOf(outline);
   for (const Loop& column : room.columns) {
     truth.columns.push_back(placed(scene.placement, column));
     truth.area -= areaOf(column);
@@ -110,6 +112,17 @@ toJson(const Loop& loop)
   return elements;
 }
 
+/** @brief The boundary, with the tilts of its elements where they lean. */
+Json
+boundaryToJson(const RoomTruth& room)
+{
+  Json elements = toJson(room.outline);
+  for (std::size_t i = 0; i < room.tilts.size(); ++i)
+    if (room.tilts[i] != 0.0)
+      elements[i]["tilt"] = room.tilts[i] * 180.0 / pi;
+  return elements;
+}
+
 Json
 toJson(const std::vector<Loop>& loops)
 {
@@ -132,7 +145,7 @@ toJson(const RoomTruth& room)
           {"floor", room.floor},
           {"ceiling", room.ceiling},
           {"storey", room.storey},
-          {"boundary", toJson(room.outline)},
+          {"boundary", boundaryToJson(room)},
           {"columns", toJson(room.columns)},
           {"voids", toJson(room.voids)},
           {"floor_voids", toJson(room.floor_voids)}};

@@ -21,7 +21,8 @@ namespace pcl::sedr::sim {
 struct RoomTruth {
   std::string name;
   std::uint32_t id = 0;          ///< the `room` of its points, from 1
-  Loop outline;                  ///< counter-clockwise
+  Loop outline;                  ///< counter-clockwise; at the floor
+  std::vector<double> tilts;     ///< of walls that lean, radians, positive into it
   std::vector<Loop> columns;     ///< counter-clockwise
   double area = 0.0;             ///< inside the outline, without the columns
   double perimeter = 0.0;        ///< of the outline

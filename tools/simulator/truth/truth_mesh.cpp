@@ -51,8 +51,8 @@ public:
     for (const Niche& niche : room_.niches)
       niche_points_.push_back(pointsOf(niche));
     collectLevels();
-    addSlabs(Layer::Floor, Label::Floor);
-    addSlabs(Layer::Ceiling, Label::Ceiling);
+    addSlabs(Layer::Floor);
+    addSlabs(Layer::Ceiling);
     for (std::size_t edge = 0; edge < plan_.edges.size(); ++edge)
       addVerticalFaces(edge);
     for (std::size_t i = 0; i < room_.niches.size(); ++i)
@@ -147,18 +147,15 @@ private:
   }
 
   /** @brief Adds a floor or ceiling, region by region. */
-  void addSlabs(Layer layer, Label label)
+  void addSlabs(Layer layer)
   {
     const Region count = regionCount(room_, layer);
     for (Region region = kMain; region < count; ++region) {
       std::vector<bool> member(count + 1, false);
       member[region + 1] = true;
-      const bool is_main =
-          region == kMain ||
-          detailsOf(room_, layer)[static_cast<std::size_t>(region - 1)].is_facet;
       for (const Polygon& polygon : polygonsOf(points_, ringsOf(layer, member)))
         addPolygon(polygon, slabOf(room_, region, layer), layer,
-                   is_main ? label : Label::Detail);
+                   labelOf(room_, region, layer));
     }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Brings a model back to where the scan was: adds the origin that its header tells.
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/room_measures.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
@@ -56,7 +56,7 @@ reconstruct(const Cloud::ConstPtr& scan, double floor, double ceiling)
   std::cout << storey->size() << " of " << thinned->size() << " points are kept\n";
 
   pcl::sedr::StructureChain chain; // all stages after the thinning
-  chain.floorplan_fitting.setRawCloud<pcl::PointXYZ>(scan);
+  chain.floorplan_fitting.setRawCloud(scan);
   if (!chain.findStructure(storey) || !chain.makeMesh()) {
     std::cerr << chain.failed_stage << ": " << chain.problem << '\n';
     return false;

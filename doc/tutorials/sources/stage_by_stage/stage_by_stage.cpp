@@ -192,7 +192,7 @@ fitPlan(const Parts& parts, const Cloud::ConstPtr& scan)
   fitting.setFloorIndices(parts.floor);
   fitting.setDetailIndices(parts.details);
   fitting.setWallIndices(parts.walls);
-  fitting.setRawCloud<pcl::PointXYZ>(scan); // more exact than voxels
+  fitting.setRawCloud(scan); // more exact than voxels
   const auto plan = std::make_shared<pcl::sedr::Floorplan>();
   if (!fitting.segment(*plan))
     giveUp(fitting);

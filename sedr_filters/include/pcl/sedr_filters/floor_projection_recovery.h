@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pcl/ModelCoefficients.h>
-#include <pcl/sedr_filters/floor_recovery.h>
 #include <pcl/sedr_filters/stage_filter.h>
 
 #include <Eigen/Core>
@@ -49,13 +48,16 @@ public:
   }
 
   /** @brief The ceiling, indices into the input cloud. Must be set. */
-  void setCeilingIndices(const IndicesConstPtr& ceiling) { ceiling_ = ceiling; }
+  void setCeilingIndices(const sedr::StageIndices& ceiling)
+  {
+    ceiling_ = ceiling.get();
+  }
 
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
   /** @brief The details of the ceiling, indices into the input cloud; null: none
    * (default). */
-  void setDetailIndices(const IndicesConstPtr& detail) { detail_ = detail; }
+  void setDetailIndices(const sedr::StageIndices& detail) { detail_ = detail.get(); }
 
   IndicesConstPtr getDetailIndices() const { return detail_; }
 
@@ -93,8 +95,6 @@ protected:
 
 private:
   bool validate();
-
-  bool recover(sedr::FloorRecovery& recovery, Eigen::Vector4d& plane);
 
   /** @brief The plane to project onto, its normal up and of unit length. */
   bool findPlane(const Indices& floor_in_scope, Eigen::Vector4d& plane);

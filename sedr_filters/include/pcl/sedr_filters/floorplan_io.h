@@ -2,8 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/levelling.h>
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <string>
 

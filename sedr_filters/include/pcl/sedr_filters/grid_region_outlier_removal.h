@@ -2,13 +2,56 @@
 #pragma once
 
 #include <pcl/filters/filter_indices.h>
-#include <pcl/sedr_filters/region_selection.h>
+#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/stage_error.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief The regions of a plan and which of them are kept (paper, Figure 3c). */
+struct RegionMap {
+  double cell_size = 0;      ///< metres
+  CellSet cells;             ///< all occupied cells: 1 in the binary map
+  CellRegions regions;       ///< of the cells, largest first
+  std::vector<int> number;   ///< of each region: 1 .. n if kept, 0 if not
+  std::size_t threshold = 0; ///< in cells, regions above it are kept
+
+  /** @brief The cells of every region. O(cells). */
+  std::vector<CellSet> regionCells() const;
+
+  /** @brief The cells of all regions that are kept. O(cells). */
+  CellSet keptCells() const;
+};
+
+/** @brief How GridRegionOutlierRemoval chooses regions, see its setters. */
+struct RegionParameters {
+  double cell_size = 0.05;                   ///< metres
+  int opening_radius = 0;                    ///< cells
+  std::size_t minimum_part = 400;            ///< cells
+  double minimum_support = 0.5;              ///< share of a region's cells
+  std::size_t minimum_supported_cells = 400; ///< of a region kept for its support
+};
+
+/** @brief What is wrong with the parameters, a sentence; empty if nothing is. */
+std::string problemOf(const RegionParameters& parameters);
+
+/** @brief The regions of `points[indices]`, numbered where they are kept.
+ * @param support points that speak for a region; null: size alone decides */
+RegionMap selectRegions(const PointView& points,
+                        const pcl::Indices& indices,
+                        const pcl::Indices* support,
+                        const RegionParameters& parameters);
+
+/** @brief The number of the region of each point of the cloud, 0 where it is not kept
+ * or not among the indices, -1 for points that are not finite. */
+std::vector<int>
+labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& indices);
+
+} // namespace sedr
 
 /** @brief Removes what is not part of a large region in plan (paper, section 2.3.1):
  * pieces of neighbouring rooms or of the street, seen through doors and windows at the
@@ -49,41 +92,50 @@ public:
 
   /** @brief Edge of a cell, metres, > 0 (default 0.05): the leaf of the thinning, or
    * more. */
-  void setGridSize(double size) { grid_size_ = size; }
+  void setGridSize(double size) { parameters_.cell_size = size; }
 
-  double getGridSize() const { return grid_size_; }
+  double getGridSize() const { return parameters_.cell_size; }
 
   /** @brief Beyond the paper: necks narrower than 2 radius + 1 cells do not join
    * regions (default 0: off). The regions are those of the cells eroded by so many,
    * grown back. */
-  void setOpeningRadius(int cells) { opening_radius_ = cells; }
+  void setOpeningRadius(int cells) { parameters_.opening_radius = cells; }
 
-  int getOpeningRadius() const { return opening_radius_; }
+  int getOpeningRadius() const { return parameters_.opening_radius; }
 
   /** @brief Of what an opening parts, pieces under so many cells go back to a larger
    * one that they touch (default 400, one square metre). Without an opening of no
    * effect. */
-  void setMinimumPart(std::size_t cells) { minimum_part_ = cells; }
+  void setMinimumPart(std::size_t cells) { parameters_.minimum_part = cells; }
 
-  std::size_t getMinimumPart() const { return minimum_part_; }
+  std::size_t getMinimumPart() const { return parameters_.minimum_part; }
 
   /** @brief Beyond the paper: points of the input cloud, say the floor, that speak for
    * a region: one below the threshold is kept too if enough of its cells have such a
    * point within a cell. Null: off (default). */
-  void setSupportIndices(const IndicesConstPtr& support) { support_ = support; }
+  void setSupportIndices(const sedr::StageIndices& support)
+  {
+    support_ = support.get();
+  }
 
   IndicesConstPtr getSupportIndices() const { return support_; }
 
   /** @brief Share of a region's cells that must be supported, 0 to 1 (default 0.5). */
-  void setMinimumSupport(double share) { minimum_support_ = share; }
+  void setMinimumSupport(double share) { parameters_.minimum_support = share; }
 
-  double getMinimumSupport() const { return minimum_support_; }
+  double getMinimumSupport() const { return parameters_.minimum_support; }
 
   /** @brief Cells that a region must have to be kept for its support (default 400, one
    * square metre). */
-  void setMinimumSupportedCells(std::size_t cells) { minimum_supported_cells_ = cells; }
+  void setMinimumSupportedCells(std::size_t cells)
+  {
+    parameters_.minimum_supported_cells = cells;
+  }
 
-  std::size_t getMinimumSupportedCells() const { return minimum_supported_cells_; }
+  std::size_t getMinimumSupportedCells() const
+  {
+    return parameters_.minimum_supported_cells;
+  }
 
   /** @brief Writes the points kept to `output`, which may be the input. */
   void filter(PointCloud& output);
@@ -130,21 +182,8 @@ private:
 
   bool validate();
 
-  /** @brief Number of each region, 1 .. n for those to keep and 0 for the rest. */
-  std::vector<int> numberKeptRegions(const sedr::CellGrid& grid) const;
-
-  void labelPoints(const sedr::CellGrid& grid);
-
-  void labelRegions();
-
-  void split(Indices& kept);
-
-  double grid_size_ = 0.05;
-  int opening_radius_ = 0;
-  std::size_t minimum_part_ = 400;
+  sedr::RegionParameters parameters_;
   IndicesConstPtr support_;
-  double minimum_support_ = 0.5;
-  std::size_t minimum_supported_cells_ = 400;
 
   std::vector<int> region_labels_;
   sedr::RegionMap region_map_;

@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/row_source.h>
 #include <pcl/sedr_filters/stage_filter.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
-#include <pcl/sedr_filters/voxel_index.h>
 
 #include <vector>
 
@@ -16,10 +15,10 @@ namespace pcl {
  *
  * Voxels, means and the order of the output are those of pcl::VoxelGrid: voxel
  * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed exactly,
- * as whole steps of 2^-30 leaves (see sedr::VoxelFrame), so that neither the order of
- * the points nor the number of threads matters; up to 2^31 points a voxel cannot
- * overflow them. The means are right to the last digit of a float, but for 2^-30 leaves
- * beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by
+ * as whole steps of 2^-30 leaves (see doc/parallel_voxel_grid.md), so that neither the
+ * order of the points nor the number of threads matters; up to 2^31 points a voxel
+ * cannot overflow them. The means are right to the last digit of a float, but for 2^-30
+ * leaves beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by
  * channel, normals made unit length, labels and rooms by majority), or left at their
  * defaults with setDownsampleAllData(false).
  *
@@ -89,13 +88,12 @@ protected:
 private:
   /** @brief Thins `indices` of the input, or (null) all of it.
    * @return false after a failure */
-  bool thin(const pcl::Indices* indices, PointCloud& output);
+  bool thinCloud(const pcl::Indices* indices, PointCloud& output);
 
   bool validate(const pcl::Indices* indices);
 
   /** @brief Writes the means of x, y and z of the voxels that are kept. */
-  void
-  writeMeans(const sedr::VoxelSums& sums, std::size_t kept, PointCloud& output) const;
+  void writeMeans(const sedr::ThinnedVoxels& voxels, PointCloud& output) const;
 
   /** @brief Whether the filter field, if there is one, lets a point pass. */
   bool isWithinLimits(std::size_t i) const;
@@ -103,7 +101,7 @@ private:
   pcl::Indices indicesWithinLimits(const pcl::Indices* indices) const;
 
   /** @brief Averages all fields of the points of each voxel. */
-  void averageFields(const sedr::VoxelIndex& index,
+  void averageFields(const sedr::ThinnedVoxels& voxels,
                      const pcl::Indices* indices,
                      PointCloud& output) const;
 

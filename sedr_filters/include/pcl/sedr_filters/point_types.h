@@ -3,44 +3,11 @@
 
 #include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
+#include <pcl/sedr_filters/structure_label.h>
 
 #include <cstdint>
 
 namespace pcl {
-namespace sedr {
-
-/** @brief What a point is; the value of the `label` field of every file of this
- * library. */
-enum class StructureLabel : std::uint32_t {
-  Other = 0,
-  Ceiling = 1,
-  Floor = 2,
-  Wall = 3,
-  Detail = 4, ///< soffit, recess, coffer or beam: its underside and its risers
-  Column = 5
-};
-
-/** @brief Name of a label in lower case, "other" for values without one. */
-inline const char*
-toString(StructureLabel label)
-{
-  switch (label) {
-  case StructureLabel::Ceiling:
-    return "ceiling";
-  case StructureLabel::Floor:
-    return "floor";
-  case StructureLabel::Wall:
-    return "wall";
-  case StructureLabel::Detail:
-    return "detail";
-  case StructureLabel::Column:
-    return "column";
-  default:
-    return "other";
-  }
-}
-
-} // namespace sedr
 
 struct EIGEN_ALIGN16 _PointStructure {
   PCL_ADD_POINT4D

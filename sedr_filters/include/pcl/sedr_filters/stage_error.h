@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/PointIndices.h>
 #include <pcl/console/print.h>
+#include <pcl/memory.h>
 #include <pcl/types.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -49,6 +52,50 @@ private:
   std::string error_message_;
 };
 
+/** @brief Indices as the setters of stages take them: what another stage returned, by
+ * value or by pointer, as pcl::PointIndices or pcl::Indices, or null for none. Pointers
+ * are shared and not copied.
+ * @code
+ * pcl::PointIndices walls;
+ * growing.segment(walls);
+ * fitting.setWallIndices(walls);
+ * @endcode */
+class StageIndices {
+public:
+  using ConstPtr = pcl::shared_ptr<const pcl::Indices>;
+
+  StageIndices(std::nullptr_t) {}
+
+  StageIndices(ConstPtr indices)
+      : indices_(std::move(indices))
+  {}
+
+  StageIndices(const pcl::shared_ptr<pcl::Indices>& indices)
+      : indices_(indices)
+  {}
+
+  StageIndices(const pcl::PointIndices::ConstPtr& indices)
+      : indices_(indices ? ConstPtr(indices, &indices->indices) : nullptr)
+  {}
+
+  StageIndices(const pcl::PointIndices::Ptr& indices)
+      : StageIndices(pcl::PointIndices::ConstPtr(indices))
+  {}
+
+  StageIndices(pcl::Indices indices)
+      : indices_(pcl::make_shared<const pcl::Indices>(std::move(indices)))
+  {}
+
+  StageIndices(const pcl::PointIndices& indices)
+      : StageIndices(indices.indices)
+  {}
+
+  const ConstPtr& get() const { return indices_; }
+
+private:
+  ConstPtr indices_;
+};
+
 /** @brief What is wrong with `indices` into a cloud of `cloud_size` points: a sentence
  * such as "index 12 is out of range, the cloud has 10 points", empty if nothing is.
  * O(n). */
@@ -60,6 +107,17 @@ indicesProblem(const pcl::Indices& indices, std::size_t cloud_size)
       return "index " + std::to_string(index) + " is out of range, the cloud has " +
              std::to_string(cloud_size) + (cloud_size == 1 ? " point" : " points");
   return {};
+}
+
+/** @brief The same of indices that may be null; `name` says which: "floor index 12 is
+ * out of range, ...". */
+inline std::string
+indicesProblem(const char* name,
+               const StageIndices::ConstPtr& indices,
+               std::size_t size)
+{
+  const std::string problem = indices ? indicesProblem(*indices, size) : std::string();
+  return problem.empty() ? problem : name + (" " + problem);
 }
 
 /** @brief Those of `indices` that a cloud of `cloud_size` points has: what a filter

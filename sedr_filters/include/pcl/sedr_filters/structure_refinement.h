@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_filter.h>
+#include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
 #include <vector>
@@ -71,3 +71,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_filters/impl/structure_refinement.hpp>
+#endif

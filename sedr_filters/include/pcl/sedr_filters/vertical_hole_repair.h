@@ -1,14 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_filter.h>
-#include <pcl/sedr_filters/refinement.h>
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/stage_filter.h>
 
 #include <cstdint>
 #include <map>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief An upright surface after hole repair, unrolled: columns of cells along its
+ * element, each from its lower to its upper end. */
+struct RepairedStrip {
+  /** @brief A column of equal cells. */
+  struct Column {
+    double low = 0;        ///< z, metres
+    double high = 0;       ///< not above low where the column has no cells
+    std::size_t first = 0; ///< its lowest cell, an index into the repaired points
+    std::size_t cells = 0;
+  };
+
+  std::uint32_t room = 0;
+  UprightKind kind = UprightKind::Wall;
+  StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
+  PlanElement element;
+  std::vector<Column> columns; ///< of equal widths
+};
+
+/** @brief How much of a room no scanned point supports, at the density that the scan
+ * has there: an empty cell counts only if it is farther from all points of its surface
+ * than these are from one another. */
+struct UnseenShares {
+  double surface = 0; ///< of the cells of all its surfaces
+  double walls = 0;   ///< of the length of its walls: less than a fifth of the height
+};
+
+} // namespace sedr
 
 /** @brief Fills the holes of a refined structure (paper, section 2.4): per cell of a
  * wall, the empty cells in z between floor and ceiling are filled, so that doors,
@@ -23,7 +52,7 @@ namespace pcl {
  * + c) for n points, e elements and c cells.
  *
  * No input, no plan, a grid size that is not above 0 or so small that the plan would
- * have more than sedr::most_surface_cells cells, an index beyond the cloud, labels or
+ * have more than 200 million cells, an index beyond the cloud, labels or
  * rooms of another number than the points: PCL_ERROR, an empty output, all indices
  * removed, and getErrorMessage() says why.
  * @code
@@ -90,3 +119,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_filters/impl/vertical_hole_repair.hpp>
+#endif

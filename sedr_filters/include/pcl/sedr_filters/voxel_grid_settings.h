@@ -2,10 +2,10 @@
 #pragma once
 
 #include <pcl/sedr_filters/row_source.h>
-#include <pcl/sedr_filters/voxel_sums.h>
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -14,6 +14,9 @@
 
 namespace pcl {
 namespace sedr {
+
+class ThinnedVoxels;
+class VoxelSums;
 
 /** @brief What all ParallelVoxelGrid have in common, whatever their points: the
  * parameters of pcl::VoxelGrid, and the layout of the voxels after a run. */
@@ -44,8 +47,8 @@ public:
   unsigned int getMinimumPointsNumberPerVoxel() const { return min_points_per_voxel_; }
 
   /** @brief Whether voxels that points scattered in the air explain give none (default
-   * false). Only a dense scan tells them from surfaces, see sedr::VoxelCensus; others
-   * keep all. */
+   * false). Only a dense scan tells them from surfaces, see doc/parallel_voxel_grid.md;
+   * others keep all. */
   void setRemoveStrays(bool remove_strays) { removes_strays_ = remove_strays; }
 
   bool getRemoveStrays() const { return removes_strays_; }
@@ -116,11 +119,7 @@ public:
 
   /** @brief Voxel of a finite position (metres); saturated where an int is too small.
    */
-  Eigen::Vector3i getGridCoordinates(float x, float y, float z) const
-  {
-    const std::array<float, 3> point{x, y, z};
-    return voxelAt(VoxelFrame(inverseLeaf()).codes(point.data()));
-  }
+  Eigen::Vector3i getGridCoordinates(float x, float y, float z) const;
 
   /** @brief Index of the point that came of voxel `ijk`; -1 if the voxel is empty,
    * outside, or the layout was not saved. O(log n). */
@@ -151,6 +150,10 @@ protected:
     return value >= filter_limit_min_ && value <= filter_limit_max_;
   }
 
+  /** @brief The same of the field of a point at `where`, a number of type `datatype`
+   * (PCLPointField). */
+  bool passesLimits(const std::uint8_t* where, std::uint8_t datatype) const;
+
   /** @brief Forgets what the last run left. */
   void clearLayout();
 
@@ -169,6 +172,13 @@ protected:
   /** @brief Adds up the points that count. */
   void
   addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
+
+  /** @brief Thins `points[indices]`, null: all; keeps the box, and the layout if asked
+   * for. */
+  ThinnedVoxels thin(const PointView& points, const pcl::Indices* indices);
+
+  /** @brief Thins all rows of a source without a problem. */
+  ThinnedVoxels thin(const RowSource& source);
 
   /** @brief Sorts the voxels of all points that were added up, and leaves out those
    * that hold too few; keeps the box, and the layout if asked for.

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/sight_lines.h>
 
 #include <Eigen/Core>
 
@@ -55,7 +56,7 @@ enum class LeftOutKind {
   Low,     ///< nowhere large enough to stand in
   Open,    ///< without walls around it: outdoors, or seen through an opening
   Landing, ///< small and on the floor of no storey
-  Mirror,  ///< what a floor mirrors
+  Mirror,  ///< what a floor mirrors, or was seen only through panes
   Void     ///< within slabs, below furniture
 };
 
@@ -85,6 +86,13 @@ struct Building {
   std::vector<std::uint32_t> label_of;
 };
 
+/** @brief What scanners whose positions are known tell of a scan. */
+struct BuildingSight {
+  const SightLines* lines = nullptr;  ///< rays; null: not known
+  std::vector<std::uint8_t> behind{}; ///< 1 for each point that was seen only through
+                                      ///< panes, see findMirroredPoints()
+};
+
 /** @brief Parts a scan into rooms and storeys (paper, section 2.3.1, on the envelope
  * instead of on a plane): the free stretches of the plan's columns are linked to the
  * air of the building, whatever its shapes, and parted where walls, doors and lintels
@@ -93,11 +101,14 @@ struct Building {
  * @param points thinned, z up
  * @param indices those of them that count; empty: all
  * @param[out] problem why there is none, a sentence; empty otherwise
+ * @param sight what is seen only through panes is no room, a hole in a slab that rays
+ * go through is open
  * O(n) for n points; the same for any number of threads. */
 Building findBuilding(const PointView& points,
                       const std::vector<int>& indices,
                       const BuildingParameters& parameters,
-                      std::string& problem);
+                      std::string& problem,
+                      const BuildingSight& sight = {});
 
 /** @brief Gives a plan the storeys, doorways and stairs of a building, those of rooms
  * that the plan has: its rooms have the ids of the building's. */

@@ -2,16 +2,58 @@
 #pragma once
 
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
-#include <pcl/sedr_segmentation/detail/wall_growing.h>
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
 #include <pcl/search/search.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief When a point of a slab lies on its boundary (paper, section 2.3.2 and Table
+ * 1). */
+struct BoundaryOptions {
+  unsigned int neighbours =
+      200; ///< nearest points looked at, the point itself among them
+  float angle = static_cast<float>(M_PI / 3); ///< widest gap of an inner point, radians
+  unsigned int threads = 0;                   ///< 0 takes all processors
+};
+
+/** @brief How walls grow from their seeds (paper, section 2.3.2). */
+struct WallGrowingOptions {
+  double distance = 0.15; ///< in plan, seed to wall point, metres
+  /** From this height up the seeds above it count, below it the others; NaN: no
+   * division. */
+  double slice_height = std::numeric_limits<double>::quiet_NaN();
+  /** For the support; NaN: the median of the floor. */
+  double floor_height = std::numeric_limits<double>::quiet_NaN();
+  double minimum_support = 0; ///< of a rim, share 0 to 1; 0 asks for none
+  unsigned int threads = 0;   ///< 0 takes all processors
+
+  bool hasSlice() const { return !std::isnan(slice_height); }
+};
+
+/** @brief The seeds of walls: indices of finite points, ascending. */
+struct WallSeeds {
+  pcl::Indices above; ///< of the whole height where there is no slice
+  pcl::Indices below;
+};
+
+/** @brief What CeilingBoundaryWallGrowing found: indices, ascending. */
+struct GrownWalls {
+  pcl::Indices walls;            ///< without the details
+  pcl::Indices with_details;     ///< the same and the details
+  pcl::Indices ceiling_boundary; ///< boundary points of the ceiling
+  pcl::Indices scope_boundary;   ///< of ceiling and details, seen in plan
+  pcl::Indices floor_boundary;
+  WallSeeds seeds; ///< that had the minimum support
+};
+
+} // namespace sedr
 
 /** @brief Finds the wall points of a room: the boundary points of its ceiling are the
  * seeds, and what lies near a seed in plan is wall (paper, section 2.3.2). Frame: z up.
@@ -45,16 +87,19 @@ public:
 
   /** @brief The points of the ceiling, of which at least 3 must be finite. The indices
    * of setIndices() are the candidates for walls; by default all points are. */
-  void setCeilingIndices(const IndicesConstPtr& indices) { ceiling_ = indices; }
+  void setCeilingIndices(const sedr::StageIndices& indices)
+  {
+    ceiling_ = indices.get();
+  }
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
   /** @brief The points of the floor. Needed with a slice height. */
-  void setFloorIndices(const IndicesConstPtr& indices) { floor_ = indices; }
+  void setFloorIndices(const sedr::StageIndices& indices) { floor_ = indices.get(); }
   IndicesConstPtr getFloorIndices() const { return floor_; }
 
   /** @brief The points of structural details, as GridSliceDetail finds them. Of no
    * effect without a slice height. */
-  void setDetailIndices(const IndicesConstPtr& indices) { details_ = indices; }
+  void setDetailIndices(const sedr::StageIndices& indices) { details_ = indices.get(); }
   IndicesConstPtr getDetailIndices() const { return details_; }
 
   /** @brief Height that divides the walls below the details from those beside them,
@@ -112,35 +157,27 @@ public:
   bool segment(pcl::PointIndices& walls);
 
   /** @brief Wall points of the last run without the details, increasing. */
-  const pcl::Indices& getWallIndices() const { return wall_indices_; }
+  const pcl::Indices& getWallIndices() const { return result_.walls; }
 
   /** @brief Boundary points of the ceiling, increasing; filled by segment(), as those
    * below. */
-  const pcl::Indices& getBoundaryIndices() const { return ceiling_boundary_; }
+  const pcl::Indices& getBoundaryIndices() const { return result_.ceiling_boundary; }
 
   /** @brief Boundary points of ceiling and details together, seen in plan; empty
    * without a slice height. */
-  const pcl::Indices& getScopeBoundaryIndices() const { return scope_boundary_; }
+  const pcl::Indices& getScopeBoundaryIndices() const { return result_.scope_boundary; }
 
   /** @brief Boundary points of the floor; empty without a slice height. */
-  const pcl::Indices& getFloorBoundaryIndices() const { return floor_boundary_; }
+  const pcl::Indices& getFloorBoundaryIndices() const { return result_.floor_boundary; }
 
   /** @brief Seeds of the last run, above and below the slice height: the boundary
    * points without those of rims that had less than the minimum support. All are above
    * where there is no slice height. */
-  const sedr::WallSeeds& getSeeds() const { return seeds_; }
+  const sedr::WallSeeds& getSeeds() const { return result_.seeds; }
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
-
-  /** @brief What is wrong with indices and parameters, empty if nothing is. */
-  std::string problem() const;
-
-  /** @brief Finds the boundaries and takes their points as seeds. */
-  sedr::WallSeeds findSeeds(const sedr::WallParts& parts);
-
-  pcl::Indices boundaryOf(const pcl::Indices& slab) const;
 
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
@@ -149,11 +186,11 @@ private:
   sedr::BoundaryOptions boundary_;
   sedr::WallGrowingOptions growing_;
 
-  pcl::Indices ceiling_boundary_;
-  pcl::Indices scope_boundary_;
-  pcl::Indices floor_boundary_;
-  sedr::WallSeeds seeds_;
-  pcl::Indices wall_indices_;
+  sedr::GrownWalls result_;
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_segmentation/impl/ceiling_boundary_wall_growing.hpp>
+#endif

@@ -1,23 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_segmentation/slice_detail.h>
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief How structural details are looked for; lengths in metres. */
+struct SliceParameters {
+  double cell_size = 0.05; ///< cell of the grid (paper, Table 1)
+  double tolerance = 0.07; ///< distance within which a point belongs to the ceiling
+  std::size_t minimum_cells = 20; ///< smallest detail region (paper, Table 1)
+  int trials = 3;               ///< 1/4; then 1/2; then 1/8 and 3/8 of the room height
+  double slice_thickness = 0.1; ///< of the slab of points that a slice is
+  double widest_niche = 1.6;    ///< a narrower straight opening to a lower head is a
+                                ///< door's or a window's
+  double minimum_island_area = 0.5; ///< square metres; what hangs free of the walls and
+                                    ///< is smaller is a lamp or a vent
+  unsigned threads = 0;             ///< 0: as many as there are processors
+};
+
+/** @brief What one trial saw (paper, Figure 4b). */
+struct SliceTrial {
+  int number = 0; ///< 1, 2 or 3
+  std::vector<double>
+      fractions;               ///< of the room's height below the ceiling, one a slice
+  std::vector<double> heights; ///< z of the slices in the middle of the ceiling
+  CellSet slice;               ///< cells of the slices, one more on each side
+  CellSet enclosed;            ///< zero-valued cells that slices and ceiling enclose
+  std::vector<CellSet> accepted; ///< of these the regions that may be detail
+  std::vector<CellSet> rejected; ///< and those that are small, or where nothing is seen
+};
+
+/** @brief The structural details of one room's ceiling. */
+struct SliceDetails {
+  std::vector<int> indices;        ///< points of details, increasing
+  std::vector<std::size_t> region; ///< region of each of them, 0 is the largest
+  std::vector<std::size_t> sizes;  ///< of the regions in cells, decreasing
+  CellSet cells;                   ///< cells of all regions
+  double slice_height =
+      std::numeric_limits<double>::quiet_NaN(); ///< z above which all of it lies
+  int trial = 0; ///< the trial whose slice enclosed it, 0 if none did
+
+  CellSet ceiling;                ///< cells of the main ceiling
+  std::vector<SliceTrial> trials; ///< those that were made, the last one decided
+  CellSet refused; ///< undersides that are no detail: lamps, heads of doors and windows
+};
+
+} // namespace sedr
 
 /** @brief Finds structural details of a ceiling (soffits, beams, recesses) by
  * grid-slices analysis (paper, section 2.3.1): horizontal slices at a quarter and a
  * half, then at an eighth and three eighths of the room's height below the ceiling show
  * where walls stand; cells that slice and ceiling enclose together, and the ceiling
  * alone does not, may be detail. Beyond the paper, so are regions of undersides of one
- * height that join the ceiling, and heads of doors and windows are left out: see
- * sedr::findSliceDetails(). Frame: z up, metres.
+ * height that join the ceiling, and heads of doors and windows are left out. Frame: z
+ * up, metres.
  *
  * Works on one room: give its points by setIndices() and those of its main ceiling by
  * setCeilingIndices(). The planes of ceiling and floor are fitted to the indices unless
@@ -38,12 +85,15 @@ public:
   using ConstPtr = shared_ptr<const GridSliceDetail<PointT>>;
 
   /** @brief Points of the main ceiling. Needed. */
-  void setCeilingIndices(const IndicesConstPtr& ceiling) { ceiling_ = ceiling; }
+  void setCeilingIndices(const sedr::StageIndices& ceiling)
+  {
+    ceiling_ = ceiling.get();
+  }
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
   /** @brief Points of the floor; their mean height is the room's lower end. Needed
    * unless setFloorHeight() is given. */
-  void setFloorIndices(const IndicesConstPtr& floor) { floor_ = floor; }
+  void setFloorIndices(const sedr::StageIndices& floor) { floor_ = floor.get(); }
   IndicesConstPtr getFloorIndices() const { return floor_; }
 
   /** @brief Height of the floor, metres; NaN (default): that of the floor points. */
@@ -77,7 +127,8 @@ public:
   void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
   double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
 
-  /** @brief Number of threads; 0 (default): all processors. Never changes the result. */
+  /** @brief Number of threads; 0 (default): all processors. Never changes the result.
+   */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
@@ -112,10 +163,6 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool validate();
-
-  bool run();
-
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
   double floor_height_ = std::numeric_limits<double>::quiet_NaN();
@@ -125,3 +172,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_segmentation/impl/grid_slice_detail.hpp>
+#endif

@@ -1,16 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_segmentation/horizontal_levels.h>
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief What a horizontal plane of a scan is. */
+enum class LevelKind { Other, Ceiling, Floor };
+
+/** @brief How levels are looked for; lengths in metres, angles in radians. */
+struct LevelParameters {
+  double tolerance = 0.07; ///< distance of an inlier from its plane (paper, Table 1)
+  double cell_size = 0.05; ///< cell of the grid in which sizes are counted
+  double maximum_tilt = M_PI / 60;  ///< a plane leans at most so much, 3 degrees
+  double minimum_area = 1.0;        ///< square metres of occupied cells
+  double minimum_room_height = 1.8; ///< from a floor to its ceiling
+  double least_step = 0.06; ///< rooms whose slabs differ by less may share a level
+  std::uint64_t seed = 1;
+  unsigned threads = 0; ///< 0: as many as there are processors
+};
+
+/** @brief What is seen how often at each height: where levels are looked for. */
+struct HeightHistogram {
+  /** @brief A stretch of heights in which something was seen. */
+  struct Bin {
+    double low = 0;        ///< its lower end, metres
+    std::size_t cells = 0; ///< grid cells with a point in it, walls left out
+  };
+
+  double bin_height = 0; ///< metres
+  std::vector<Bin> bins; ///< by increasing height
+};
+
+} // namespace sedr
 
 /** @brief A horizontal plane as HorizontalPlaneDetection finds it. */
 struct HorizontalPlane {
@@ -90,17 +123,13 @@ public:
    * walls left out. Empty after bad input or parameters. */
   const sedr::HeightHistogram& getHeightHistogram() const { return histogram_; }
 
-  /** @brief The points that the last run left out as reflections in a floor:
-   * sedr::findReflections(). Indices, increasing. */
+  /** @brief The points that the last run left out as reflections in a floor.
+   * Indices, increasing. */
   const pcl::Indices& getReflections() const { return reflections_; }
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
-
-  bool checkParameters();
-
-  std::vector<sedr::Level> findLevels(const sedr::LevelColumns& columns);
 
   sedr::LevelParameters parameters_;
   pcl::Indices reflections_;
@@ -108,3 +137,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_segmentation/impl/horizontal_plane_detection.hpp>
+#endif

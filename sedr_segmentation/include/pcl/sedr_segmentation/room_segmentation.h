@@ -31,8 +31,8 @@ public:
   using Ptr = shared_ptr<RoomSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const RoomSegmentation<PointT>>;
 
-  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. Air is looked for in columns
-   * of twice that, or larger ones where the scan is too sparse to fill them. */
+  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. Air is looked for in
+   * columns of twice that, or larger ones where the scan is too sparse to fill them. */
   void setGridSize(double size) { parameters_.cell_size = size; }
   double getGridSize() const { return parameters_.cell_size; }
 
@@ -68,6 +68,17 @@ public:
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
+  /** @brief Rays of the scanners and, for each point of the input, 1 if it was seen
+   * only through panes, see sedr::findMirroredPoints(). A hole in a slab that rays go
+   * through stays open; what was seen only through panes is no room. Null and empty
+   * (default): not known. */
+  void setSight(const std::shared_ptr<const sedr::SightLines>& sight,
+                const std::vector<std::uint8_t>& behind)
+  {
+    sight_ = sight;
+    behind_ = behind;
+  }
+
   /** @brief Finds the rooms.
    * @param[out] rooms the points of ceiling and floor of each, increasing; empty where
    * there is none
@@ -79,16 +90,31 @@ public:
    * out, and the room of every point. */
   const sedr::Building& getBuilding() const { return building_; }
 
+  /** @brief The points of all ceilings or of all floors of the last run, increasing:
+   * what the next stage takes as its ceiling or floor. O(n).
+   * @param room of one room, 0: of all rooms */
+  pcl::Indices getPoints(sedr::StructureLabel label, std::uint32_t room = 0) const
+  {
+    pcl::Indices found;
+    for (std::size_t i = 0; i < building_.label_of.size(); ++i)
+      if (building_.label_of[i] == static_cast<std::uint32_t>(label) &&
+          (building_.room_of[i] == room || (room == 0 && building_.room_of[i] != 0)))
+        found.push_back(static_cast<index_t>(i));
+    return found;
+  }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
-  bool validate();
-
-  bool run();
-
   sedr::BuildingParameters parameters_;
+  std::shared_ptr<const sedr::SightLines> sight_;
+  std::vector<std::uint8_t> behind_;
   sedr::Building building_;
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_segmentation/impl/room_segmentation.hpp>
+#endif

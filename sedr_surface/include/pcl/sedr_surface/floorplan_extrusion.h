@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -23,7 +24,7 @@ namespace pcl {
  * upright; arcs are facets within the chord tolerance. Each room is closed, manifold at
  * edges and vertices and does not meet itself, whatever the plan: loops that miss each
  * other by what noise leaves are fitted together, and of contradictions the later
- * detail wins (sedr::subdivideRoom()). What was done about those is told by
+ * detail wins. What was done about those is told by
  * getWarnings().
  *
  * Triangles face outwards: out of the room, as the truth of a simulated scene does, and
@@ -56,13 +57,18 @@ public:
     plan_ = plan;
   }
 
-  /** @brief As above; the plan is copied. */
-  void setFloorplan(const sedr::Floorplan& plan)
+  /** @brief As above; the plan is moved or copied. */
+  void setFloorplan(sedr::Floorplan plan)
   {
-    plan_ = std::make_shared<const sedr::Floorplan>(plan);
+    plan_ = std::make_shared<const sedr::Floorplan>(std::move(plan));
   }
 
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
+
+  /** @brief The walls of the plan that lean; none by default. */
+  void setTilts(const sedr::WallTilts& tilts) { tilts_ = tilts; }
+
+  const sedr::WallTilts& getTilts() const { return tilts_; }
 
   /** @brief How far facets may be off their arc, metres, 1e-6 to 1 (default 0.0005: of
    * a round wall that is 0.3 mm on average). */
@@ -101,12 +107,8 @@ private:
   using sedr::MeshReconstruction<PointT>::mesh_;
   using sedr::MeshReconstruction<PointT>::fail;
 
-  std::string inputProblem() const;
-
-  /** @brief Fills warnings_. */
-  void collectWarnings();
-
   std::shared_ptr<const sedr::Floorplan> plan_;
+  sedr::WallTilts tilts_;
   sedr::SolidParameters parameters_;
   std::vector<sedr::SolidElement> elements_;
   std::vector<sedr::RoomSolidReport> reports_;
@@ -114,9 +116,8 @@ private:
   bool closed_ = false;
 };
 
-extern template class FloorplanExtrusion<pcl::PointXYZ>;
-extern template class FloorplanExtrusion<pcl::PointNormal>;
-extern template class FloorplanExtrusion<pcl::PointXYZRGBNormal>;
-extern template class FloorplanExtrusion<pcl::PointStructure>;
-
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
+#endif

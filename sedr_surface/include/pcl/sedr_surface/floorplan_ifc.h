@@ -2,7 +2,8 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/origin.h>
+#include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 
 #include <cstddef>
 #include <string>
@@ -22,6 +23,8 @@ struct IfcSettings {
   IfcArcs arcs = IfcArcs::Exact;
   double assumed_thickness = 0.2; ///< of walls and slabs of which one face was seen,
                                   ///< metres, 0.02 to 2
+  WallTilts
+      tilts{}; ///< the walls that lean: spaces show them, walls stand at their feet
 };
 
 /** @brief A plan as IFC, and what is in it. */

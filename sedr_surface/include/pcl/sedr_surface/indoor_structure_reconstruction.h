@@ -24,10 +24,10 @@ struct ThinnedScan {
   /** The means of the voxels, as ParallelVoxelGrid gives them. */
   CloudPtr points{new StructureChain::Cloud};
   unsigned stray_limit = 0; ///< its getStrayLimit()
-  /** Every k-th point of the scan, where k is its rawStep(). */
+  /** Every k-th point of the scan, as few as to leave 5 million at most. */
   std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt{
       new std::vector<Eigen::Vector3f>};
-  std::string problem; ///< what ScanSample finds wrong with the scan, or empty
+  std::string problem; ///< what is wrong with the scan, or empty
 };
 
 } // namespace sedr
@@ -85,7 +85,7 @@ public:
 
   /** @brief Where the points of the scan were taken from, by their place in the input
    * cloud or source: what glass and mirrors show a second time is left out then, see
-   * sedr::findMirroredPoints(). Default none: nothing is. */
+   * doc/building_blocks.md. Default none: nothing is. */
   void setScanPositions(const sedr::ScanPositions& positions)
   {
     positions_ = positions;
@@ -143,11 +143,7 @@ public:
   }
 
   /** @brief Maximum tree depth of the Poisson reconstruction. Default 9. */
-  void setTreeDepth(int depth)
-  {
-    chain_.poisson.setDepth(depth);
-    chain_.poisson.setMinDepth(std::min(depth, chain_.poisson.getMinDepth()));
-  }
+  void setTreeDepth(int depth) { chain_.poisson.setDepth(depth); }
 
   int getTreeDepth() const { return chain_.poisson.getDepth(); }
 
@@ -209,7 +205,8 @@ private:
 
   bool refuseInput(const std::string& problem);
 
-  bool checkSizes();
+  /** @brief Checks the sizes of voxels and cells, and tells that thinning begins. */
+  bool beginThinning();
 
   /** @brief Thins the input cloud; the raw cloud of the fit is the cloud itself. */
   bool thinCloud(PointCloud& means);
@@ -222,10 +219,6 @@ private:
   bool takeThinned(sedr::StructureChain::Cloud& thinned);
 
   bool thin(sedr::StructureChain::Cloud& thinned);
-
-  /** @brief Every k-th point of the input cloud, NaN where it is not among the indices.
-   */
-  std::shared_ptr<std::vector<Eigen::Vector3f>> excerptOfCloud() const;
 
   /** @brief Leaves out of what was thinned, and of the points of the fit, what mirrors
    * show, if the positions of the scan are known. */
@@ -246,3 +239,7 @@ private:
 };
 
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
+#endif

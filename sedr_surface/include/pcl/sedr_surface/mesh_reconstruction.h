@@ -49,10 +49,5 @@ protected:
   TriangleMesh mesh_;
 };
 
-extern template class MeshReconstruction<pcl::PointXYZ>;
-extern template class MeshReconstruction<pcl::PointNormal>;
-extern template class MeshReconstruction<pcl::PointXYZRGBNormal>;
-extern template class MeshReconstruction<pcl::PointStructure>;
-
 } // namespace sedr
 } // namespace pcl

@@ -4,10 +4,11 @@
 #include <pcl/point_cloud.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/refinement.h>
-#include <pcl/sedr_segmentation/detail/boundary_points.h>
-#include <pcl/sedr_segmentation/detail/wall_growing.h>
-#include <pcl/sedr_surface/room_poisson.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
+
+#include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
+#include <pcl/sedr_surface/impl/room_samples.h>
+#include <pcl/sedr_surface/structural_poisson.h>
 
 #include <Eigen/Core>
 

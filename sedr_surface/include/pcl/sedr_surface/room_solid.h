@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 #include <pcl/sedr_surface/mesh_topology.h>
-#include <pcl/sedr_surface/plan_subdivision.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstddef>
@@ -12,6 +13,13 @@
 
 namespace pcl {
 namespace sedr {
+
+/** @brief How a room becomes a solid. */
+struct SolidParameters {
+  double chord_tolerance = 0.0005; ///< metres that facets may be off their arc
+  double snap_tolerance =
+      0; ///< metres; 0: from the elements' residuals, snapTolerance()
+};
 
 /** @brief What became of a room. */
 struct RoomSolidReport {
@@ -49,12 +57,14 @@ struct RoomSolidReport {
  * built, which RoomSolidReport::problem tells
  * @param[in,out] elements those of the room are added; a triangle's element is an index
  * into it plus 1
+ * @param tilts of walls that lean: their corners are where three surfaces meet
  *
  * Milliseconds for a room of some hundred edges. */
 RoomSolidReport extrudeRoom(const PlanRoom& room,
                             const SolidParameters& parameters,
                             TriangleMesh& solid,
-                            std::vector<SolidElement>& elements);
+                            std::vector<SolidElement>& elements,
+                            const WallTilts& tilts = {});
 
 /** @brief What makes a room none that can be built, in a sentence, or empty: a boundary
  * without elements, numbers that are not finite or beyond 1e6 m, upright slabs. */

@@ -3,16 +3,79 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/mesh_reconstruction.h>
-#include <pcl/sedr_surface/room_jobs.h>
-#include <pcl/sedr_surface/room_poisson.h>
+#include <pcl/sedr_surface/mesh_topology.h>
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
+namespace sedr {
+
+class RoomWorkers;
+struct RoomSamples;
+
+/** @brief How the equation of a room was solved. */
+struct ScreenedPoissonReport {
+  double cell = 0;       ///< metres; larger than asked for where nodes ran out
+  std::size_t nodes = 0; ///< of the finest grid
+  int levels = 0;        ///< grids, each with cells twice those of the one before
+  int iterations = 0;    ///< of conjugate gradients on the finest grid
+  double residual = 0;   ///< there, over the right side
+  bool converged = false;
+  double iso_value = 0; ///< mean at the points; -1/2 is behind, 1/2 before them
+  int widened = 0;      ///< times that the finest grid was widened
+  std::size_t turned_signs =
+      0; ///< nodes that changed sign to keep the surface whole and manifold
+  std::size_t collapsed_edges = 0; ///< to take out folds and slivers
+};
+
+/** @brief How the surface of a room is made; see StructuralPoisson. */
+struct RoomPoissonParameters {
+  int depth = 9;                ///< a maximum: the finest cells are no smaller than the
+                                ///< room over two to its power
+  float point_weight = 10;      ///< alpha of equation 4
+  double cell_ratio = 0.8;      ///< finest cell / spacing of the points
+  std::size_t min_points = 100; ///< a room of fewer is not tried
+  double support_distance =
+      0.3;              ///< metres; further from all points, a surface is a guess
+  unsigned threads = 1; ///< 0: all processors
+};
+
+/** @brief What became of a room. */
+struct RoomPoissonReport {
+  std::uint32_t room = 0;
+  std::size_t points = 0;          ///< used
+  std::size_t skipped_points = 0;  ///< not finite, or without a normal
+  std::size_t scaled_normals = 0;  ///< of another length than 1, made unit length
+  double spacing = 0;              ///< of the points, metres
+  int depth = 0;                   ///< two to its power cells are as long as the room
+  double cell = 0;                 ///< edge of the finest cells, metres
+  ScreenedPoissonReport screened;  ///< the solution
+  std::size_t parted_vertices = 0; ///< moved from where another vertex is
+  std::size_t removed_components = 0; ///< smaller than the largest
+  std::size_t removed_triangles = 0;  ///< with these components
+  MeshTopology topology;              ///< of the result
+  bool closed = false;                ///< closed, manifold, oriented, one component
+  double area = 0;                    ///< square metres
+  double volume = 0;                  ///< cubic metres, above zero
+  double unsupported_share = 0;       ///< share of the area far from all points
+  std::string
+      problem; ///< why there is no surface or what keeps it from being closed, or empty
+  std::string warning; ///< what to know of a surface that is closed, or empty
+};
+
+/** @brief The surface of a room, with room and label of every triangle, and what became
+ * of it. */
+struct RoomSurface {
+  TriangleMesh mesh; ///< empty without a surface
+  RoomPoissonReport report;
+};
+
+} // namespace sedr
 
 /** @brief Screened Poisson reconstruction of rooms: one closed, manifold surface a
  * room (section 2.4 of the paper).
@@ -30,20 +93,13 @@ namespace pcl {
  * surface are far from all points, or of which a third or more was left out with other
  * components, is in it, and all of them are named by getErrorMessage().
  *
- * The equation is solved by sedr::screenedPoisson(), on cells along the surface: edges
- * stay sharp, the surface is closed by construction. With setSolver(Solver::Pcl) it is
- * solved by pcl::Poisson: sheets that touch are cut apart, small holes filled, slivers
- * collapsed, and if the surface still is no closed manifold the room is solved again
- * with slightly other cells, up to seven times. Runs of that in several threads of a
- * process wait for one another, and what printf prints is held back, to catch its
- * complaints.
+ * The equation is solved on cells along the surface: edges stay sharp, the surface is
+ * closed by construction.
  *
  * Normals of the output point to the side of those of the input: into the room. Of
  * points with a `label`, each triangle of getMesh() gets that of the nearest.
  *
  * The same input gives the same output, byte for byte, for any setNumberOfThreads().
- * pcl::Poisson itself repeats its result with one thread only and gets one, unless
- * setSolverThreads() asks for more.
  *
  * @code
  * pcl::StructuralPoisson<pcl::PointStructure> poisson;
@@ -58,7 +114,7 @@ namespace pcl {
  * or a parameter out of its range leave an empty mesh and a reason. Points that are not
  * finite or have no normal are skipped and counted, normals of another length are
  * scaled. About 0.4 s of one processor for a room of 6 m x 5 m x 3 m with points 5 cm
- * apart, 2.5 s with pcl::Poisson. */
+ * apart. */
 template <typename PointNT>
 class StructuralPoisson : public sedr::MeshReconstruction<PointNT> {
 public:
@@ -79,10 +135,16 @@ public:
 
   /** @brief A plan to take the samples from, instead of the points of a cloud, which is
    * not needed then: evenly from every room's solid, more of them along edges and
-   * corners (samplePlan()), which round off less. Null (default): the points. */
+   * corners, which round off less. Null (default): the points. */
   void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
   {
     plan_ = plan;
+  }
+
+  /** @brief As above; the plan is moved or copied. */
+  void setFloorplan(sedr::Floorplan plan)
+  {
+    plan_ = std::make_shared<const sedr::Floorplan>(std::move(plan));
   }
 
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
@@ -93,54 +155,22 @@ public:
 
   double getPlanSpacing() const { return plan_spacing_; }
 
-  using Solver = sedr::PoissonSolver;
-
-  /** @brief What solves the equation (default Solver::Sedr). */
-  void setSolver(Solver solver) { parameters_.method = solver; }
-
-  Solver getSolver() const { return parameters_.method; }
-
-  /** @brief Largest depth of the octree, 3 to 14 (default 9, as in the paper): the
-   * finest cells are no smaller than the extent over two to its power. Less is used
+  /** @brief Largest depth, 3 to 14 (default 9, as in the paper): the finest cells are
+   * no smaller than 1.1 times the room's extent over two to its power. Less is used
    * where the points bear no more; a room too large for it gets coarser cells. */
-  void setDepth(int depth) { parameters_.solver.depth = depth; }
+  void setDepth(int depth) { parameters_.depth = depth; }
 
-  int getDepth() const { return parameters_.solver.depth; }
-
-  /** @brief Depth to which the octree of pcl::Poisson is filled everywhere, 0 to the
-   * depth (default 5). */
-  void setMinDepth(int min_depth) { parameters_.solver.min_depth = min_depth; }
-
-  int getMinDepth() const { return parameters_.solver.min_depth; }
+  int getDepth() const { return parameters_.depth; }
 
   /** @brief Weight of the points against the smoothness of the surface, alpha of
    * equation 4, 0 or more (default 10; pcl::Poisson has 4). Exact points bear more
    * weight: edges round off less. */
-  void setPointWeight(float point_weight)
-  {
-    parameters_.solver.point_weight = point_weight;
-  }
+  void setPointWeight(float point_weight) { parameters_.point_weight = point_weight; }
 
-  float getPointWeight() const { return parameters_.solver.point_weight; }
+  float getPointWeight() const { return parameters_.point_weight; }
 
-  /** @brief Least edge of the octree's cube over the extent of the points, above 1
-   * (default 1.1). */
-  void setScale(float scale) { parameters_.solver.scale = scale; }
-
-  float getScale() const { return parameters_.solver.scale; }
-
-  /** @brief Points that an octree node of pcl::Poisson should hold, above 0 (default 1;
-   * 15 to 20 for noisy points). */
-  void setSamplesPerNode(float samples_per_node)
-  {
-    parameters_.solver.samples_per_node = samples_per_node;
-  }
-
-  float getSamplesPerNode() const { return parameters_.solver.samples_per_node; }
-
-  /** @brief Finest cell of the octree over the spacing of the points, 0.1 to 10
-   * (default 0.8). Smaller: smaller details, more triangles and time; below 0.6 the
-   * surface of pcl::Poisson tends to tear. */
+  /** @brief Finest cell over the spacing of the points, 0.1 to 10 (default 0.8).
+   * Smaller: smaller details, more triangles and time. */
   void setCellRatio(double cell_ratio) { parameters_.cell_ratio = cell_ratio; }
 
   double getCellRatio() const { return parameters_.cell_ratio; }
@@ -150,14 +180,6 @@ public:
 
   std::size_t getMinimumPoints() const { return parameters_.min_points; }
 
-  /** @brief Holes of more edges are left open and reported (default 64). */
-  void setMaxHoleEdges(std::size_t max_hole_edges)
-  {
-    parameters_.max_hole_edges = max_hole_edges;
-  }
-
-  std::size_t getMaxHoleEdges() const { return parameters_.max_hole_edges; }
-
   /** @brief Surface further than this from all points, metres above 0 (default 0.3),
    * counts as a guess: RoomPoissonReport::unsupported_share. At least four times the
    * points' spacing. */
@@ -165,16 +187,10 @@ public:
 
   double getSupportDistance() const { return parameters_.support_distance; }
 
-  /** @brief Threads for what is repeatable (default 1; 0: all processors). */
+  /** @brief Number of threads (default 1; 0: all processors). */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
 
   unsigned getNumberOfThreads() const { return parameters_.threads; }
-
-  /** @brief Threads of pcl::Poisson, at least 1 (default 1). With more it takes less
-   * time, and its result differs in the last digits from run to run. */
-  void setSolverThreads(int threads) { parameters_.solver.threads = threads; }
-
-  int getSolverThreads() const { return parameters_.solver.threads; }
 
   /** @brief Who makes the surfaces of the rooms; null (default): this object, one after
    * the other. The result is the same. A room of which nothing comes back has no
@@ -216,25 +232,9 @@ protected:
                              std::vector<pcl::Vertices>& polygons) override;
 
 private:
-  bool checkParameters();
-
-  std::uint32_t roomOf(pcl::index_t index) const;
-
-  /** @brief Takes the samples of all rooms from the points. */
-  bool runOnPoints();
-
-  /** @brief Takes them from the plan. */
-  bool runOnPlan();
-
-  void gather(std::map<std::uint32_t, sedr::RoomSamples>& rooms) const;
-
-  /** @brief Makes the surfaces of rooms; `samples(i)` is asked for once each, `sizes`
-   * say how much work each is. */
-  void addRooms(const std::vector<std::size_t>& sizes,
-                const std::function<sedr::RoomSamples(std::size_t)>& samples,
-                const sedr::RoomPoissonParameters& parameters);
-
-  void summarize();
+  /** @brief Takes the samples of all rooms from the points.
+   * @return why there is no surface, a sentence; empty otherwise */
+  std::string runOnPoints();
 
   sedr::RoomPoissonParameters parameters_;
   std::vector<std::uint32_t> room_labels_;
@@ -245,8 +245,8 @@ private:
   bool closed_ = false;
 };
 
-extern template class StructuralPoisson<pcl::PointNormal>;
-extern template class StructuralPoisson<pcl::PointXYZRGBNormal>;
-extern template class StructuralPoisson<pcl::PointStructure>;
-
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/sedr_surface/impl/structural_poisson.hpp>
+#endif

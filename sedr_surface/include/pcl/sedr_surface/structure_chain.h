@@ -3,9 +3,9 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/levelling.h>
-#include <pcl/sedr_filters/origin.h>
-#include <pcl/sedr_filters/scan_positions.h>
+#include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/sight_lines.h>
+#include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -13,9 +13,7 @@
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
-#include <pcl/sedr_segmentation/room_territory.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
-#include <pcl/sedr_surface/room_jobs.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include <cstddef>
@@ -31,6 +29,12 @@
 namespace pcl {
 namespace sedr {
 
+class RoomTerritory;
+class RoomWorkers;
+struct RepairJob;
+struct RepairedRoom;
+struct WallJob;
+
 /** @brief What a stage of the chain did. */
 struct StageReport {
   std::string name;           ///< of the stage's class
@@ -41,10 +45,13 @@ struct StageReport {
 
 /** @brief What the positions of the scanner told. */
 struct MirrorFigures {
-  std::size_t positions = 0; ///< that are known
-  std::size_t rays = 0;      ///< that were followed
-  std::size_t mirrors = 0;   ///< surfaces that showed rooms a second time
-  std::size_t points = 0;    ///< thinned points that were left out
+  std::size_t positions = 0;               ///< that are known
+  std::size_t rays = 0;                    ///< that were followed
+  std::size_t mirrors = 0;                 ///< surfaces that showed rooms a second time
+  std::size_t points = 0;                  ///< thinned points that were left out
+  std::shared_ptr<const SightLines> lines; ///< rays that met no reflection
+  std::vector<std::uint8_t> behind; ///< 1 for each thinned point that was seen only
+                                    ///< through panes
 };
 
 /** @brief The stages 2 to 11 on a thinned cloud, one after the other (paper,
@@ -139,6 +146,11 @@ public:
   /** @brief How a scan tilted by 0.3 to 3 degrees was made level; none for others. All
    * that the chain holds is level. */
   std::optional<Levelling> levelling;
+  /** @brief How walls that lean were made vertical for all stages but the solid; the
+   * identity where none does. `cloud` and the mesh are in that frame, plan, structure
+   * and solid in that of the scan. */
+  Straightening straightening;
+  WallTilts tilts;  ///< the walls of `plan` that lean
   Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
   std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
@@ -153,12 +165,21 @@ public:
   /** @brief The building as room segmentation found it: room r + 1 is the r-th. */
   const Building& getBuilding() const { return room_segmentation.getBuilding(); }
 
-  /** @brief A mesh or solid that the chain holds, in the frame of the scan, unless
+  /** @brief A solid that the chain holds, in the frame of the scan, unless
    * keep_levelled. */
   TriangleMesh inScanFrame(TriangleMesh mesh) const;
 
+  /** @brief The mesh with walls that lean, level as all that the chain holds. */
+  TriangleMesh leanedMesh() const;
+
   /** @brief The mesh in that frame. */
   TriangleMesh meshInScanFrame() const;
+
+  /** @brief Whether that is another one than the mesh is in. */
+  bool isMeshMoved() const
+  {
+    return !straightening.isIdentity() || (levelling && !keep_levelled);
+  }
 
   /** @brief The refined and repaired points in that frame. */
   StructureCloud::Ptr structureInScanFrame() const;
@@ -191,6 +212,16 @@ private:
   /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
    * tilted. */
   void levelScan();
+
+  /** @brief Makes walls that lean vertical. */
+  void straightenScan();
+
+  /** @brief Gives the walls of the plan their tilts, and keeps the plan with vertical
+   * ones for the stages that follow. */
+  void leanPlan();
+
+  /** @brief The structure in the frame of the scan; the mesh is made in the other. */
+  void leanStructure();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
@@ -282,7 +313,10 @@ private:
   std::vector<CellSet> scopes() const;
 
   /** @brief The territory of each room, as far as `reach` metres from its ceiling. */
-  RoomTerritory territory(double reach = RoomTerritory::farthest_wall) const;
+  RoomTerritory territory(double reach) const;
+
+  /** @brief The same as far as walls can be. */
+  RoomTerritory territory() const;
 
   /** @brief Points that lie in each room's territory. */
   std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
@@ -310,6 +344,10 @@ private:
     CellSet scope;         ///< cells of its ceiling
   };
 
+  std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of `cloud`
+  std::vector<LeaningFace> leaning_faces_;
+  std::shared_ptr<Floorplan> straight_plan_; ///< `plan` with vertical walls
+  StructureCloud::Ptr straight_structure_;   ///< `structure` between them
   std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
   std::vector<pcl::Indices> shares_;       ///< points of each room, from room 0 on

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/structure_label.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -15,6 +17,17 @@ namespace pcl {
 struct PolygonMesh;
 
 namespace sedr {
+
+/** @brief A face of a room's solid: its floor, a wall, the underside of a detail. */
+struct SolidElement {
+  std::uint32_t room = 0; ///< PlanRoom::id
+  StructureLabel label = StructureLabel::Other;
+  /** @brief Where it stands in the plan, counted from 1: room_1_floor, room_1_wall_3,
+   * room_1_column_2_face_1, room_1_detail_1, room_1_detail_1_edge_4,
+   * room_1_detail_1_hole_1_edge_2, the same of room_1_floor_detail_1, and
+   * room_1_niche_1_bottom, room_1_niche_1_top, room_1_niche_1_side_2. */
+  std::string name;
+};
 
 /** @brief Three indices into the vertices; seen from the side that the normal points to
  * they run counter-clockwise. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_cells.h"
 
-#include <pcl/sedr_filters/cell_mask.h>
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "canvas.h"
 
-#include <pcl/sedr_filters/refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <string>
 #include <vector>

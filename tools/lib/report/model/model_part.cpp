@@ -2,8 +2,8 @@
 #include "model_part.h"
 
 #include "map_cells.h"
+#include "mesh_glb.h"
 #include "mesh_reduction.h"
-#include "model_data.h"
 #include "report/page/html_text.h"
 #include "report/page/page_files.h"
 #include "results/distance_colour.h"
@@ -33,7 +33,8 @@ threeScripts(const std::string& folder)
 {
   std::string scripts = "<!-- three.js: MIT licence, copyright its authors, "
                         "https&#58;//threejs.org -->\n";
-  for (const char* name : {"/three.min.js", "/examples/js/controls/OrbitControls.js"}) {
+  for (const char* name : {"/three.min.js", "/examples/js/controls/OrbitControls.js",
+                           "/examples/js/loaders/GLTFLoader.js"}) {
     const std::string text = textOfFile(folder + name);
     if (text.empty() || text.find("</script") != std::string::npos)
       return "";
@@ -50,19 +51,30 @@ codeOf(Colour c)
   return text;
 }
 
+/** @brief The colours of labels by their names, and those of rooms, as JSON. */
 std::string
-codesOf(std::size_t count, Colour (*colour)(std::size_t))
+palettes()
 {
-  std::string list;
-  for (std::size_t k = 0; k < count; ++k)
-    list += (k == 0 ? "\"" : ",\"") + codeOf(colour(k)) + "\"";
-  return "[" + list + "]";
+  constexpr std::uint32_t labels = 6;
+  constexpr std::size_t rooms = 12;
+  std::string by_label;
+  for (std::uint32_t k = 0; k < labels; ++k) {
+    const auto label = static_cast<StructureLabel>(k);
+    by_label += (k == 0 ? "\"" : ",\"") + std::string(toString(label)) + "\":\"" +
+                codeOf(colourOf(label)) + "\"";
+  }
+  std::string of_rooms;
+  for (std::size_t k = 0; k < rooms; ++k)
+    of_rooms += (k == 0 ? "\"" : ",\"") + codeOf(colourNumber(k)) + "\"";
+  return "{\"labels\":{" + by_label + "},\"rooms\":[" + of_rooms + "]}";
 }
 
-Colour
-colourOfLabel(std::size_t label)
+/** @brief A glTF within the page. */
+std::string
+embedded(const std::string& name, const std::string& glb)
 {
-  return colourOf(static_cast<StructureLabel>(label));
+  return "<script type=\"model/gltf-binary\" class=\"model\" data-name=\"" + name +
+         "\">" + base64(glb) + "</script>\n";
 }
 
 std::string
@@ -124,9 +136,10 @@ distanceKey(double range)
 }
 
 std::string
-modelPart(const TriangleMesh& mesh,
+modelPart(const ResultFolder& folder,
+          const TriangleMesh& mesh,
           const TriangleMesh& solid,
-          const CeilingRule& rule,
+          const Floorplan& plan,
           const PageSettings& settings)
 {
   if (mesh.empty() && solid.empty())
@@ -142,22 +155,18 @@ modelPart(const TriangleMesh& mesh,
   std::string models;
   std::string note;
   if (!solid.empty())
-    models += "\"solid\":" + modelData(solid, rule, true);
+    models +=
+        embedded("solid", folder.has("model.glb") ? textOfFile(folder.file("model.glb"))
+                                                  : meshToGlb(solid, plan));
   if (!mesh.empty()) {
     const TriangleMesh reduced = reducedMesh(mesh, settings.most_triangles);
-    models += (models.empty() ? "" : ",") + std::string("\"mesh\":") +
-              modelData(reduced, rule, false);
+    models += embedded("mesh", meshToGlb(reduced, plan));
     if (reduced.triangles.size() < mesh.triangles.size())
       note = "<p class=\"note\">The mesh is thinned for this page, from " +
              numberText(static_cast<double>(mesh.triangles.size()), 0) + " to " +
              numberText(static_cast<double>(reduced.triangles.size()), 0) +
              " triangles: mesh.ply has them all.</p>\n";
   }
-  constexpr std::size_t label_count = 6;
-  constexpr std::size_t room_colours = 12;
-  const std::string data = "{\"label_colours\":" + codesOf(label_count, colourOfLabel) +
-                           ",\"room_colours\":" + codesOf(room_colours, colourNumber) +
-                           ",\"models\":{" + models + "}}";
   return htmlSection(
       "model", "Model",
       "<div class=\"interactive\">\n" + controls(!solid.empty(), !mesh.empty()) +
@@ -167,8 +176,9 @@ modelPart(const TriangleMesh& mesh,
           "</div>\n<p id=\"view-problem\" class=\"note\" hidden></p>\n" +
           "<noscript><p class=\"note\">Scripts are off, so the model cannot be turned; "
           "the pictures below show it.</p></noscript>\n"
-          "<script type=\"application/json\" id=\"model-data\">" +
-          data + "</script>\n" + three + "<script>" + page_script + "</script>\n");
+          "<script type=\"application/json\" id=\"palettes\">" +
+          palettes() + "</script>\n" + models + three + "<script>" + page_script +
+          "</script>\n");
 }
 
 } // namespace tools

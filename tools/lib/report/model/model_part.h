@@ -2,8 +2,9 @@
 #pragma once
 
 #include "report/report_page.h"
-#include "results/ceiling_rule.h"
+#include "results/result_folder.h"
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <string>
@@ -12,13 +13,14 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The model to turn and cut: data, controls and scripts, three.js in them.
- * Where three.js is not found, a sentence that says so; without a mesh and a solid
- * nothing.
+/** @brief The model to turn and cut: the folder's model.glb, and the mesh as another
+ * glTF, controls and scripts, three.js in them. Where three.js is not found, a sentence
+ * that says so; without a mesh and a solid nothing.
  * @param mesh,solid triangles face into the rooms; may be empty */
-std::string modelPart(const TriangleMesh& mesh,
+std::string modelPart(const ResultFolder& folder,
+                      const TriangleMesh& mesh,
                       const TriangleMesh& solid,
-                      const CeilingRule& rule,
+                      const Floorplan& plan,
                       const PageSettings& settings);
 
 /** @brief What the colours of parts mean. */

@@ -62,8 +62,7 @@ stageParameters()
       {"StructureRefinement", {{"refinement_distance", "distance", "m"}}},
       {"VerticalHoleRepair", {{"repair_grid_size", "cell", "m"}}},
       {"FloorplanExtrusion", {{"chord_tolerance", "chord", "m"}}},
-      {"StructuralPoisson",
-       {{"poisson_solver", "solver", ""}, {"tree_depth", "depth up to", "levels"}}},
+      {"StructuralPoisson", {{"tree_depth", "depth up to", "levels"}}},
   };
   return table;
 }

@@ -5,6 +5,7 @@
 #include "objects.h"
 #include "openings.h"
 #include "simulator/scene/ribs.h"
+#include "simulator/scene/tilted_walls.h"
 #include "simulator/scene/vaults.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr double kSteepest = 60.0; ///< degrees
+constexpr double kMostTilt = 45.0; ///< degrees
 constexpr std::size_t kMostStoreys = 200;
 constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
@@ -166,7 +168,7 @@ readShell(const JsonView& view)
 {
   view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
                   "ceiling_details", "facets", "ribs", "plenum", "voids", "columns",
-                  "niches", "openings", "furniture"});
+                  "niches", "openings", "furniture", "tilts"});
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
@@ -191,6 +193,25 @@ readShell(const JsonView& view)
   for (const JsonView& niche : view.itemsOf("niches"))
     room.niches.push_back(readNiche(niche, room));
   return room;
+}
+
+/** @brief Lets walls lean; what stands at them is placed before. */
+void
+readTilts(const JsonView& view, Room& room)
+{
+  std::vector<TiltedWall> walls;
+  for (const JsonView& item : view.itemsOf("tilts")) {
+    item.allowOnly({"wall", "tilt"});
+    const double tilt = item.at("tilt").number(-kMostTilt, kMostTilt);
+    walls.push_back(
+        {item.at("wall").count(0, room.outline.size() - 1), tilt * pi / 180.0});
+  }
+  try {
+    tiltWalls(room, walls);
+  }
+  catch (const std::invalid_argument& error) {
+    view.at("tilts").fail(std::string("cannot be built: ") + error.what());
+  }
 }
 
 void
@@ -222,6 +243,8 @@ readRooms(const JsonView& list, Scene& scene)
     append(scene.furniture,
            readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]));
   }
+  for (std::size_t i = 0; i < views.size(); ++i)
+    readTilts(views[i], scene.rooms[i]);
 }
 
 } // namespace pcl::sedr::sim

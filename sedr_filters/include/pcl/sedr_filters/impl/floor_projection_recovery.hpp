@@ -4,7 +4,7 @@
 #include <pcl/common/io.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/floor_projection_recovery.h>
-#include <pcl/sedr_filters/floor_recovery.h>
+#include <pcl/sedr_filters/impl/floor_recovery.h>
 #include <pcl/sedr_filters/point_types.h>
 
 #include <cmath>
@@ -54,12 +54,10 @@ FloorProjectionRecovery<PointT>::validate()
     return fail(name, "the ceiling has 0 points, there is nothing to complete the " +
                           std::to_string(indices_->size()) +
                           " points of the floor from");
-  problem = sedr::indicesProblem(*ceiling_, input_->size());
-  if (!problem.empty())
-    return fail(name, "ceiling " + problem);
-  if (detail_)
-    problem = sedr::indicesProblem(*detail_, input_->size());
-  return problem.empty() || fail(name, "detail " + problem);
+  problem = sedr::indicesProblem("ceiling", ceiling_, input_->size());
+  if (problem.empty())
+    problem = sedr::indicesProblem("detail", detail_, input_->size());
+  return problem.empty() || fail(name, problem);
 }
 
 template <typename PointT>
@@ -93,23 +91,19 @@ FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
 }
 
 template <typename PointT>
-bool
-FloorProjectionRecovery<PointT>::recover(sedr::FloorRecovery& recovery,
-                                         Eigen::Vector4d& plane)
-{
-  recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_), sedr::PointView(*input_),
-                                *indices_, *ceiling_, detail_ ? *detail_ : Indices());
-  return findPlane(recovery.kept, plane);
-}
-
-template <typename PointT>
 void
 FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
 {
   this->startRun(output);
   sedr::FloorRecovery recovery;
   Eigen::Vector4d plane;
-  if (!validate() || !recover(recovery, plane)) {
+  bool is_done = validate();
+  if (is_done) {
+    recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_), sedr::PointView(*input_),
+                                  *indices_, *ceiling_, detail_ ? *detail_ : Indices());
+    is_done = findPlane(recovery.kept, plane);
+  }
+  if (!is_done) {
     this->removeAll();
     return;
   }

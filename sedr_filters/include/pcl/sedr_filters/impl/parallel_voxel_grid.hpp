@@ -5,11 +5,9 @@
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/impl/pcl_base.hpp>
-#include <pcl/sedr_filters/field_access.h>
-#include <pcl/sedr_filters/large_memory.h>
+#include <pcl/sedr_filters/impl/thinned_voxels.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/voxel_visit.h>
 
 #include <boost/mpl/size.hpp>
 
@@ -80,7 +78,7 @@ ParallelVoxelGrid<PointT>::filter(PointCloud& output)
   }
   // PCL would list the indices of all points first.
   PointCloud thinned;
-  thin(nullptr, thinned);
+  thinCloud(nullptr, thinned);
   thinned.header = input_->header;
   thinned.sensor_origin_ = input_->sensor_origin_;
   thinned.sensor_orientation_ = input_->sensor_orientation_;
@@ -116,8 +114,7 @@ ParallelVoxelGrid<PointT>::isWithinLimits(std::size_t i) const
   if (getFilterFieldName().empty())
     return true;
   const auto* point = reinterpret_cast<const std::uint8_t*>(&(*input_)[i]);
-  return passesLimits(
-      sedr::readField(point + limited_field_.offset, limited_field_.datatype));
+  return passesLimits(point + limited_field_.offset, limited_field_.datatype);
 }
 
 template <typename PointT>
@@ -136,40 +133,34 @@ ParallelVoxelGrid<PointT>::indicesWithinLimits(const pcl::Indices* indices) cons
 
 template <typename PointT>
 void
-ParallelVoxelGrid<PointT>::averageFields(const sedr::VoxelIndex& index,
+ParallelVoxelGrid<PointT>::averageFields(const sedr::ThinnedVoxels& voxels,
                                          const pcl::Indices* indices,
                                          PointCloud& output) const
 {
   std::vector<sedr::VoxelPoint<PointT>> means(output.size());
-  sedr::visitVoxels(
-      index, output.size(), sedr::PointView(*input_), indices, getNumberOfThreads(),
+  voxels.forEachPoint(
+      sedr::PointView(*input_), indices,
       [&](std::size_t voxel, std::size_t i) { means[voxel].add((*input_)[i]); });
-  constexpr std::size_t voxels_at_once = 4096;
-  sedr::parallelBlocks(means.size(), voxels_at_once, getNumberOfThreads(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t v = begin; v < end; ++v) {
-                           const Eigen::Vector3f exact(output[v].x, output[v].y,
-                                                       output[v].z);
-                           means[v].get(output[v]);
-                           sedr::setPosition(output[v], exact);
-                         }
-                       });
+  voxels.forEachStretch([&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const Eigen::Vector3f exact(output[v].x, output[v].y, output[v].z);
+      means[v].get(output[v]);
+      sedr::setPosition(output[v], exact);
+    }
+  });
 }
 
 template <typename PointT>
 void
-ParallelVoxelGrid<PointT>::writeMeans(const sedr::VoxelSums& sums,
-                                      std::size_t kept,
+ParallelVoxelGrid<PointT>::writeMeans(const sedr::ThinnedVoxels& voxels,
                                       PointCloud& output) const
 {
-  sedr::reserveLarge(output.points, kept, getNumberOfThreads());
-  output.resize(kept);
-  sums.forEach(
-      [&](const sedr::VoxelSum* voxels, const std::size_t* places, std::size_t n) {
-        for (std::size_t i = 0; i < n; ++i)
-          sedr::setPosition(output[places[i]], sums.frame().mean(voxels[i]));
-      },
-      getNumberOfThreads());
+  output.clear();
+  output.reserve(voxels.size());
+  voxels.takeMemory(output.points.data(), voxels.size() * sizeof(PointT));
+  output.resize(voxels.size());
+  if (!output.empty())
+    voxels.writeMeans(&output[0].x, sizeof(PointT));
 }
 
 template <typename PointT>
@@ -178,19 +169,15 @@ ParallelVoxelGrid<PointT>::filter(const sedr::RowSource& source, PointCloud& out
 {
   this->startRun(output);
   const std::string problem = this->rowsProblem(source);
-  if (!problem.empty()) {
+  if (problem.empty())
+    writeMeans(this->thin(source), output);
+  else
     fail("ParallelVoxelGrid", problem);
-    return;
-  }
-  sedr::VoxelSums sums(inverseLeaf());
-  this->addRows(source, nullptr, sums);
-  const std::size_t kept = this->finish(sums);
-  writeMeans(sums, kept, output);
 }
 
 template <typename PointT>
 bool
-ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
+ParallelVoxelGrid<PointT>::thinCloud(const pcl::Indices* indices, PointCloud& output)
 {
   this->startRun(output);
   if (!validate(indices))
@@ -202,29 +189,22 @@ ParallelVoxelGrid<PointT>::thin(const pcl::Indices* indices, PointCloud& output)
     within = indicesWithinLimits(indices);
     chosen = &within;
   }
-  sedr::VoxelSums sums(inverseLeaf());
-  if (chosen)
-    sums.add(points, *chosen, getNumberOfThreads());
-  else
-    sums.add(points, getNumberOfThreads());
-  const std::size_t kept = this->finish(sums);
-  writeMeans(sums, kept, output);
+  sedr::ThinnedVoxels voxels = this->thin(points, chosen);
+  writeMeans(voxels, output);
   constexpr bool has_more_fields =
       boost::mpl::size<typename pcl::traits::fieldList<PointT>::type>::value > 3;
   const bool averages = has_more_fields && getDownsampleAllData();
-  if (averages || this->extract_removed_indices_) {
-    const std::vector<sedr::VoxelSum> voxels = sums.take(getNumberOfThreads());
-    const sedr::VoxelIndex index(sums.frame(), voxels);
-    if constexpr (has_more_fields)
-      if (averages)
-        averageFields(index, chosen, output);
-    if (this->extract_removed_indices_)
-      for (const auto i : *indices) {
-        const auto at = static_cast<std::size_t>(i);
-        if (!isWithinLimits(at) || index.find(points[at]) < 0)
-          removed_indices_->push_back(i);
-      }
-  }
+  if (averages || this->extract_removed_indices_)
+    voxels.sortPoints();
+  if constexpr (has_more_fields)
+    if (averages)
+      averageFields(voxels, chosen, output);
+  if (this->extract_removed_indices_)
+    for (const auto i : *indices) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!isWithinLimits(at) || !voxels.contains(points[at]))
+        removed_indices_->push_back(i);
+    }
   return true;
 }
 
@@ -232,7 +212,7 @@ template <typename PointT>
 void
 ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
 {
-  if (!thin(indices_.get(), output))
+  if (!thinCloud(indices_.get(), output))
     this->removeAll();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/refinement.h>
-#include <pcl/sedr_filters/structure_fields.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/impl/structure_fields.hpp>
 #include <pcl/sedr_filters/structure_refinement.h>
 
 #include <cmath>

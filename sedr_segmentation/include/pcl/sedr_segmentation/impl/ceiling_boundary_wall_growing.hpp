@@ -1,87 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 
 #include <pcl/impl/pcl_base.hpp>
 
+#include <functional>
 #include <vector>
 
-template <typename PointT>
-std::string
-pcl::CeilingBoundaryWallGrowing<PointT>::problem() const
-{
-  for (const auto& indices : {IndicesConstPtr(indices_), ceiling_, floor_, details_}) {
-    std::string wrong =
-        indices ? sedr::indicesProblem(*indices, input_->size()) : std::string();
-    if (!wrong.empty())
-      return wrong;
-  }
-  std::string wrong = sedr::problemOf(boundary_);
-  return wrong.empty() ? sedr::problemOf(growing_) : wrong;
-}
+namespace pcl {
+namespace sedr {
+
+/** @brief What CeilingBoundaryWallGrowing works on; null pointers stand for no points.
+ */
+struct WallInput {
+  PointView points;
+  const pcl::Indices& candidates;
+  const pcl::IndicesConstPtr& ceiling;
+  const pcl::IndicesConstPtr& floor;
+  const pcl::IndicesConstPtr& details;
+  /** Finds the `k` points nearest to one, itself among them, once `setSlab` was called
+   * with the points to look at; both null: the library's own search. */
+  std::function<void(const pcl::Indices& slab)> setSlab;
+  std::function<void(pcl::index_t index, unsigned int k, pcl::Indices& nearest)> search;
+};
+
+/** @brief The run of CeilingBoundaryWallGrowing on the coordinates of a cloud.
+ * @return why nothing could be done, a sentence; empty otherwise */
+std::string growWalls(const WallInput& input,
+                      const BoundaryOptions& boundary,
+                      const WallGrowingOptions& growing,
+                      GrownWalls& result);
+
+} // namespace sedr
 
 template <typename PointT>
 bool
-pcl::CeilingBoundaryWallGrowing<PointT>::segment(pcl::PointIndices& walls)
+CeilingBoundaryWallGrowing<PointT>::segment(pcl::PointIndices& walls)
 {
   walls = pcl::PointIndices();
-  for (auto* result :
-       {&ceiling_boundary_, &scope_boundary_, &floor_boundary_, &wall_indices_})
-    result->clear();
-  seeds_ = sedr::WallSeeds();
+  result_ = sedr::GrownWalls();
   this->clearError();
   if (!input_ || !this->initCompute())
     return this->fail("CeilingBoundaryWallGrowing", "no input cloud was set");
   walls.header = input_->header;
-
-  std::string wrong = problem();
-  if (wrong.empty()) {
-    const sedr::PointView points(*input_);
-    const sedr::WallParts parts = sedr::wallParts(
-        points, *indices_, ceiling_.get(), floor_.get(), details_.get(), growing_);
-    wrong = sedr::problemOf(parts, growing_);
-    if (wrong.empty()) {
-      seeds_ = sedr::seedsWithSupport(points, parts, findSeeds(parts), growing_);
-      wall_indices_ = sedr::growWalls(points, parts, seeds_, growing_);
-      walls.indices = sedr::unite(wall_indices_, parts.details);
-    }
+  sedr::WallInput input{sedr::PointView(*input_),
+                        *indices_,
+                        ceiling_,
+                        floor_,
+                        details_,
+                        nullptr,
+                        nullptr};
+  if (search_) {
+    input.setSlab = [this](const pcl::Indices& slab) {
+      search_->setInputCloud(input_, pcl::make_shared<const pcl::Indices>(slab));
+    };
+    input.search = [this](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
+      std::vector<float> square_distances;
+      search_->nearestKSearch((*input_)[static_cast<std::size_t>(index)],
+                              static_cast<int>(k), nearest, square_distances);
+    };
   }
+  const std::string problem = sedr::growWalls(input, boundary_, growing_, result_);
+  walls.indices = result_.with_details;
   this->deinitCompute();
-  return wrong.empty() || this->fail("CeilingBoundaryWallGrowing", wrong);
+  return problem.empty() || this->fail("CeilingBoundaryWallGrowing", problem);
 }
 
-template <typename PointT>
-pcl::sedr::WallSeeds
-pcl::CeilingBoundaryWallGrowing<PointT>::findSeeds(const sedr::WallParts& parts)
-{
-  ceiling_boundary_ = boundaryOf(parts.ceiling);
-  if (!growing_.hasSlice())
-    return {ceiling_boundary_, {}};
-
-  floor_boundary_ = boundaryOf(parts.floor);
-  scope_boundary_ = sedr::boundaryPoints(sedr::PointView(*input_),
-                                         sedr::unite(parts.ceiling, parts.details),
-                                         sedr::Nearness::Plan, boundary_);
-  return {sedr::unite(ceiling_boundary_, scope_boundary_), floor_boundary_};
-}
-
-template <typename PointT>
-pcl::Indices
-pcl::CeilingBoundaryWallGrowing<PointT>::boundaryOf(const pcl::Indices& slab) const
-{
-  const sedr::PointView points(*input_);
-  if (!search_)
-    return sedr::boundaryPoints(points, slab, sedr::Nearness::Space, boundary_);
-  search_->setInputCloud(input_, pcl::make_shared<const pcl::Indices>(slab));
-  const auto search = [this](pcl::index_t index, unsigned int k,
-                             pcl::Indices& nearest) {
-    std::vector<float> square_distances;
-    const auto& point = (*input_)[static_cast<std::size_t>(index)];
-    search_->nearestKSearch(point, static_cast<int>(k), nearest, square_distances);
-  };
-  return sedr::boundaryPoints(points, slab, search, boundary_);
-}
+} // namespace pcl
 
 #define PCL_INSTANTIATE_CeilingBoundaryWallGrowing(T)                                  \
   template class PCL_EXPORTS pcl::CeilingBoundaryWallGrowing<T>;

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/number_text.h>
-#include <pcl/sedr_segmentation/plan_refit.h>
-#include <pcl/sedr_segmentation/scan_check.h>
-#include <pcl/sedr_segmentation/scan_excerpt.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 
 #include <chrono>
-#include <limits>
 
 namespace pcl {
+namespace sedr {
+
+/** @brief Why voxels are too large for the grid, a sentence; empty if they are not. */
+std::string voxelProblem(double voxel_size, double grid_size);
+
+/** @brief What is wrong with a scan and its indices, a sentence; empty if nothing is.
+ */
+std::string cloudProblem(const PointView& points, const pcl::Indices& indices);
+
+/** @brief Of a scan of so many points, every which is in its excerpt. */
+std::size_t excerptStep(std::size_t points);
+
+/** @brief Every k-th point of a cloud, NaN where it is not among the indices. */
+std::shared_ptr<std::vector<Eigen::Vector3f>> excerptOf(const PointView& points,
+                                                        const pcl::Indices& indices);
+
+/** @brief Has a source thinned by `thin`, and takes every k-th of its points in the
+ * same pass.
+ * @return what is wrong with the scan, a sentence; empty if nothing is */
+std::string thinWithExcerpt(const RowSource& source,
+                            unsigned threads,
+                            const std::function<void(const RowSource&)>& thin,
+                            std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt);
+
+} // namespace sedr
 
 template <typename PointT>
 IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
@@ -91,34 +111,32 @@ IndoorStructureReconstruction<PointT>::refuseInput(const std::string& problem)
 
 template <typename PointT>
 bool
-IndoorStructureReconstruction<PointT>::checkSizes()
+IndoorStructureReconstruction<PointT>::beginThinning()
 {
-  return getVoxelSize() <= 1.001 * getGridSize() ||
-         refuseInput("the voxel size " + sedr::numberText(getVoxelSize()) +
-                     " m must not be above the grid size " +
-                     sedr::numberText(getGridSize()) + " m, or cells stay empty");
+  const std::string problem = sedr::voxelProblem(getVoxelSize(), getGridSize());
+  if (!problem.empty())
+    return refuseInput(problem);
+  if (chain_.on_stage)
+    chain_.on_stage("ParallelVoxelGrid");
+  return true;
 }
 
 template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
 {
-  std::string problem = sedr::indicesProblem(*indices_, input_->size());
   // Before thinning: a scan in millimetres would not get any smaller.
-  if (problem.empty())
-    problem = sedr::scanProblem(sedr::PointView(*input_), *indices_);
+  const std::string problem = sedr::cloudProblem(sedr::PointView(*input_), *indices_);
   if (!problem.empty())
     return refuseInput(problem);
-  if (!checkSizes())
+  if (!beginThinning())
     return false;
-  if (chain_.on_stage)
-    chain_.on_stage("ParallelVoxelGrid");
   voxel_grid_.setInputCloud(input_);
   voxel_grid_.setIndices(indices_);
   voxel_grid_.filter(means);
-  chain_.floorplan_fitting.template setRawCloud<PointT>(input_, indices_);
+  chain_.floorplan_fitting.setRawCloud(input_, indices_);
   if (!positions_.empty())
-    excerpt_ = excerptOfCloud();
+    excerpt_ = sedr::excerptOf(sedr::PointView(*input_), *indices_);
   return true;
 }
 
@@ -126,16 +144,13 @@ template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
 {
-  if (!checkSizes())
+  if (!beginThinning())
     return false;
-  if (chain_.on_stage)
-    chain_.on_stage("ParallelVoxelGrid");
-  const sedr::ScanExcerpt scan(*source_, sedr::RefitParameters().most_points, threads_);
-  voxel_grid_.filter(scan, means);
-  const std::string problem = scan.problem();
+  const std::string problem = sedr::thinWithExcerpt(
+      *source_, threads_,
+      [&](const sedr::RowSource& rows) { voxel_grid_.filter(rows, means); }, excerpt_);
   if (!problem.empty())
     return refuseInput(problem);
-  excerpt_ = scan.points();
   chain_.floorplan_fitting.setRawPoints(excerpt_);
   return true;
 }
@@ -144,10 +159,8 @@ template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& thinned)
 {
-  if (!checkSizes())
+  if (!beginThinning())
     return false;
-  if (chain_.on_stage)
-    chain_.on_stage("ParallelVoxelGrid");
   const sedr::ThinnedScan scan = thinning_();
   if (!scan.problem.empty())
     return refuseInput(scan.problem);
@@ -192,22 +205,6 @@ IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned
 }
 
 template <typename PointT>
-std::shared_ptr<std::vector<Eigen::Vector3f>>
-IndoorStructureReconstruction<PointT>::excerptOfCloud() const
-{
-  const std::size_t step =
-      sedr::rawStep(input_->size(), sedr::RefitParameters().most_points);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto excerpt = std::make_shared<std::vector<Eigen::Vector3f>>(
-      (input_->size() + step - 1) / step, Eigen::Vector3f::Constant(nan));
-  for (const auto i : *indices_)
-    if (static_cast<std::size_t>(i) % step == 0)
-      (*excerpt)[static_cast<std::size_t>(i) / step] =
-          (*input_)[static_cast<std::size_t>(i)].getVector3fMap();
-  return excerpt;
-}
-
-template <typename PointT>
 void
 IndoorStructureReconstruction<PointT>::leaveOutMirrored(
     sedr::StructureChain::Cloud& thinned)
@@ -219,9 +216,7 @@ IndoorStructureReconstruction<PointT>::leaveOutMirrored(
     chain_.on_stage("MirroredPoints");
   const std::size_t before = thinned.size();
   const std::size_t rows = source_ || thinning_ ? scan_size_ : input_->size();
-  chain_.leaveOutMirrored(positions_,
-                          sedr::rawStep(rows, sedr::RefitParameters().most_points),
-                          thinned, *excerpt_);
+  chain_.leaveOutMirrored(positions_, sedr::excerptStep(rows), thinned, *excerpt_);
   if (before > thinned.size())
     chain_.floorplan_fitting.setRawPoints(excerpt_);
   const std::chrono::duration<double> seconds =
@@ -300,8 +295,9 @@ void
 IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
 {
   if (makeMesh())
-    sedr::toPolygonMesh(
-        chain_.levelling ? chain_.meshInScanFrame() : chain_.poisson.getMesh(), output);
+    sedr::toPolygonMesh(chain_.isMeshMoved() ? chain_.meshInScanFrame()
+                                             : chain_.poisson.getMesh(),
+                        output);
 }
 
 template <typename PointT>

@@ -79,3 +79,6 @@ MeshReconstruction<PointT>::performReconstruction(PointCloud& points,
 
 } // namespace sedr
 } // namespace pcl
+
+#define PCL_INSTANTIATE_MeshReconstruction(T)                                          \
+  template class PCL_EXPORTS pcl::sedr::MeshReconstruction<T>;

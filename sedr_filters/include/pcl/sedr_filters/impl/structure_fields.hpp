@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/stage_error.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/type_traits.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Whether a point type has a `room`. */
+template <typename PointT>
+constexpr bool has_room = pcl::traits::has_field<PointT, pcl::fields::room>::value;
+
+/** @brief The labels of a cloud: its own field if the point type has one, else none. */
+template <typename PointT>
+std::vector<std::uint32_t>
+labelsOf(const pcl::PointCloud<PointT>& cloud)
+{
+  std::vector<std::uint32_t> labels;
+  if constexpr (pcl::traits::has_label<PointT>::value)
+    for (const auto& p : cloud)
+      labels.push_back(p.label);
+  return labels;
+}
+
+/** @brief The rooms of a cloud: its own field if the point type has one, else none. */
+template <typename PointT>
+std::vector<std::uint32_t>
+roomsOf(const pcl::PointCloud<PointT>& cloud)
+{
+  std::vector<std::uint32_t> rooms;
+  if constexpr (has_room<PointT>)
+    for (const auto& p : cloud)
+      rooms.push_back(p.room);
+  return rooms;
+}
+
+/** @brief What a stage that works with labelled points and a plan lacks, a sentence;
+ * empty if it lacks nothing.
+ * @param[in,out] labels of every point of the cloud; empty: filled from its point type
+ * @param[in,out] rooms likewise */
+template <typename PointT>
+std::string
+structureProblem(const Floorplan* plan,
+                 const pcl::PointCloud<PointT>& cloud,
+                 const pcl::Indices& indices,
+                 std::vector<std::uint32_t>& labels,
+                 std::vector<std::uint32_t>& rooms)
+{
+  if (!plan || plan->rooms.empty())
+    return "no floor plan with rooms was set";
+  std::string problem = indicesProblem(indices, cloud.size());
+  if (!problem.empty())
+    return problem;
+  if (labels.empty())
+    labels = labelsOf(cloud);
+  if (rooms.empty())
+    rooms = roomsOf(cloud);
+  if (labels.size() != cloud.size() || rooms.size() != cloud.size())
+    problem = "the cloud has " + std::to_string(cloud.size()) + " points, but " +
+              std::to_string(labels.size()) + " labels and " +
+              std::to_string(rooms.size()) + " rooms are known";
+  return problem;
+}
+
+/** @brief Moves a point to the structure, and sets its normal, label and room where its
+ * type has them. */
+template <typename PointT>
+void
+setSurfacePoint(const SurfacePoint& surface, PointT& p)
+{
+  p.x = static_cast<float>(surface.position.x());
+  p.y = static_cast<float>(surface.position.y());
+  p.z = static_cast<float>(surface.position.z());
+  if constexpr (pcl::traits::has_normal<PointT>::value) {
+    p.normal_x = static_cast<float>(surface.normal.x());
+    p.normal_y = static_cast<float>(surface.normal.y());
+    p.normal_z = static_cast<float>(surface.normal.z());
+  }
+  if constexpr (pcl::traits::has_label<PointT>::value)
+    p.label = static_cast<std::uint32_t>(surface.label);
+  if constexpr (has_room<PointT>)
+    p.room = surface.room;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/types.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace pcl {
+namespace sedr {
+
+class VoxelSums;
+
+/** @brief The voxels that VoxelGridSettings::thin() keeps: their means, then which
+ * points of the scan lie in which of them. */
+class ThinnedVoxels {
+public:
+  /** @param sums arranged
+   * @param size voxels that are kept
+   * @param threads 0: all processors */
+  ThinnedVoxels(std::unique_ptr<VoxelSums> sums, std::size_t size, unsigned threads);
+  ThinnedVoxels(ThinnedVoxels&&) noexcept;
+  ~ThinnedVoxels();
+
+  std::size_t size() const { return size_; }
+
+  /** @brief Takes memory that will soon be written from the system, on all threads. */
+  void takeMemory(void* begin, std::size_t bytes) const;
+
+  /** @brief Writes the mean of each voxel: x, y and z as floats, one after the other,
+   * the first at `first_x`, `stride` bytes from one voxel to the next. Before
+   * sortPoints(). */
+  void writeMeans(void* first_x, std::size_t stride) const;
+
+  /** @brief Makes contains() and forEachPoint() ready. The sums are gone then. */
+  void sortPoints();
+
+  /** @brief Whether a point lies in one of the voxels. */
+  bool contains(const Eigen::Vector3f& point) const;
+
+  /** @brief Calls `see(voxel, i)` for every point i in one of the voxels, those of a
+   * voxel in their order and from one thread.
+   * @param indices the points that count; null: all */
+  void forEachPoint(const PointView& points,
+                    const pcl::Indices* indices,
+                    const std::function<void(std::size_t, std::size_t)>& see) const;
+
+  /** @brief Calls `see(begin, end)` for stretches of the voxels, on all threads. */
+  void forEachStretch(const std::function<void(std::size_t, std::size_t)>& see) const;
+
+private:
+  struct Index;
+
+  std::unique_ptr<VoxelSums> sums_;
+  std::unique_ptr<Index> index_;
+  std::size_t size_;
+  unsigned threads_;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief What a point is; the value of the `label` field of every file of this
+ * library. */
+enum class StructureLabel : std::uint32_t {
+  Other = 0,
+  Ceiling = 1,
+  Floor = 2,
+  Wall = 3,
+  Detail = 4, ///< soffit, recess, coffer or beam: its underside and its risers
+  Column = 5
+};
+
+/** @brief Name of a label in lower case, "other" for values without one. */
+inline const char*
+toString(StructureLabel label)
+{
+  switch (label) {
+  case StructureLabel::Ceiling:
+    return "ceiling";
+  case StructureLabel::Floor:
+    return "floor";
+  case StructureLabel::Wall:
+    return "wall";
+  case StructureLabel::Detail:
+    return "detail";
+  case StructureLabel::Column:
+    return "column";
+  default:
+    return "other";
+  }
+}
+
+/** @brief What an upright surface of a room is. */
+enum class UprightKind {
+  Wall,           ///< from the floor to the ceiling, or to a niche
+  WallAboveNiche, ///< from the top of a niche to the ceiling
+  ColumnFace,
+  CeilingRiser, ///< between two heights of the ceiling
+  FloorRiser,   ///< between two heights of the floor
+  NicheSide     ///< a side or the back of a niche
+};
+
+/** @brief A point of the structure, in double precision. */
+struct SurfacePoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, into the room
+  StructureLabel label = StructureLabel::Other;
+  std::uint32_t room = 0;
+};
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../grids/place_table.h"
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A loop made ready for being asked many times what it contains: a question
+ * looks at the elements at the height of its place in plan only. */
+class LoopLookup {
+public:
+  /** @param loop must stay where it is */
+  explicit LoopLookup(const PlanLoop& loop);
+
+  /** @brief As PlanLoop::contains(). */
+  bool contains(const Eigen::Vector2d& p) const;
+
+private:
+  const PlanLoop* loop_;
+  double low_ = 0;
+  double high_ = -1;
+  double band_ = 1; ///< metres
+  std::vector<std::vector<std::uint32_t>> bands_;
+};
+
+/** @brief A room made ready for being asked many times what is at a place in plan. Its
+ * answers are those of PlanRoom, in a time that does not grow with the room. */
+class RoomLookup {
+public:
+  /** @param room must stay as and where it is */
+  explicit RoomLookup(const PlanRoom& room);
+
+  const PlanRoom& room() const { return *room_; }
+
+  bool contains(const Eigen::Vector2d& p) const;
+
+  bool isWithinBoundary(const Eigen::Vector2d& p) const
+  {
+    return boundary_.contains(p);
+  }
+
+  int detailAt(const Eigen::Vector2d& p) const;
+  int floorDetailAt(const Eigen::Vector2d& p) const;
+  int nicheAt(const Eigen::Vector2d& p) const;
+
+  double floorAt(const Eigen::Vector2d& p) const
+  {
+    return room_->floorSlab(floorDetailAt(p)).heightAt(p);
+  }
+
+  double ceilingAt(const Eigen::Vector2d& p) const
+  {
+    return room_->ceilingSlab(detailAt(p)).heightAt(p);
+  }
+
+private:
+  static int lastAround(const std::vector<PlanDetail>& details,
+                        const PlaceTable& places,
+                        const Eigen::Vector2d& p);
+
+  const PlanRoom* room_;
+  LoopLookup boundary_;
+  PlaceTable columns_;
+  PlaceTable details_;
+  PlaceTable floor_details_;
+  PlaceTable niches_;
+};
+
+} // namespace sedr
+} // namespace pcl

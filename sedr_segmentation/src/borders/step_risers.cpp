@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step_risers.h"
+
+#include "../sheets/sheet_fit.h"
+#include "sheet_cracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+/** @brief The lowest and the highest of the facets near a cell, above its middle. */
+std::pair<double, double>
+heightsAbout(const Sheet& sheet, std::size_t cell)
+{
+  const auto reach = static_cast<int>(std::ceil(SheetCracks::riser_reach));
+  const SheetGrid& grid = sheet.grid;
+  const int x = grid.columnOf(cell);
+  const int y = grid.rowOf(cell);
+  std::vector<std::int32_t> labels;
+  for (int row = std::max(0, y - reach); row <= std::min(grid.rows - 1, y + reach);
+       ++row)
+    for (int column = std::max(0, x - reach);
+         column <= std::min(grid.columns - 1, x + reach); ++column) {
+      const std::int32_t label = sheet.label[grid.indexOf(column, row)];
+      if (std::find(labels.begin(), labels.end(), label) == labels.end())
+        labels.push_back(label);
+    }
+  const auto heightOf = [&](std::int32_t label) {
+    return sheet.facets[static_cast<std::size_t>(label)].heightAt(grid.centre(cell));
+  };
+  std::pair<double, double> heights(heightOf(labels.front()), heightOf(labels.front()));
+  for (const std::int32_t label : labels) {
+    heights.first = std::min(heights.first, heightOf(label));
+    heights.second = std::max(heights.second, heightOf(label));
+  }
+  return heights;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d>
+pointsOfRisers(const Sheet& sheet,
+               const PointView& scan,
+               const std::vector<int>& indices)
+{
+  std::vector<std::pair<double, double>> heights(sheet.grid.count());
+  for (std::size_t cell = 0; cell < heights.size(); ++cell)
+    if (sheet.is_inside[cell])
+      heights[cell] = heightsAbout(sheet, cell);
+  std::vector<Eigen::Vector3d> points;
+  const std::size_t size = indices.empty() ? scan.size() : indices.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+    if (!scan.isFinite(i))
+      continue;
+    const Eigen::Vector3d p = scan[i].cast<double>();
+    const std::size_t cell = sheet.grid.at(p.head<2>());
+    if (cell < heights.size() && p.z() > heights[cell].first &&
+        p.z() < heights[cell].second)
+      points.push_back(p);
+  }
+  return points;
+}
+
+} // namespace sedr
+} // namespace pcl

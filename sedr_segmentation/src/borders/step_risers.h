@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+struct Sheet;
+
+/** @brief The points of a scan between the heights of two facets, near where these may
+ * step: most are of the riser between them.
+ * @param indices those of the scan's points that count; empty: all. O(n). */
+std::vector<Eigen::Vector3d> pointsOfRisers(const Sheet& sheet,
+                                            const PointView& scan,
+                                            const std::vector<int>& indices);
+
+} // namespace sedr
+} // namespace pcl

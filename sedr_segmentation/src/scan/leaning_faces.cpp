@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leaning_faces.h"
+
+#include "../refit/patch_normals.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+constexpr double one_degree = M_PI / 180;
+constexpr double cube_size = 0.4; // metres
+
+/** @brief Less is out of plumb, or the drift of a scanner that was carried through a
+ * building; more is a roof. */
+constexpr double least_lean = 5 * one_degree;
+constexpr double most_lean = 28 * one_degree;
+
+/** @brief A face is at least so high, covers so much, and begins so low: metres. */
+constexpr double least_height = 1.5;
+constexpr double least_area = 1.5;
+constexpr double most_above_floor = 1;
+
+/** @brief A plane: unit normal . p = offset. */
+struct Plane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  double offset = 0;
+
+  double distance(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
+};
+
+/** @brief The plane through weighted places: least squares. */
+class PlaneSums {
+public:
+  void add(const Eigen::Vector3d& p, double weight)
+  {
+    if (weight_ == 0)
+      about_ = p;
+    const Eigen::Vector3d d = p - about_;
+    weight_ += weight;
+    sum_ += weight * d;
+    squares_.noalias() += weight * d * d.transpose();
+  }
+
+  /** @brief With a normal on the side of `like`. */
+  Plane plane(const Eigen::Vector3d& like) const
+  {
+    const Eigen::Vector3d mean = sum_ / weight_;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+        squares_ / weight_ - mean * mean.transpose());
+    Plane plane;
+    plane.normal = solver.eigenvectors().col(0);
+    plane.normal *= plane.normal.dot(like) < 0 ? -1 : 1;
+    plane.offset = plane.normal.dot(about_ + mean);
+    return plane;
+  }
+
+private:
+  double weight_ = 0;
+  Eigen::Vector3d about_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
+};
+
+/** @brief The patches of walls, by where they are. */
+class WallPatches {
+public:
+  explicit WallPatches(const std::vector<PlanePatch>& patches)
+  {
+    for (const PlanePatch& patch : patches)
+      if (std::abs(patch.normal.z()) < std::sin(most_lean + 3 * one_degree))
+        patches_.push_back(patch);
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      cells_[cellOf(patches_[i].middle)].push_back(i);
+    is_used_.assign(patches_.size(), false);
+    reached_.assign(patches_.size(), 0);
+  }
+
+  /** @brief The patches of one face after another, the largest patch's first. */
+  std::vector<std::vector<std::size_t>> faces()
+  {
+    std::vector<std::size_t> order(patches_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return patches_[a].count > patches_[b].count;
+    });
+    std::vector<std::vector<std::size_t>> faces;
+    for (const std::size_t seed : order) {
+      if (is_used_[seed])
+        continue;
+      std::vector<std::size_t> face = grown(seed);
+      for (const std::size_t i : face)
+        is_used_[i] = true;
+      if (static_cast<double>(face.size()) * cube_size * cube_size >= least_area)
+        faces.push_back(std::move(face));
+    }
+    return faces;
+  }
+
+  const PlanePatch& operator[](std::size_t i) const { return patches_[i]; }
+
+  /** @brief The plane of some patches. */
+  Plane planeOf(const std::vector<std::size_t>& members) const
+  {
+    PlaneSums sums;
+    for (const std::size_t i : members)
+      sums.add(patches_[i].middle, patches_[i].count);
+    return sums.plane(patches_[members.front()].normal);
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+  static constexpr double cell_size =
+      2 * cube_size; // what is so far off hangs together
+
+  static Cell cellOf(const Eigen::Vector3d& p)
+  {
+    Cell cell;
+    for (int k = 0; k < 3; ++k)
+      cell[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor(p[k] / cell_size));
+    return cell;
+  }
+
+  /** @brief What hangs together with a patch in its plane, which is fitted anew as it
+   * grows. */
+  std::vector<std::size_t> grown(std::size_t seed)
+  {
+    Plane plane{patches_[seed].normal,
+                patches_[seed].normal.dot(patches_[seed].middle)};
+    std::vector<std::size_t> face;
+    for (const double tolerance : {0.05, 0.04, 0.03}) {
+      const std::vector<std::size_t> next = inPlane(seed, plane, tolerance);
+      if (next.size() < 4)
+        break;
+      face = next;
+      plane = planeOf(face);
+    }
+    if (face.empty())
+      face.push_back(seed);
+    return face;
+  }
+
+  std::vector<std::size_t>
+  inPlane(std::size_t seed, const Plane& plane, double tolerance)
+  {
+    constexpr double most_turn = 6 * one_degree;
+    std::vector<std::size_t> face{seed};
+    ++round_;
+    reached_[seed] = round_;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Cell at = cellOf(patches_[face[k]].middle);
+      for (std::int64_t n = 0; n < 27; ++n) {
+        const auto cell =
+            cells_.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+        if (cell == cells_.end())
+          continue;
+        for (const std::size_t i : cell->second)
+          if (!is_used_[i] && reached_[i] != round_ &&
+              std::abs(patches_[i].normal.dot(plane.normal)) > std::cos(most_turn) &&
+              std::abs(plane.distance(patches_[i].middle)) < tolerance) {
+            reached_[i] = round_;
+            face.push_back(i);
+          }
+      }
+    }
+    return face;
+  }
+
+  std::vector<PlanePatch> patches_;
+  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::vector<bool> is_used_;
+  std::vector<std::size_t> reached_; ///< the round in which each was reached last
+  std::size_t round_ = 0;
+};
+
+double
+quantile(std::vector<double> values, double share)
+{
+  const auto at =
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/** @brief Fits a face to the points about its patches.
+ * @return none where that is no wall from near the floor */
+std::optional<LeaningFace>
+faceOf(const WallPatches& patches,
+       const std::vector<std::size_t>& members,
+       const PointView& points,
+       const std::vector<int>& indices)
+{
+  constexpr double reach = 0.06; // of points, off the plane of patches
+  constexpr double beside = 0.6; // where its floor is looked for
+  constexpr double stray = 0.005;
+  Eigen::AlignedBox3d box;
+  for (const std::size_t i : members)
+    box.extend(patches[i].middle);
+  Plane plane = patches.planeOf(members);
+  const Eigen::Vector3d border = Eigen::Vector3d::Constant(cube_size);
+  box = Eigen::AlignedBox3d(box.min() - border, box.max() + border);
+  std::vector<Eigen::Vector3d> near;
+  std::vector<double> below;
+  const Eigen::AlignedBox2d around(
+      box.min().head<2>() - Eigen::Vector2d::Constant(beside),
+      box.max().head<2>() + Eigen::Vector2d::Constant(beside));
+  for (const int i : indices) {
+    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+    if (!p.allFinite())
+      continue;
+    if (box.contains(p) && std::abs(plane.distance(p)) < reach)
+      near.push_back(p);
+    if (around.contains(p.head<2>().eval()) && p.z() < box.min().z() + 2 * cube_size &&
+        p.z() > box.min().z() - 2 * most_above_floor)
+      below.push_back(p.z());
+  }
+  for (const double share : {1.0, 0.6}) {
+    PlaneSums better;
+    for (const Eigen::Vector3d& p : near)
+      if (std::abs(plane.distance(p)) < share * reach)
+        better.add(p, 1);
+    plane = better.plane(plane.normal);
+  }
+  if (std::abs(plane.normal.z()) > std::sin(most_lean))
+    return {};
+  const Eigen::Vector2d left = plane.normal.head<2>().normalized();
+  const Eigen::Vector2d way(left.y(), -left.x());
+  std::vector<double> along;
+  std::vector<double> heights;
+  for (const Eigen::Vector3d& p : near)
+    if (std::abs(plane.distance(p)) < reach / 2) {
+      along.push_back(p.head<2>().dot(way));
+      heights.push_back(p.z());
+    }
+  if (along.size() < 20 || below.empty())
+    return {};
+  const double low = quantile(heights, stray);
+  const double high = quantile(heights, 1 - stray);
+  const double floor = quantile(below, stray);
+  if (high - low < least_height || low - floor > most_above_floor)
+    return {};
+  LeaningFace face;
+  face.run = std::abs(plane.normal.z()) < std::sin(least_lean)
+                 ? 0
+                 : -plane.normal.z() / plane.normal.head<2>().norm();
+  face.low = std::min(low, floor) - 0.1;
+  face.head = high + 0.05;
+  const double at_head = face.run == 0 ? (low + high) / 2 : face.head;
+  const double off =
+      (plane.offset - plane.normal.z() * at_head) / plane.normal.head<2>().norm();
+  face.start = off * left + quantile(along, stray) * way;
+  face.end = off * left + quantile(along, 1 - stray) * way;
+  return face;
+}
+
+} // namespace
+
+std::vector<LeaningFace>
+leaningFaces(const PointView& points, const std::vector<int>& indices, unsigned threads)
+{
+  constexpr double least_share = 0.6; // of a tilt, as patches tell it
+  WallPatches patches(
+      planesOf(points, indices, Eigen::Matrix3d::Identity(), cube_size, threads));
+  std::vector<LeaningFace> faces;
+  std::vector<std::vector<std::size_t>> others; // looked at only if some wall leans
+  for (std::vector<std::size_t>& members : patches.faces()) {
+    const bool may_lean = std::abs(patches.planeOf(members).normal.z()) >
+                          least_share * std::sin(least_lean);
+    const auto face =
+        may_lean ? faceOf(patches, members, points, indices) : std::nullopt;
+    if (face && face->run != 0)
+      faces.push_back(*face);
+    else
+      others.push_back(std::move(members));
+  }
+  for (const std::vector<std::size_t>& members : others)
+    if (const auto face =
+            faces.empty() ? std::nullopt : faceOf(patches, members, points, indices))
+      faces.push_back(*face);
+  return faces;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sheet_fit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Connected cells of a set, eight neighbours each. */
+std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
+                                               const std::vector<std::uint8_t>& is_in);
+
+} // namespace sedr
+} // namespace pcl

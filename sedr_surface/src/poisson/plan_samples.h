@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_surface/impl/room_samples.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Points spread over the surface of a room. */
+struct PlanSamples {
+  std::vector<OrientedPoint> points; ///< normals into the room
+  std::vector<std::uint32_t> labels; ///< StructureLabel of each
+  std::string problem;               ///< why there are none, or empty
+};
+
+/** @brief Samples the solid of a room (extrudeRoom()): a point in `spacing`, and within
+ * two spacings of an edge where two faces meet at more than 20 degrees, five in two,
+ * so that edges and corners are covered evenly and sharply.
+ *
+ * @param spacing metres, above 0
+ *
+ * The same room gives the same points. O(n e) for n points near e edges. */
+PlanSamples samplePlan(const PlanRoom& room, double spacing);
+
+} // namespace sedr
+} // namespace pcl

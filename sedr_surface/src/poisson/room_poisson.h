@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/impl/room_samples.h>
+#include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief The surface of one room by screened Poisson: solved near the origin, its
+ * largest component kept, repaired, and solved again a little differently until it is
+ * closed.
+ *
+ * @param points finite, with unit normals into the room
+ * @param parameters in range
+ * @param mesh the surface, its normals on the side of those of the points; empty
+ * without one
+ * @param nearest for each triangle the index of the point nearest to its middle
+ * @param report what was done; `room`, `skipped_points` and `scaled_normals` stay as
+ * they are
+ * @return true if there is a surface; it is closed if report.closed */
+bool reconstructRoom(const std::vector<OrientedPoint>& points,
+                     const RoomPoissonParameters& parameters,
+                     TriangleMesh& mesh,
+                     std::vector<std::uint32_t>& nearest,
+                     RoomPoissonReport& report);
+
+/** @brief The surface of a room from its samples; parameters in range. */
+RoomSurface surfaceOf(const RoomSamples& samples,
+                      const RoomPoissonParameters& parameters);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/impl/room_samples.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Typical distance between neighbouring points of a surface, metres: the side
+ * of the square that each has for itself, median over the area, from at most 4000 of
+ * the points. Zero for fewer than 10 points. O(n log n). */
+double measureSpacing(const std::vector<OrientedPoint>& points);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// With this the headers of all stages bring their templates along.
+#define PCL_NO_PRECOMPILE
+
+#include <pcl/memory.h>
+#include <pcl/pcl_macros.h>
+#include <pcl/point_types.h>
+
+/** A point type that no library was compiled for. */
+struct EIGEN_ALIGN16 WeighedPoint {
+  PCL_ADD_POINT4D
+  float weight;
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+POINT_CLOUD_REGISTER_POINT_STRUCT(WeighedPoint,
+                                  (float, x, x)(float, y, y)(float, z, z)(float,
+                                                                          weight,
+                                                                          weight))
+
+#include "all_stages.h"
+
+namespace contract {
+
+TEST(OwnPointType, AllStagesWorkWithItAsWithThoseTheyAreCompiledFor)
+{
+  const StageFigures own = runAllStages<WeighedPoint>();
+  expectSampleRoom(own);
+  EXPECT_TRUE(own == runAllStages<pcl::PointXYZ>());
+}
+
+} // namespace contract

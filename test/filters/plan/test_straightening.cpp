@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/straightening.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double degree = M_PI / 180;
+
+/** A room with corners of all angles, of which two walls lean that do not meet. */
+Floorplan
+obliquePlan()
+{
+  return {{roomOf(polygon({{0, 0}, {6, 0}, {7, 4}, {3, 6}, {0, 4}}), 2.6)}};
+}
+
+const WallTilts two{{1, 1, 12 * degree}, {1, 4, 5 * degree}};
+
+TEST(Straightening, WithoutWallsThatLeanNothingMoves)
+{
+  const Straightening map(leaningFaces(obliquePlan(), {}));
+  EXPECT_TRUE(map.isIdentity());
+  EXPECT_EQ(map.straighten({1, 2, 3}), Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(Straightening, BringsWallsToTheirHeadsAndBack)
+{
+  const Floorplan plan = obliquePlan();
+  const Floorplan straight = straightened(plan, two);
+  const Straightening map(leaningFaces(plan, two));
+  const PlanLoop& top = straight.rooms[0].boundary;
+  for (double z = 0.0; z <= 2.6; z += 0.2) {
+    const PlanLoop section = boundaryAt(plan.rooms[0], two, z);
+    for (std::size_t i = 0; i < section.elements.size(); ++i)
+      for (const double share : {0.02, 0.3, 0.7, 0.98}) {
+        const PlanElement& wall = section.elements[i];
+        Eigen::Vector3d p;
+        p << wall.pointAt(share * wall.length()), z;
+        const Eigen::Vector3d q = map.straighten(p);
+        EXPECT_NEAR(top.elements[i].distance(q.head<2>()), 0, 2e-3) << i << ' ' << z;
+        EXPECT_NEAR((map.back(q) - p).norm(), 0, 1e-9) << i << ' ' << z;
+        EXPECT_EQ(q.z(), z);
+      }
+  }
+}
+
+TEST(Straightening, TurnsNormalsWithTheWalls)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
+  const WallTilts tilts{{1, 1, 12 * degree}};
+  const Straightening map(leaningFaces(plan, tilts));
+  const double head = 6 - 2.5 * std::tan(12 * degree);
+  const Eigen::Vector3d normal = map.normalBack({head, 2, 1}, {-1, 0, 0});
+  EXPECT_NEAR(normal.x(), -std::cos(12 * degree), 1e-9);
+  EXPECT_NEAR(normal.z(), -std::sin(12 * degree), 1e-9);
+  EXPECT_NEAR(map.normalBack({3, 2, 0}, {0, 0, 1}).z(), 1, 1e-9);
+}
+
+TEST(Straightening, AWallBetweenTwoRoomsLeansWithBothItsFaces)
+{
+  PlanRoom east = roomOf(rectangle(4.1, 0, 8, 4), 2.5, 2);
+  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 4), 2.5, 1), east}};
+  const WallTilts tilts{{1, 1, 8 * degree}, {2, 3, -8 * degree}};
+  const Straightening map(leaningFaces(plan, tilts));
+  const double shift = 2.5 * std::tan(8 * degree);
+  EXPECT_NEAR(map.straighten({4, 2, 0}).x(), 4 - shift, 1e-9);
+  EXPECT_NEAR(map.straighten({4.1, 2, 0}).x(), 4.1 - shift, 1e-9);
+  EXPECT_NEAR(map.straighten({4.05, 2, 0}).x(), 4.05 - shift, 1e-9);
+  EXPECT_NEAR(map.back({4.05 - shift, 2, 0}).x(), 4.05, 1e-9);
+  EXPECT_NEAR(map.straighten({8, 2, 0}).x(), 8, 1e-9) << "walls parallel to it stay";
+}
+
+TEST(WallTilts, AreWrittenInDegreesAndRead)
+{
+  const std::string json = floorplanToJson(obliquePlan());
+  EXPECT_EQ(withTilts(json, {}), json);
+  const std::string with = withTilts(json, two);
+  std::string problem;
+  const WallTilts read = tiltsFromJson(with, problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[1].wall, 4u);
+  EXPECT_NEAR(read[1].tilt, 5 * degree, 1e-15);
+  EXPECT_EQ(floorplanFromJson(with, problem).rooms.size(), 1u);
+  EXPECT_EQ(problem, "");
+  EXPECT_TRUE(tiltsFromJson(json, problem).empty());
+  EXPECT_TRUE(tiltsFromJson(withTilts(json, {{1, 0, 50 * degree}}), problem).empty());
+  EXPECT_NE(problem, "");
+}
+
+} // namespace

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/sight_lines.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using pcl::sedr::Levelling;
+using pcl::sedr::SightLine;
+using pcl::sedr::SightLines;
+
+/** Rays from some places to points all around. */
+std::vector<SightLine>
+randomLines(std::size_t n)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<float> normal;
+  std::uniform_real_distribution<float> range(0.3F, 8);
+  const std::vector<Vector3f> places{{0, 0, 0}, {2, 1, 0.5F}, {-3, 4, 1}};
+  std::vector<SightLine> lines;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector3f from = places[i % places.size()];
+    const Vector3f way(normal(random), normal(random), normal(random));
+    lines.push_back({from, from + range(random) * way.normalized()});
+  }
+  return lines;
+}
+
+/** The same count, ray by ray. */
+SightLines::Crossings
+counted(const std::vector<SightLine>& lines,
+        const Vector3d& place,
+        const Vector3d& normal,
+        double radius)
+{
+  SightLines::Crossings crossings;
+  for (const SightLine& line : lines) {
+    const Vector3d from = line.from.cast<double>();
+    const Vector3d to = line.to.cast<double>();
+    const double start = (from - place).dot(normal);
+    const double end = (to - place).dot(normal);
+    if (std::abs(start) <= 0.15 || std::abs(end) <= 0.15 || start == end)
+      continue;
+    const double share = start / (start - end);
+    if (share <= 0 || (from + share * (to - from) - place).norm() > radius)
+      continue;
+    ++(share < 1 ? crossings.through : crossings.before);
+  }
+  return crossings;
+}
+
+TEST(SightLines, AreCountedAsRayByRayInEveryDirection)
+{
+  const std::vector<SightLine> lines = randomLines(30000);
+  const SightLines sight(lines);
+  EXPECT_EQ(sight.size(), lines.size());
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  std::size_t through = 0;
+  std::size_t before = 0;
+  for (int i = 0; i < 300; ++i) {
+    Vector3d place(3 * normal(random), 3 * normal(random), 2 * normal(random));
+    if (i % 10 == 0)
+      place.head<2>() = Eigen::Vector2d(0.01 * normal(random), 0); // above a place
+    const Vector3d across =
+        Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const auto expected = counted(lines, place, across, 0.2);
+    const auto found = sight.across(place, across, 0.2);
+    EXPECT_EQ(found.through, expected.through) << place.transpose();
+    EXPECT_EQ(found.before, expected.before) << place.transpose();
+    through += found.through;
+    before += found.before;
+  }
+  EXPECT_GT(through, 300u);
+  EXPECT_GT(before, 300u);
+}
+
+TEST(SightLines, TellWhatIsOpenWhatIsHiddenAndWhatIsNotKnown)
+{
+  // Through a door at x = 2 to a wall at x = 5; onto a cupboard at x = 1.5.
+  const SightLines sight({{{0, 0, 1}, {5, 0, 1}}, {{0, 0, 1}, {1.5F, 1.5F, 1}}});
+  const Vector3d normal = -Vector3d::UnitX();
+  EXPECT_EQ(sight.across({2, 0, 1}, normal, 0.05).through, 1u);
+  EXPECT_EQ(sight.across({2, 0, 1}, -normal, 0.05).through, 1u);
+  EXPECT_EQ(sight.across({2, 2, 1}, normal, 0.05).before, 1u);
+  EXPECT_EQ(sight.across({2, 2, 1}, normal, 0.05).through, 0u);
+  const auto unknown = sight.across({2, 1, 1}, normal, 0.05);
+  EXPECT_EQ(unknown.through + unknown.before, 0u);
+  // A wall that a ray ended on, within noise, is neither.
+  EXPECT_EQ(sight.across({5, 0, 1}, normal, 0.05).before, 0u);
+  EXPECT_EQ(sight.across({5.1, 0, 1}, normal, 0.05).before, 0u);
+}
+
+TEST(SightLines, MoveWithTheLevelFrame)
+{
+  const std::vector<SightLine> lines = randomLines(5000);
+  const Levelling levelling =
+      Levelling::of(Vector3d(0.03, -0.02, 1).normalized(), {1, 2, 3});
+  const SightLines level = SightLines(lines).levelled(levelling);
+  const Vector3d place(1, 1, 0.3);
+  const Vector3d normal = Vector3d(1, 0.2, 0).normalized();
+  const auto there =
+      level.across(levelling.level(place), levelling.rotation * normal, 0.4);
+  const auto here = SightLines(lines).across(place, normal, 0.4);
+  EXPECT_GT(here.through, 0u);
+  EXPECT_EQ(there.through, here.through);
+  EXPECT_EQ(there.before, here.before);
+}
+
+TEST(SightLines, WithoutRaysAndOfNaNTellNothing)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const SightLines sight({{{0, 0, nan}, {1, 1, 1}}, {{1, 1, 1}, {1, 1, 1}}});
+  EXPECT_EQ(sight.size(), 0u);
+  EXPECT_EQ(sight.across({1, 1, 1}, Vector3d::UnitX(), 1).through, 0u);
+}
+
+} // namespace

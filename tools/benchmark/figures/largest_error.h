@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace sedr {
+namespace benchmark {
+
+/** @brief Keeps the larger of two figures; NaN is none yet. */
+inline void
+keepLarger(double& figure, double other)
+{
+  figure = std::isnan(figure) ? other : std::max(figure, other);
+}
+
+/** @brief Keeps the larger of two relative errors; NaN is none yet. */
+inline void
+keepLargerError(double& error, double found, double truth)
+{
+  keepLarger(error, std::abs(found - truth) / truth);
+}
+
+} // namespace benchmark
+} // namespace sedr
+} // namespace pcl
