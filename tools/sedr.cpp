@@ -3,6 +3,7 @@
 #include "model/model_run.h"
 #include "run_tool.h"
 
+#include <iostream>
 #include <memory>
 
 using namespace pcl::sedr::tools;
@@ -29,6 +30,8 @@ main(int argc, char** argv)
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
+    if (settings.explain)
+      std::cout << explained(chain.getPriors()) << std::flush;
     settings.input = joinedNames(settings.inputs);
     return makeModel(settings, chain, [&] {
       // What is not in its header is read while it is thinned.

@@ -95,6 +95,35 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
 }
 
+TEST_F(SedrTool, PriorsAreSetByNameOrFileExplainedAndReported)
+{
+  writeFile(in("castle.txt"), "# a castle\nmax_wall = 2\n\n min_headroom=2.1 # m\n");
+  const ProgramRun result =
+      onFile(scanOf().pcd(false), {"--no-mesh", "--explain", "--prior-file",
+                                   in("castle.txt"), "--prior", "max_wall=1.5"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, double> values;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  for (const auto& prior : report.at("priors")) {
+    values[prior.at("name")] = prior.at("value");
+    EXPECT_NE(result.out.find(prior.at("source").get<std::string>()),
+              std::string::npos);
+  }
+  EXPECT_EQ(values.at("max_wall"), 1.5) << "the command line overrides the file";
+  EXPECT_EQ(values.at("min_headroom"), 2.1);
+  EXPECT_EQ(values.at("door_width"), 0.9) << "the default";
+  EXPECT_EQ(report.at("parameters").at("headroom"), 2.1) << "of the stage";
+}
+
+TEST_F(SedrTool, RefusesPriorsThatAreNone)
+{
+  const std::string scan = scanOf().pcd(false);
+  expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
+  expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
+  expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
+  expectFailure(onFile(scan, {"--prior-file", in("none.txt")}), 1, "cannot read");
+}
+
 TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
 {
   const std::string scan = scanOf().pcd(false);

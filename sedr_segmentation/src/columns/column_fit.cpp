@@ -3,6 +3,7 @@
 
 #include "column_rectangle.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
@@ -39,9 +40,11 @@ polygonOf(const Contour& contour)
 
 /** @brief The points in a hole, and those beside it that may be of its column. */
 std::vector<Eigen::Vector2d>
-pointsOfColumn(const Contour& hole, const PlanLoop& outline, const PlanPoints& evidence)
+pointsOfColumn(const Contour& hole,
+               const PlanLoop& outline,
+               const PlanPoints& evidence,
+               double beside)
 {
-  constexpr double beside = 0.03;
   Eigen::Vector2d low = hole[0];
   Eigen::Vector2d high = hole[0];
   for (const auto& p : hole) {
@@ -70,13 +73,13 @@ distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
 
 /** @brief Whether a shape keeps within the hole and fills it. */
 bool
-fitsIn(const PlanLoop& shape, const PlanLoop& hole)
+fitsIn(const PlanLoop& shape, const PlanLoop& hole, const LoopParameters& parameters)
 {
-  constexpr double least_share = 0.25; // a hole is up to a cell wider on each side
-  if (std::abs(shape.area()) < least_share * std::abs(hole.area()))
+  // A hole is up to a cell wider on each side.
+  if (std::abs(shape.area()) < parameters.priors.share_half / 2 * std::abs(hole.area()))
     return false;
-  constexpr double farthest = 0.08; // ceiling cells lie over the edge of a column
-  constexpr double chord = 0.01;
+  // Cells of the ceiling, and its noise, lie over the edge of a column.
+  const double farthest = 2 * parameters.priors.min_wall;
   const auto isNear = [&](const Eigen::Vector2d& p, double reach) {
     return hole.contains(p) || hole.distance(p) < reach;
   };
@@ -86,7 +89,7 @@ fitsIn(const PlanLoop& shape, const PlanLoop& hole)
         if (!e.isArc())
           return isNear(e.pointAt(e.length() / 2), farthest) &&
                  isNear(e.start, std::sqrt(2.0) * farthest);
-        const std::vector<Eigen::Vector2d> way = PlanLoop{{e}}.polygon(chord);
+        const std::vector<Eigen::Vector2d> way = PlanLoop{{e}}.polygon(2 * chord);
         return std::all_of(way.begin(), way.end(), [&](const Eigen::Vector2d& p) {
           return isNear(p, farthest);
         });
@@ -115,8 +118,7 @@ findCircle(const std::vector<Eigen::Vector2d>& points,
            const LoopParameters& parameters)
 {
   constexpr int trials = 300;
-  constexpr double smallest_radius = 0.05;
-  constexpr double rounding = 1e-6; // of a sum of scores, 0 to 1 a point
+  const double smallest_radius = parameters.priors.min_column_radius;
   std::mt19937_64 random(parameters.seed);
   PlanCurve best;
   double best_score = 0;
@@ -129,7 +131,7 @@ findCircle(const std::vector<Eigen::Vector2d>& points,
     double score = 0;
     auto left = static_cast<double>(points.size());
     for (auto p = points.begin();
-         p != points.end() && score + left + rounding > best_score; ++p, --left)
+         p != points.end() && score + left + same_place > best_score; ++p, --left)
       score +=
           std::max(0.0, 1 - std::pow(circle.distance(*p) / parameters.tolerance, 2));
     if (score <= best_score)
@@ -162,15 +164,14 @@ shapesOf(const Contour& hole,
   if (circle.isCircle())
     shapes.push_back(circleShape(circle));
   for (const auto& direction : directions) {
-    const Rectangle along = findRectangle(points, direction, parameters.tolerance);
-    if (along.isSound())
+    const Rectangle along = findRectangle(points, direction, parameters);
+    if (along.isSound(parameters.priors))
       shapes.push_back({along.loop(), 4});
   }
   for (const auto& direction : directionsOf(points, parameters)) {
     const Rectangle turned = fitTurnedRectangle(
-        points, findRectangle(points, direction, parameters.tolerance),
-        parameters.tolerance);
-    if (turned.isSound())
+        points, findRectangle(points, direction, parameters), parameters);
+    if (turned.isSound(parameters.priors))
       shapes.push_back({turned.loop(), 5});
   }
   const PlanLoop any = fitLoop(hole, evidence, {}, parameters, places);
@@ -193,12 +194,13 @@ fitColumn(const Contour& hole,
           const LoopParameters& parameters,
           std::vector<ContourSample>* places)
 {
-  constexpr std::size_t least_points = 20;
+  const Priors& priors = parameters.priors;
   if (hole.size() < 4)
     return {};
   const PlanLoop outline = polygonOf(hole);
-  const std::vector<Eigen::Vector2d> points = pointsOfColumn(hole, outline, evidence);
-  if (points.size() < least_points)
+  const std::vector<Eigen::Vector2d> points =
+      pointsOfColumn(hole, outline, evidence, priors.min_ceiling_step);
+  if (static_cast<double>(points.size()) < 2 * priors.min_points)
     return fitLoop(hole, evidence, {}, parameters, places);
   std::vector<Shape> shapes =
       shapesOf(hole, points, evidence, directions, parameters, places);
@@ -211,7 +213,7 @@ fitColumn(const Contour& hole,
   PlanLoop best;
   double least = 2;
   for (auto& shape : shapes) {
-    if (!fitsIn(shape.loop, outline))
+    if (!fitsIn(shape.loop, outline, parameters))
       continue;
     double missed = 0;
     for (const double d : shape.distances)

@@ -61,12 +61,12 @@ bestFirst(const std::vector<PlanCurve>& lines,
 } // namespace
 
 bool
-Rectangle::isSound() const
+Rectangle::isSound(const Priors& priors) const
 {
   const auto shown = std::count_if(inliers.begin(), inliers.end(),
                                    [](std::size_t n) { return n > 0; });
-  return shown >= 2 && side[1] - side[0] >= least_side &&
-         side[3] - side[2] >= least_side;
+  return shown >= 2 && side[1] - side[0] >= priors.min_wall &&
+         side[3] - side[2] >= priors.min_wall;
 }
 
 double
@@ -103,8 +103,8 @@ directionsOf(const std::vector<Eigen::Vector2d>& points,
              const LoopParameters& parameters)
 {
   constexpr int trials = 300;
-  constexpr double band = 0.02;
-  constexpr double least_length = 0.1;
+  const double band = parameters.priors.min_wall / 2;
+  const double least_length = parameters.priors.evidence_cell;
   std::mt19937_64 random(parameters.seed);
   std::vector<PlanCurve> lines;
   for (int trial = 0; trial < trials; ++trial) {
@@ -132,8 +132,10 @@ directionsOf(const std::vector<Eigen::Vector2d>& points,
 Rectangle
 findRectangle(const std::vector<Eigen::Vector2d>& points,
               const Eigen::Vector2d& direction,
-              double tolerance)
+              const LoopParameters& parameters)
 {
+  const double tolerance = parameters.tolerance;
+  const double least_side = parameters.priors.min_wall;
   const double width = tolerance / 2;
   Rectangle best;
   best.direction = direction;
@@ -197,10 +199,11 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
 Rectangle
 fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
                    const Rectangle& start,
-                   double tolerance)
+                   const LoopParameters& parameters)
 {
+  const double tolerance = parameters.tolerance;
   Rectangle r = start;
-  for (int round = 0; round < 8 && r.isSound(); ++round) {
+  for (int round = 0; round < 8 && r.isSound(parameters.priors); ++round) {
     const auto sides = pointsOfSides(framed(points, r), r, tolerance);
     // Unknown: a turn about the origin of the frame, and a shift of each side.
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity() * 1e-9;

@@ -3,6 +3,7 @@
 
 #include "../loop/loop_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +21,7 @@ struct Rectangle {
   std::array<std::size_t, 4> inliers{};
   std::array<double, 4> residual{};
 
-  bool isSound() const;
+  bool isSound(const Priors& priors) const;
 
   Eigen::Vector2d inFrame(const Eigen::Vector2d& p) const
   {
@@ -49,12 +50,12 @@ std::vector<Eigen::Vector2d> directionsOf(const std::vector<Eigen::Vector2d>& po
  * no points show is where those beside it end. Not sound where there is none. */
 Rectangle findRectangle(const std::vector<Eigen::Vector2d>& points,
                         const Eigen::Vector2d& direction,
-                        double tolerance);
+                        const LoopParameters& parameters);
 
 /** @brief Fits direction and sides of a rectangle by robust least squares. */
 Rectangle fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
                              const Rectangle& start,
-                             double tolerance);
+                             const LoopParameters& parameters);
 
 } // namespace sedr
 } // namespace pcl

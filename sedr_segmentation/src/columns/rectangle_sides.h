@@ -11,9 +11,6 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A rectangle's least side, metres: a plate of glass or board. */
-constexpr double least_side = 0.04;
-
 /** @brief A value below which a share of the sorted values lies. */
 double quantile(const std::vector<double>& sorted, double share);
 

@@ -4,6 +4,7 @@
 #include "tall_furniture.h"
 
 #include "../profiles/cell_count.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 namespace pcl {
@@ -37,7 +38,6 @@ uprightCells(const CellBox& box,
              const PlanSlab& floor,
              unsigned threads)
 {
-  constexpr std::size_t cells_a_block = 4096;
   const RoomColumns room(grid, columns, ceiling, floor);
   CellMask upright(box);
   parallelBlocks(upright.values().size(), cells_a_block, threads,
@@ -84,12 +84,12 @@ tallFurniture(const CellMask& seen,
 }
 
 CellMask
-aroundSeenCeiling(const CellMask& seen, const CellMask& upright, const CellGrid& grid)
+aroundSeenCeiling(const CellMask& seen,
+                  const CellMask& upright,
+                  const CellGrid& grid,
+                  const Priors& priors)
 {
-  constexpr double largest = 1; // square metres
-  constexpr double least_seen = 0.3;
-  constexpr std::size_t least_cells = 6;
-  const double thickness = cellsFor(0.15, grid.size()); // of noisy sides
+  const double thickness = cellsFor(priors.run_gap, grid.size()); // of noisy sides
   const CellMask within = enclosedCells(upright);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());
@@ -99,8 +99,9 @@ aroundSeenCeiling(const CellMask& seen, const CellMask& upright, const CellGrid&
   CellMask around(seen.box());
   for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
     const auto size = static_cast<double>(regions.sizes[r]);
-    if (size * grid.size() * grid.size() > largest || count[r] < least_cells ||
-        static_cast<double>(count[r]) < least_seen * size)
+    if (size * grid.size() * grid.size() > priors.max_shaft_area ||
+        static_cast<double>(count[r]) < 2 * priors.min_evidence ||
+        static_cast<double>(count[r]) < priors.share_some * size)
       continue;
     const CellMask place = regionMask(within, regions, static_cast<std::int32_t>(r));
     around = unite(around, unite(place, intersect(dilated(place, thickness), upright)));

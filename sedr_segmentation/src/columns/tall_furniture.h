@@ -5,6 +5,7 @@
 #include "../profiles/column_table.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 namespace pcl {
 namespace sedr {
@@ -47,8 +48,10 @@ CellMask tallFurniture(const CellMask& seen,
  * says of how high that is. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
  * @param upright uprightCells() of the same box */
-CellMask
-aroundSeenCeiling(const CellMask& seen, const CellMask& upright, const CellGrid& grid);
+CellMask aroundSeenCeiling(const CellMask& seen,
+                           const CellMask& upright,
+                           const CellGrid& grid,
+                           const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

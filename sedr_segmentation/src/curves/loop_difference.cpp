@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_difference.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "plan_segment.h"
 
 #include "plan_curve.h"
@@ -12,8 +14,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr double same_place = 1e-7; // metres
 
 /** @brief The distances along every element of a loop at which it is cut. */
 using Cuts = std::vector<std::vector<double>>;
@@ -28,7 +28,7 @@ findCuts(const PlanLoop& a, const PlanLoop& b, Cuts& cuts_a, Cuts& cuts_b)
       const PlanElement& e = a.elements[i];
       const PlanElement& f = b.elements[j];
       for (const auto& p : intersections(carrierOf(e), carrierOf(f)))
-        if (e.distance(p) < same_place && f.distance(p) < same_place) {
+        if (e.distance(p) < same_point && f.distance(p) < same_point) {
           cuts_a[i].push_back(e.project(p));
           cuts_b[j].push_back(f.project(p));
         }
@@ -47,7 +47,7 @@ partsOf(const PlanLoop& loop, const Cuts& cuts)
     at.push_back(e.length());
     std::sort(at.begin(), at.end());
     for (std::size_t k = 0; k + 1 < at.size(); ++k)
-      if (at[k + 1] - at[k] > same_place)
+      if (at[k + 1] - at[k] > same_point)
         parts.push_back(at.size() == 2 ? e : e.part(at[k], at[k + 1]));
   }
   return parts;
@@ -60,7 +60,7 @@ within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
   std::vector<PlanElement> kept;
   for (const auto& e : parts) {
     const Eigen::Vector2d middle = e.pointAt(e.length() / 2);
-    if (loop.distance(middle) >= same_place && loop.contains(middle))
+    if (loop.distance(middle) >= same_point && loop.contains(middle))
       kept.push_back(e);
   }
   return kept;
@@ -74,7 +74,7 @@ onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_ins
   std::vector<PlanElement> kept;
   for (const auto& e : parts) {
     const double middle = e.length() / 2;
-    if (other.contains(e.pointAt(middle) + 2 * same_place * e.normalAt(middle)) ==
+    if (other.contains(e.pointAt(middle) + 2 * same_point * e.normalAt(middle)) ==
         is_inside)
       kept.push_back(e);
   }
@@ -85,7 +85,7 @@ onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_ins
 std::vector<PlanLoop>
 chained(std::vector<PlanElement> parts)
 {
-  constexpr double slack = 1e-5; // metres
+  constexpr double slack = 100 * same_point;
   std::vector<PlanLoop> loops;
   while (!parts.empty()) {
     PlanLoop loop;
@@ -175,7 +175,7 @@ widened(const PlanLoop& loop, double by)
       break;
     const Eigen::Vector2d end = e.end;
     const Eigen::Vector2d start = next.start;
-    if ((end - start).norm() < same_place) {
+    if ((end - start).norm() < same_point) {
       e.end = start;
       continue;
     }

@@ -10,11 +10,11 @@ namespace pcl {
 namespace sedr {
 
 std::vector<Eigen::Vector2d>
-mainDirections(std::vector<DirectedLine> lines)
+mainDirections(std::vector<DirectedLine> lines, const Priors& priors)
 {
   constexpr std::size_t most = 5;
-  constexpr double same = 0.03;    // radians
-  constexpr double shortest = 0.6; // metres
+  constexpr double shortest = 0.6;           // metres
+  const double same = priors.same_direction; // radians
   std::stable_sort(
       lines.begin(), lines.end(),
       [](const DirectedLine& a, const DirectedLine& b) { return a.length > b.length; });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_curves.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "contour.h"
 
 #include <algorithm>
@@ -10,18 +12,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief How exactly elements are on one curve that share it, metres. */
-constexpr double exactness = 1e-6;
-
-/** @brief What the place of a curve is not known better than, however many points there
- * are: scanners and walls are not perfect. Metres, and as a share of the noise. */
-constexpr double least_deviation = 0.0003;
-constexpr double deviation_share = 0.05;
-
-/** @brief Points and noise of an element that nobody saw. */
-constexpr double unseen_points = 1;
-constexpr double unseen_noise = 0.05;
 
 PlanCurve
 curveThrough(const PlanElement& e)
@@ -36,15 +26,18 @@ curveThrough(const PlanElement& e)
   return curve;
 }
 
-/** @brief What an element is worth. */
+/** @brief What an element is worth. However many points there are, its place is not
+ * known better than scanners and walls are exact, nor than a share of the noise. One
+ * that nobody saw has a point at the edge of what a wall's points may be off. */
 Eigen::Matrix3d
-informationOf(const PlanElement& e, double length)
+informationOf(const PlanElement& e, double length, const Priors& priors)
 {
-  double count = unseen_points;
-  double noise = unseen_noise;
+  const double least_deviation = priors.place_accuracy;
+  double count = 1;
+  double noise = priors.wall_band;
   if (e.inliers > 0) {
     noise = std::max(e.residual, least_deviation);
-    const double best = std::max(least_deviation, deviation_share * noise);
+    const double best = std::max(least_deviation, priors.share_unseen * noise);
     count = std::min(static_cast<double>(e.inliers), std::pow(noise / best, 2));
   }
   if (!e.isArc())
@@ -75,7 +68,8 @@ loopsOf(PlanRoom& room)
   return loops;
 }
 
-PlanCurves::PlanCurves(Floorplan& plan)
+PlanCurves::PlanCurves(Floorplan& plan, const Priors& priors)
+    : priors_(priors)
 {
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const std::size_t first = curves.size();
@@ -102,7 +96,7 @@ PlanCurves::curveOf(const PlanElement& e, std::size_t first)
   MeasuredCurve m;
   m.curve = curveThrough(e);
   m.pivot = (e.start + e.end) / 2;
-  m.information = informationOf(e, e.length());
+  m.information = informationOf(e, e.length(), priors_);
   curves.push_back(m);
   reach_.push_back(e.length() / 2);
   return curves.size() - 1;
@@ -114,9 +108,9 @@ PlanCurves::isAlong(const PlanElement& e, const PlanCurve& curve) const
   if (e.isArc() != curve.isCircle())
     return false;
   if (e.isArc())
-    return (e.centre - curve.point).norm() < exactness &&
-           std::abs(e.radius - curve.radius) < exactness;
-  return curve.distance(e.start) < exactness && curve.distance(e.end) < exactness;
+    return (e.centre - curve.point).norm() < same_place &&
+           std::abs(e.radius - curve.radius) < same_place;
+  return curve.distance(e.start) < same_place && curve.distance(e.end) < same_place;
 }
 
 /** @brief A further element on a curve: it is measured along both. */
@@ -130,7 +124,7 @@ PlanCurves::measure(std::size_t curve, const PlanElement& e)
   m.curve.inliers = best.inliers;
   m.curve.residual = best.residual;
   if (m.curve.isCircle()) {
-    const Eigen::Matrix3d other = informationOf(best, e.length());
+    const Eigen::Matrix3d other = informationOf(best, e.length(), priors_);
     if (e.length() > 2 * reach_[curve]) {
       m.information = other;
       reach_[curve] = e.length() / 2;
@@ -146,7 +140,7 @@ PlanCurves::measure(std::size_t curve, const PlanElement& e)
   }
   m.pivot += (low + high) / 2 * along;
   reach_[curve] = (high - low) / 2;
-  m.information = informationOf(best, high - low);
+  m.information = informationOf(best, high - low, priors_);
 }
 
 void
@@ -162,7 +156,7 @@ PlanCurves::remeasure(std::size_t c)
         shown = e;
   shown.inliers = m.curve.inliers;
   shown.residual = m.curve.residual;
-  m.information = informationOf(shown, shown.length());
+  m.information = informationOf(shown, shown.length(), priors_);
 }
 
 bool
@@ -197,9 +191,8 @@ PlanCurves::cornerOf(const Loop& loop,
     corner =
         after.isCircle() ? touchingPoint(before, after) : touchingPoint(after, before);
     // Where along a smooth way the joint lies is hardly known.
-    constexpr double along = 0.5;
     return curveThrough(elements[i]).distance(corner) <= farthest &&
-           (corner - old).norm() <= along;
+           (corner - old).norm() <= priors_.patch;
   }
   double nearest = farthest;
   bool is_found = false;
@@ -244,7 +237,6 @@ PlanCurves::moved(const Loop& loop, double farthest, PlanLoop& result) const
     else if ((e.end - e.start).dot(old.end - old.start) <= 0)
       return false;
   }
-  constexpr double chord = 0.005;
   return !crossesItself(result.polygon(chord)) ||
          crossesItself(loop.loop->polygon(chord));
 }

@@ -3,6 +3,7 @@
 
 #include "curve_adjustment.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 #include <set>
@@ -28,7 +29,7 @@ public:
   };
 
   /** @brief `plan` must outlive this, its rooms stay where they are. */
-  explicit PlanCurves(Floorplan& plan);
+  explicit PlanCurves(Floorplan& plan, const Priors& priors = {});
 
   std::vector<MeasuredCurve> curves;
   std::vector<Loop> loops;
@@ -63,6 +64,7 @@ private:
                 double farthest,
                 Eigen::Vector2d& corner) const;
 
+  Priors priors_;
   std::vector<double> reach_;
 };
 

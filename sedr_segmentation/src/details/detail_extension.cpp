@@ -20,11 +20,13 @@ public:
   Extender(const CellMask& room,
            const std::vector<PlanSlab>& details,
            const CellGrid& grid,
-           std::vector<std::int32_t>& label)
+           std::vector<std::int32_t>& label,
+           const Priors& priors)
       : room_(room)
       , details_(details)
       , grid_(grid)
       , label_(label)
+      , priors_(priors)
   {}
 
   /** @brief Follows a detail beyond both of its ends. */
@@ -152,7 +154,7 @@ private:
     // A short piece has no direction of its own.
     const bool is_parallel =
         there.length < 2 * there.width || std::abs(across.dot(there.direction)) < 0.1;
-    return is_parallel && std::abs(step) < least_step &&
+    return is_parallel && std::abs(step) < priors_.min_ceiling_step &&
            std::abs(across.dot(between)) < 2 * grid_.size() &&
            there.width < strip.width + 3 * grid_.size();
   }
@@ -162,13 +164,11 @@ private:
     return details_[static_cast<std::size_t>(of - 1)];
   }
 
-  /** @brief Slabs that differ by less are one, metres. */
-  static constexpr double least_step = 0.03;
-
   const CellMask& room_;
   const std::vector<PlanSlab>& details_;
   const CellGrid& grid_;
   std::vector<std::int32_t>& label_;
+  const Priors& priors_;
 };
 
 } // namespace
@@ -177,9 +177,10 @@ void
 extendDetails(const CellMask& room,
               const std::vector<PlanSlab>& details,
               const CellGrid& grid,
-              std::vector<std::int32_t>& label)
+              std::vector<std::int32_t>& label,
+              const Priors& priors)
 {
-  Extender extender(room, details, grid, label);
+  Extender extender(room, details, grid, label, priors);
   for (std::size_t k = 1; k <= details.size(); ++k)
     extender.extend(static_cast<std::int32_t>(k));
 }

@@ -3,6 +3,7 @@
 
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,8 @@ namespace sedr {
 void extendDetails(const CellMask& room,
                    const std::vector<PlanSlab>& details,
                    const CellGrid& grid,
-                   std::vector<std::int32_t>& label);
+                   std::vector<std::int32_t>& label,
+                   const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

@@ -18,9 +18,10 @@ namespace {
 
 /** @brief Adds what of a loop others may follow. */
 void
-appendElements(const PlanLoop& loop, std::vector<PlanElement>& elements)
+appendElements(const PlanLoop& loop,
+               double shortest,
+               std::vector<PlanElement>& elements)
 {
-  constexpr double shortest = 0.1;
   for (const auto& e : loop.elements)
     if (e.length() > shortest)
       elements.push_back(e);
@@ -75,10 +76,6 @@ widestFirst(const HeightMap& map)
   return labels;
 }
 
-/** @brief How far a detail may be from the cells of another and still bear on its fit,
- * metres. */
-constexpr double detail_reach = 0.6;
-
 /** @brief Of each of `count` boxes, those before it that it meets. */
 template <typename BoxAt>
 std::vector<std::vector<std::size_t>>
@@ -112,7 +109,7 @@ turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
 void
 extendBeams(HeightMap& map, const CellGrid& grid)
 {
-  extendDetails(map.room, map.details, grid, map.label);
+  extendDetails(map.room, map.details, grid, map.label, map.priors);
   for (std::size_t i = 0; i < map.seen.size(); ++i)
     if (map.seen[i] > 0)
       map.seen[i] = map.label[i];
@@ -135,9 +132,12 @@ withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& 
 /** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
  * are not its. No furniture hides the rim of what is at a ceiling. */
 std::vector<Eigen::Vector2d>
-atRim(const PlanPoints& points, const CellMask& cells, const CellGrid& grid)
+atRim(const PlanPoints& points,
+      const CellMask& cells,
+      const CellGrid& grid,
+      const Priors& priors)
 {
-  constexpr int reach = 4; // cells
+  const auto reach = static_cast<int>(priors.riser_cells) + 1;
   if (cells.count() == 0)
     return {};
   const CellMask near = cropped(cells, grown(boxOf(cells.toSet()), reach + 1));
@@ -197,6 +197,7 @@ fitDetails(const PointView& points,
            const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
+  const Priors& priors = parameters.loop.priors;
   HeightMap map =
       seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
                   withinBoundary(cells, room.boundary, grid), parameters);
@@ -218,12 +219,12 @@ fitDetails(const PointView& points,
               edges.end());
   edges.insert(edges.end(), bent.points.begin(), bent.points.end());
   appendPoints(room.boundary, edges);
+  const double point_cell = priors.evidence_cell;
   std::vector<PlanElement> others;
-  appendElements(room.boundary, others);
+  appendElements(room.boundary, point_cell, others);
   for (const auto& column : room.columns)
-    appendElements(column, others);
+    appendElements(column, point_cell, others);
 
-  constexpr double point_cell = 0.1; // metres
   const PlanPoints of_all(edges, point_cell);
   const std::vector<CellBox> boxes = boxesOf(map);
   const std::vector<std::int32_t> order = widestFirst(map);
@@ -233,7 +234,7 @@ fitDetails(const PointView& points,
   // A detail is fitted after the larger ones near it, side by side with all others.
   const std::vector<std::vector<std::size_t>> larger =
       overlapsBefore(order.size(), [&](std::size_t k) {
-        return grown(boxOfRank(k), cellsFor(detail_reach, grid.size()));
+        return grown(boxOfRank(k), cellsFor(priors.max_wall, grid.size()));
       });
   std::vector<PlanDetail> fitted(order.size());
   const auto fit = [&](std::size_t k) {
@@ -241,14 +242,15 @@ fitDetails(const PointView& points,
     std::vector<PlanElement> known = others;
     for (const std::size_t l : larger[k]) {
       near.push_back(&fitted[l]);
-      appendElements(fitted[l].boundary, known);
+      appendElements(fitted[l].boundary, point_cell, known);
     }
     const CellMask own = seenCellsOf(map, order[k], boxOfRank(k), near, grid);
-    fitted[k] = evidence.is_floor
-                    ? fitDetail(map, own, true, order[k], of_all, known, parameters)
-                    : fitDetail(map, own, false, order[k],
-                                PlanPoints(atRim(of_all, own, grid), point_cell), known,
-                                parameters);
+    fitted[k] =
+        evidence.is_floor
+            ? fitDetail(map, own, true, order[k], of_all, known, parameters)
+            : fitDetail(map, own, false, order[k],
+                        PlanPoints(atRim(of_all, own, grid, priors), point_cell), known,
+                        parameters);
   };
   for (const std::vector<std::size_t>& turn : turnsOf(larger))
     parallelBlocks(turn.size(), 1, parameters.threads,

@@ -15,7 +15,8 @@ hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top)
 {
   if (scene.ceiling.at(cell))
     return false;
-  const std::vector<ColumnRun> runs = scene.columns.runs(cell, run_gap);
+  const std::vector<ColumnRun> runs =
+      scene.columns.runs(cell, scene.parameters.priors.run_gap);
   if (runs.empty())
     return false;
   top = runs.back();
@@ -47,7 +48,7 @@ hasFloorBelow(const SliceScene& scene, const CellMask& region)
 bool
 isFloorHiddenBefore(const SliceScene& scene, const CellMask& region)
 {
-  constexpr double before = 4; // cells
+  const double before = scene.parameters.priors.riser_cells + 1;
   const CellMask nowhere(region.box());
   const CellMask front =
       intersect(dilated(region, before), unite(nowhere, scene.ceiling));
@@ -83,7 +84,7 @@ hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
 bool
 isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
-  constexpr double least_drop = 0.1;
+  const double least_drop = scene.parameters.priors.min_drop;
   double drop = 0;
   for (std::size_t i = 0; i < region.values().size(); ++i)
     if (region.values()[i]) {
@@ -100,7 +101,7 @@ isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& regi
 bool
 isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
-  constexpr double deepest = 0.55;
+  const double deepest = scene.parameters.priors.max_head_depth;
   const double cell = scene.parameters.cell_size;
   const CellMask nowhere(region.box());
   const CellMask others = subtract(
@@ -136,7 +137,8 @@ hasRisers(const SliceScene& scene, const CellMask& island)
       continue;
     const Cell cell = rim.cellAt(i);
     const double top = scene.ceilingAt(cell);
-    const std::vector<ColumnRun> runs = scene.columns.runs(cell, run_gap);
+    const std::vector<ColumnRun> runs =
+        scene.columns.runs(cell, scene.parameters.priors.run_gap);
     const double end = runs.empty()                    ? top
                        : runs.back().high > top + 0.02 ? runs.back().high
                                                        : runs.back().low;

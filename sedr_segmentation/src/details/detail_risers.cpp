@@ -19,7 +19,10 @@ struct StepBeside {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  bool isStep() const { return high - low >= least_step; }
+  bool isStep(const Priors& priors) const
+  {
+    return high - low >= priors.min_ceiling_step;
+  }
 };
 
 /** @brief The step within two cells of a cell of a map. */
@@ -62,10 +65,11 @@ goesOn(const ColumnTable& columns,
        double z,
        double low,
        double high,
-       bool is_floor)
+       bool is_floor,
+       const Priors& priors)
 {
   constexpr double gap = 0.12;
-  constexpr double beyond = 0.15;
+  const double beyond = priors.run_gap;
   const std::vector<ColumnRun> runs = columns.runs(cell, gap);
   return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
     return run.low <= z && z <= run.high &&
@@ -89,7 +93,7 @@ isOnFloor(const HeightMap& map, const Eigen::Vector3f& p, double margin)
 bool
 isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
 {
-  constexpr int reach = 4;
+  const auto reach = static_cast<int>(map.priors.riser_cells) + 1;
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
       const Cell near{cell.x + dx, cell.y + dy};
@@ -108,9 +112,10 @@ reachesCeiling(const ColumnTable& columns,
                Cell cell,
                double low,
                double high,
-               const PlanSlab& higher)
+               const PlanSlab& higher,
+               const Priors& priors)
 {
-  constexpr double least_body = 0.05; // metres, of what would end in a gap
+  const double least_body = priors.wall_band; // of what would end in a gap
   const CeilingGap gap = gapBelow(higher);
   return high - gap.low < low + least_body ||
          columns.share(cell, high - gap.low, high - gap.high, 1, 2) >= 1;
@@ -147,10 +152,10 @@ hasRisers(const HeightMap& map,
       // Bins that hold a voxel each, at most four.
       const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
       const PlanSlab& higher = map.slabOf(a > b ? label : other);
-      if (high - low < 0.06 ||
-          (columns.share(cell, low, high, bins, 2) >= 0.5 &&
-           (is_floor ||
-            reachesCeiling(columns, cell, std::min(a, b), std::max(a, b), higher))))
+      if (high - low < map.priors.min_floor_step ||
+          (columns.share(cell, low, high, bins, 2) >= map.priors.share_half &&
+           (is_floor || reachesCeiling(columns, cell, std::min(a, b), std::max(a, b),
+                                       higher, map.priors))))
         ++closed;
     }
   }
@@ -171,7 +176,7 @@ riserPoints(const PointView& points,
   std::vector<Eigen::Vector2d> risers;
   CellMask at_steps(map.room.box());
   for (std::size_t c = 0; c < steps.size(); ++c)
-    at_steps.values()[c] = steps[c].isStep() ? 1 : 0;
+    at_steps.values()[c] = steps[c].isStep(map.priors) ? 1 : 0;
   for (const int i : columns.indicesIn(at_steps)) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const Cell cell = grid.at(p.x(), p.y());
@@ -180,7 +185,7 @@ riserPoints(const PointView& points,
     if (p.z() > low + margin && p.z() < high - margin &&
         !(evidence.is_floor ? isOnFloor(map, p, margin)
                             : isOnSlabAround(map, cell, p, margin)) &&
-        !goesOn(columns, cell, p.z(), low, high, evidence.is_floor))
+        !goesOn(columns, cell, p.z(), low, high, evidence.is_floor, map.priors))
       risers.push_back(p.head<2>().cast<double>());
   }
   return risers;

@@ -12,16 +12,13 @@ namespace sedr {
 
 namespace {
 
-/** @brief Cells around a region that its judgement looks at. */
-constexpr int region_margin = 6;
-
 /** @brief The cells between two stretches of ceiling eight cells apart or less, two of
  * a narrow beam and on each side three that its riser may be spread over by noise;
  * beside the wall above a window, ceiling is on one side only. */
 CellMask
 betweenCeilings(const SliceScene& scene)
 {
-  constexpr double half_of_beam = 4; // cells
+  const double half_of_beam = scene.parameters.priors.riser_cells + 1;
   return eroded(dilated(scene.ceiling, half_of_beam), half_of_beam);
 }
 
@@ -42,13 +39,13 @@ meanAbove(const ColumnTable& columns, Cell cell, float low)
 /** @brief The cells of steps between undersides, see cellsOfDrops(): those lower than
  * the tolerance, too, and slopes, as from a cove to the head of a window. */
 CellMask
-stepsBetween(const Tops& tops)
+stepsBetween(const Tops& tops, const Priors& priors)
 {
   const CellSet cells = tops.undersides.toSet();
   std::vector<double> heights;
   for (std::size_t i = 0; i < cells.size(); ++i)
     heights.push_back(tops.mean[tops.undersides.indexOf(cells[i])]);
-  const std::vector<std::uint8_t> edges = cellsOfDrops(cells, heights, 1);
+  const std::vector<std::uint8_t> edges = cellsOfDrops(cells, heights, 1, priors);
   CellMask steps(tops.undersides.box());
   for (std::size_t i = 0; i < cells.size(); ++i)
     steps.set(cells[i], edges[i]);
@@ -105,9 +102,11 @@ dropSmall(std::size_t least_cells, std::int32_t count, std::vector<std::int32_t>
 /** @brief Gives the undersides without a label, those of steps and what little is
  * between them, the one beside them that is nearest in height. */
 void
-labelSteps(const Tops& tops, double tolerance, std::vector<std::int32_t>& label)
+labelSteps(const Tops& tops,
+           double tolerance,
+           int reach,
+           std::vector<std::int32_t>& label)
 {
-  constexpr int reach = 3; // cells
   const CellMask& steps = tops.undersides;
   const std::vector<std::int32_t> beside = label;
   for (std::size_t i = 0; i < label.size(); ++i) {
@@ -156,14 +155,15 @@ std::vector<CellMask>
 regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
 {
   constexpr double least_parted = 0.15; // square metres
+  const Priors& priors = scene.parameters.priors;
   const double cell = scene.parameters.cell_size;
   const double tolerance = scene.parameters.tolerance;
-  const CellMask steps = stepsBetween(tops);
+  const CellMask steps = stepsBetween(tops, priors);
   std::vector<std::int32_t> label(tops.height.size(), -1);
   std::int32_t count =
       labelHeights(tops, subtract(tops.undersides, steps), tolerance, 0, label);
   dropSmall(static_cast<std::size_t>(least_parted / (cell * cell)), count, label);
-  labelSteps(tops, tolerance, label);
+  labelSteps(tops, tolerance, static_cast<int>(priors.riser_cells), label);
   count = labelHeights(tops, tops.undersides, tolerance, count, label);
   std::vector<std::vector<CellKey>> keys(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < label.size(); ++i)
@@ -175,7 +175,8 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
     if (k.size() < scene.parameters.minimum_cells)
       continue;
     const CellSet cells(std::move(k));
-    regions.push_back(CellMask(cells, grown(boxOf(cells), region_margin)));
+    regions.push_back(
+        CellMask(cells, grown(boxOf(cells), stepReach(scene.parameters.priors))));
   }
   return regions;
 }

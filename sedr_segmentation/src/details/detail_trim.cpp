@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_trim.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "../curves/loop_difference.h"
 #include "../curves/plan_curve.h"
 
@@ -14,17 +16,15 @@ namespace sedr {
 
 namespace {
 
-constexpr double slack = 0.001; // metres
-
 /** @brief Whether a corner of a loop lies beyond a boundary, or a stretch of the
  * boundary within the loop. */
 bool
 reachesOut(const PlanLoop& loop, const PlanLoop& boundary)
 {
   const auto isOff = [](const PlanLoop& other, const Eigen::Vector2d& p) {
-    return other.distance(p) > slack;
+    return other.distance(p) > same_line;
   };
-  const std::vector<Eigen::Vector2d> corners = loop.polygon(slack);
+  const std::vector<Eigen::Vector2d> corners = loop.polygon(same_line);
   const std::vector<PlanElement> crossed = partsInside(loop, boundary).second;
   return std::any_of(corners.begin(), corners.end(),
                      [&](const Eigen::Vector2d& p) {
@@ -41,12 +41,13 @@ linesAlong(const PlanElement& side, const PlanLoop& boundary)
 {
   std::vector<PlanCurve> lines;
   for (const PlanElement& e : boundary.elements) {
-    if (side.isArc() || e.isArc() || !(e.length() > slack))
+    if (side.isArc() || e.isArc() || !(e.length() > same_line))
       continue;
     const PlanCurve line = carrierOf(e);
-    if (line.distance(side.start) <= slack && line.distance(side.end) <= slack &&
+    if (line.distance(side.start) <= same_line &&
+        line.distance(side.end) <= same_line &&
         std::min({e.distance(side.start), e.distance(side.end), side.distance(e.start),
-                  side.distance(e.end)}) <= slack)
+                  side.distance(e.end)}) <= same_line)
       lines.push_back(line);
   }
   return lines;
@@ -69,7 +70,7 @@ snapped(PlanLoop loop, const PlanLoop& boundary)
         (first.empty() ? second : first).front().project(were[i].start);
     if (!first.empty() && !second.empty())
       for (const auto& crossing : intersections(first.front(), second.front()))
-        if ((crossing - were[i].start).norm() <= 2 * slack)
+        if ((crossing - were[i].start).norm() <= 2 * same_line)
           corner = crossing;
     elements[before].end = elements[i].start = corner;
   }
@@ -81,18 +82,17 @@ snapped(PlanLoop loop, const PlanLoop& boundary)
 std::vector<PlanLoop>
 within(const PlanLoop& loop, const PlanLoop& boundary)
 {
-  constexpr double exactness = 1e-6; // square metres
   std::vector<PlanLoop> inside = intersection(loop, boundary);
   double missing = loop.area();
   for (const auto& part : inside)
     missing -= part.area();
   for (const auto& part : difference(loop, boundary))
     missing -= part.area();
-  if (std::abs(missing) > exactness)
+  if (std::abs(missing) > same_place) // square metres
     return {loop};
   inside.erase(std::remove_if(inside.begin(), inside.end(),
                               [](const PlanLoop& part) {
-                                return 2 * part.area() < slack * part.length();
+                                return 2 * part.area() < same_line * part.length();
                               }),
                inside.end());
   return inside;

@@ -83,7 +83,7 @@ analyseSlices(const SliceInput& input,
     return "of " + std::to_string(input.ceiling->size()) + " ceiling points " +
            std::to_string(ceiling.size()) + " are finite, of the floor's " +
            std::to_string(floor.size());
-  constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
+  const double maximum_tilt = radians(parameters.priors.max_slab_tilt);
   const PlanSlab slab = findSlab(input.points, ceiling, parameters.tolerance,
                                  maximum_tilt, input.seed, parameters.threads);
   double floor_height = input.floor_height;

@@ -3,6 +3,7 @@
 
 #include "../levels/level_relief.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
@@ -16,11 +17,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief What is less than this apart may be one uneven surface, metres. */
-constexpr double shallow_step = 0.06;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /** @brief The points of a cell, over the main slab, metres. */
 struct CellHeights {
@@ -46,7 +42,7 @@ noteRelief(const PointView& points,
            const CellGrid& grid,
            HeightMap& map)
 {
-  constexpr double most_spread = 0.1; // more is a riser
+  const double most_spread = map.priors.surface_band; // more is a riser
   const CellMask& room = map.room;
   std::vector<CellHeights> seen(room.values().size());
   for (const auto* indices : {&evidence.main, &evidence.details})
@@ -64,7 +60,7 @@ noteRelief(const PointView& points,
                           ? of_cell.sum / of_cell.count
                           : unknown);
   }
-  const std::vector<std::uint8_t> edges = cellsOfSteps(cells, heights, 1);
+  const std::vector<std::uint8_t> edges = cellsOfSteps(cells, heights, 1, map.priors);
   const std::vector<double> smooth = smoothRelief(cells, heights, 1);
   map.relief.assign(seen.size(), unknown);
   std::vector<std::uint8_t> steps(seen.size(), 0);
@@ -94,7 +90,7 @@ using CellPair = std::pair<std::size_t, std::size_t>;
 std::vector<std::int32_t>
 grownLabels(const HeightMap& map)
 {
-  constexpr int reach = 3; // cells
+  const auto reach = static_cast<int>(map.priors.riser_cells);
   std::vector<std::int32_t> label = map.label;
   growLabels(map.room, reach, label);
   return label;
@@ -179,8 +175,8 @@ private:
     const Eigen::Vector2d place = grid_.centre(map_.room.cellAt(i));
     const double drop =
         std::abs(map_.slabOf(a).heightAt(place) - map_.slabOf(b).heightAt(place));
-    const bool is_bend =
-        !steps_[i] && !steps_[j] && (drop < shallow_step || 2 * rise < drop);
+    const bool is_bend = !steps_[i] && !steps_[j] &&
+                         (drop < map_.priors.min_floor_step || 2 * rise < drop);
     for (const auto& [from, other] : {std::pair{a, b}, std::pair{b, a}}) {
       Meeting& meeting = meetings_[static_cast<std::size_t>(from)][other];
       meeting.cells += 1;
@@ -201,12 +197,12 @@ private:
 /** @brief The label that a sliver goes to: that a good part of it borders on, without a
  * step, and that is nearest in height; -1 if none is near. */
 std::int32_t
-besideSliver(const std::map<std::int32_t, Meeting>& meetings)
+besideSliver(const std::map<std::int32_t, Meeting>& meetings, const Priors& priors)
 {
   double around = 0;
   for (const auto& [other, meeting] : meetings)
     around += meeting.cells;
-  double least = shallow_step;
+  double least = priors.min_floor_step;
   std::int32_t beside = -1;
   for (const auto& [other, meeting] : meetings) {
     const double drop = meeting.drop / meeting.cells;
@@ -225,7 +221,6 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
             const CellGrid& grid,
             HeightMap& map)
 {
-  constexpr double widest = 1.0; // square metres
   // Where labels grow to does not depend on what they are: joined ones stay there.
   LabelMeetings meetings(map, grid, steps, grownLabels(map));
   std::vector<double> area(map.details.size() + 1, 0);
@@ -236,11 +231,12 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
   std::iota(now.begin(), now.end(), 0);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    double least = widest;
+    double least = map.priors.min_slab_area;
     std::pair<std::int32_t, std::int32_t> join;
     for (std::size_t l = 1; l < area.size(); ++l) {
-      const std::int32_t beside =
-          area[l] > 0 && area[l] < least ? besideSliver(meetings.all()[l]) : -1;
+      const std::int32_t beside = area[l] > 0 && area[l] < least
+                                      ? besideSliver(meetings.all()[l], map.priors)
+                                      : -1;
       if (beside < 0)
         continue;
       least = area[l];

@@ -15,27 +15,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief Smallest part of a floor at a height of its own, square metres. */
-constexpr double least_floor_area = 1.0;
-
-/** @brief Least height of it: lower ones are rugs, metres. */
-constexpr double least_floor_step = 0.06;
-
-/** @brief What is less than this below a ceiling and smaller than that is a lamp or a
- * panel, metres and square metres. What is above it is a coffer: nothing hangs there.
- */
-constexpr double shallow_ceiling_step = 0.06;
-constexpr double least_shallow_area = 1.0;
-
-/** @brief Least width of a recess of a ceiling, metres: between closer ribs the ceiling
- * is uneven. */
-constexpr double least_recess = 0.3;
-
-/** @brief What is lower than the ceiling all around it and smaller than that hangs
- * there, square metres. */
-constexpr double least_island_area = 1.0;
-constexpr double lamp_clearance = 0.15; ///< metres, from walls
-
 /** @brief The levels among the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
@@ -48,6 +27,7 @@ detailLevels(const PointView& points,
   p.minimum_area = parameters.minimum_detail_area;
   p.seed = parameters.loop.seed;
   p.threads = parameters.threads;
+  p.priors = parameters.loop.priors;
   return findLevels(points, evidence.details, p);
 }
 
@@ -73,7 +53,7 @@ detailSlab(const PointView& points,
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
       fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
-  constexpr double least_width = 1.0;
+  const double least_width = parameters.loop.priors.short_wall;
   const bool is_wide =
       eroded(cells, cellsFor(least_width / 2, grid.size())).count() > 0;
   const bool is_clear =
@@ -90,12 +70,13 @@ isLamp(const CellMask& region,
        double height,
        const CellMask& main,
        const CellMask& room,
-       double cell_size)
+       double cell_size,
+       const Priors& priors)
 {
-  if (height >= 0 ||
-      static_cast<double>(region.count()) * cell_size * cell_size >= least_island_area)
+  if (height >= 0 || static_cast<double>(region.count()) * cell_size * cell_size >=
+                         priors.min_slab_area)
     return false;
-  const CellMask near = dilated(region, cellsFor(lamp_clearance, cell_size, 2));
+  const CellMask near = dilated(region, cellsFor(priors.lamp_clearance, cell_size, 2));
   const CellMask rim = subtract(near, dilated(region, 1));
   return subtract(near, room).count() == 0 &&
          10 * intersect(rim, main).count() >= 8 * rim.count();
@@ -179,7 +160,8 @@ withFieldsOfMain(const PointView& points,
     return evidence; // most have none: levels need not be looked for
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     const CellMask cells(level.cells, boxOf(level.cells));
-    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >= least_step)
+    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >=
+        parameters.loop.priors.min_ceiling_step)
       continue;
     const auto first_of_main =
         std::stable_partition(details.begin(), details.end(), [&](int i) {
@@ -200,12 +182,15 @@ seenHeights(const PointView& points,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
+  const Priors& priors = parameters.loop.priors;
   // Furniture leaves small and thin pieces at the heights of a floor.
   const double least_area =
-      evidence.is_floor ? least_floor_area : parameters.minimum_detail_area;
-  const double step = evidence.is_floor ? least_floor_step : least_step;
+      evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area;
+  const double step =
+      evidence.is_floor ? priors.min_floor_step : priors.min_ceiling_step;
   const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
   HeightMap map;
+  map.priors = priors;
   map.room = room;
   map.label.assign(room.values().size(), -1);
   map.main = main_slab;
@@ -223,15 +208,15 @@ seenHeights(const PointView& points,
     const double height = std::abs(over);
     if (height < step)
       continue;
-    const auto enough =
-        static_cast<std::size_t>(over < 0 && height < shallow_ceiling_step
-                                     ? least_shallow_area / (grid.size() * grid.size())
-                                     : 0);
+    const auto enough = static_cast<std::size_t>(
+        over < 0 && height < priors.min_floor_step
+            ? priors.min_slab_area / (grid.size() * grid.size())
+            : 0);
     cells = subtract(eroded(dilated(cells, 2), 2), main);
     const bool is_recess = !evidence.is_floor && over > 0;
     const double opening = evidence.is_floor ? 2
-                           : is_recess       ? cellsFor(least_recess / 2, grid.size())
-                                             : 1;
+                           : is_recess ? cellsFor(priors.min_recess / 2, grid.size())
+                                       : 1;
     const CellMask wide = dilated(eroded(cells, opening), opening + 1);
     cells = intersect(cells, is_recess ? wide : unite(wide, beams));
     const MaskRegions regions = labelRegions(cells, true);
@@ -239,7 +224,7 @@ seenHeights(const PointView& points,
       if (regions.sizes[r] < std::max(least, enough))
         continue;
       const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
-      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size()))
+      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size(), priors))
         continue;
       addFields(points, evidence, main_slab, level, region, least, parameters, map);
     }

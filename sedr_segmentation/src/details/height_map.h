@@ -2,7 +2,9 @@
 #pragma once
 
 #include "detail_fit.h"
+
 #include "sedr_filters/src/grids/cell_mask.h"
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstdint>
 #include <set>
@@ -15,6 +17,7 @@ namespace sedr {
 /** @brief The height of every cell of a room: 0 the main slab, k the k-th detail, -1
  * none. */
 struct HeightMap {
+  Priors priors;
   CellMask room{CellBox{{0, 0}, {-1, -1}}};
   std::vector<std::int32_t> label;
   std::vector<std::int32_t> seen; ///< the labels of what was seen, -1 where filled
@@ -30,9 +33,6 @@ struct HeightMap {
     return of == 0 ? main : details[static_cast<std::size_t>(of - 1)];
   }
 };
-
-/** @brief A step of less than this between two heights is unevenness, metres. */
-constexpr double least_step = 0.03;
 
 /** @brief Mean height of a slab over the main one, above the cells of a mask. */
 double heightOverMain(const PlanSlab& main,

@@ -169,9 +169,8 @@ findSliceDetails(const PointView& points,
                  std::string& problem)
 {
   SliceDetails details;
-  // How far beyond the ceiling a detail may reach, metres; points farther away are not
-  // looked at.
-  constexpr double farthest_detail = 5;
+  // Points farther beyond the ceiling are not looked at.
+  const double farthest_detail = parameters.priors.max_soffit_reach;
   const CellGrid grid(parameters.cell_size);
   const CellSet ceiling_cells(grid, points, ceiling);
   const int margin = cellsFor(farthest_detail, grid.size());

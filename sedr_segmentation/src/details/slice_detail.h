@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 
 #include <string>

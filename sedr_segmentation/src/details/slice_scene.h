@@ -2,15 +2,12 @@
 #pragma once
 
 #include "../profiles/column_table.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "slice_detail.h"
 
 namespace pcl {
 namespace sedr {
-
-/** @brief A gap of more than this parts the runs of a column, metres: thrice a usual
- * voxel. */
-constexpr double run_gap = 0.15;
 
 /** @brief One room on the grid. */
 struct SliceScene {
@@ -26,7 +23,6 @@ struct SliceScene {
   template <typename See>
   void forEachCell(const See& see) const
   {
-    constexpr std::size_t cells_a_block = 8192;
     parallelBlocks(ceiling.values().size(), cells_a_block, parameters.threads,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t i = begin; i < end; ++i)

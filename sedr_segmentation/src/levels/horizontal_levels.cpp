@@ -248,7 +248,7 @@ findLevels(const LevelColumns& columns,
           !partLevel(columns, candidates, parameters, minimum_cells, draft))
         break;
     }
-    setStepsApart(columns, parameters.tolerance, draft);
+    setStepsApart(columns, parameters.tolerance, parameters.priors, draft);
     std::vector<std::size_t> own =
         nearPlane(columns, candidates, draft, parameters.tolerance);
     draft.cells = cellsOf(candidates, own, cells.size());

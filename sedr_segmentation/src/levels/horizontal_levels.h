@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
 #include <cmath>

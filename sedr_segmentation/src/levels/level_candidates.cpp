@@ -2,6 +2,7 @@
 #include "level_candidates.h"
 
 #include "../profiles/ceiling_gap.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -11,12 +12,6 @@
 
 namespace pcl {
 namespace sedr {
-
-namespace {
-
-constexpr double rounding = 1e-4; // metres
-
-} // namespace
 
 CellSet
 markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
@@ -60,8 +55,8 @@ ColumnStretch
 StretchesNear::operator()(std::size_t cell) const
 {
   const double height = slab_.heightAt(columns_.grid().centre(columns_.cells()[cell]));
-  const double from = height + low_ - rise_ - rounding;
-  const double to = height + high_ + rise_ + rounding;
+  const double from = height + low_ - rise_ - same_corner;
+  const double to = height + high_ + rise_ + same_corner;
   const float* const all = columns_.heights().data();
   const float* first = all + columns_.first(cell);
   const float* last = all + columns_.last(cell);
@@ -84,8 +79,8 @@ heightsNear(const LevelColumns& columns, const PlanSlab& slab, double reach)
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-  return {lowest - reach / slab.plane[2] - rounding,
-          highest + reach / slab.plane[2] + rounding};
+  return {lowest - reach / slab.plane[2] - same_corner,
+          highest + reach / slab.plane[2] + same_corner};
 }
 
 HeightStretch
@@ -110,7 +105,6 @@ columnsThatGoOn(const LevelColumns& columns,
                 double direction,
                 double tolerance)
 {
-  constexpr std::size_t cells_a_block = 4096;
   constexpr std::uint8_t away = 1;
   constexpr std::uint8_t close = 2;
   constexpr std::uint8_t joined = 4;

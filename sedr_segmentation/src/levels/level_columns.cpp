@@ -4,6 +4,7 @@
 #include "../profiles/column_order.h"
 #include "level_candidates.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/digit_sort.h"
 
@@ -154,7 +155,6 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices)
         return Candidate{indices[k], cell, p.x(), p.y(), p.z()};
       },
       isLower);
-  constexpr std::size_t points_a_block = 65536;
   heights_.resize(all_.size());
   parallelBlocks(all_.size(), points_a_block, threads_,
                  [&](std::size_t begin, std::size_t end) {
@@ -166,7 +166,6 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices)
 void
 LevelColumns::leaveOutWalls(double tolerance)
 {
-  constexpr std::size_t cells_a_block = 4096;
   const auto near = static_cast<float>(tolerance);
   const auto far = static_cast<float>(3 * tolerance);
   std::vector<std::vector<Candidate>> blocks(cells_.size() / cells_a_block + 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_contrast.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -13,8 +14,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr std::size_t cells_of_a_thread = 4096;
 
 /** @brief Points at a slab and beside it. */
 struct Contrast {
@@ -31,9 +30,9 @@ contrastOf(const LevelColumns& columns,
            double tolerance)
 {
   const StretchesNear stretchOf(columns, slab, -2 * tolerance, 2 * tolerance);
-  std::vector<Contrast> parts(weights.size() / cells_of_a_thread + 1);
+  std::vector<Contrast> parts(weights.size() / cells_a_block + 1);
   const auto look = [&](std::size_t begin, std::size_t end) {
-    Contrast& contrast = parts[begin / cells_of_a_thread];
+    Contrast& contrast = parts[begin / cells_a_block];
     for (std::size_t cell = begin; cell < end; ++cell) {
       const std::size_t weight = weights[cell];
       if (weight == 0)
@@ -47,7 +46,7 @@ contrastOf(const LevelColumns& columns,
       }
     }
   };
-  parallelBlocks(weights.size(), cells_of_a_thread, columns.threads(), look);
+  parallelBlocks(weights.size(), cells_a_block, columns.threads(), look);
   Contrast contrast;
   for (const Contrast& part : parts) {
     contrast.at_slab += part.at_slab;

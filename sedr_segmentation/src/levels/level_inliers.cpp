@@ -4,6 +4,7 @@
 
 #include "horizontal_levels.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/digit_sort.h"
@@ -25,7 +26,6 @@ ownLevels(const std::vector<Level>& levels,
           const LevelColumns& columns,
           const LevelParameters& parameters)
 {
-  constexpr std::size_t points_a_block = 16384;
   const double tolerance = parameters.tolerance;
   const std::vector<Candidate>& all = columns.all();
   std::vector<std::size_t> own(all.size(), levels.size());
@@ -88,9 +88,10 @@ cellsLeftOut(const LevelColumns& columns,
 void
 takeInliers(const LevelColumns& columns,
             const std::vector<std::size_t>& own,
-            double tolerance,
+            const LevelParameters& parameters,
             Level& level)
 {
+  const double tolerance = parameters.tolerance;
   const std::vector<Candidate>& all = columns.all();
   const CellSet& cells = columns.cells();
   std::vector<std::uint8_t> asked(cells.size(), 0);
@@ -99,7 +100,7 @@ takeInliers(const LevelColumns& columns,
   const std::vector<std::uint8_t> left_out =
       cellsLeftOut(columns, asked, tolerance, level);
   // Cells with points on the plane itself, and cells with points near it only.
-  const double on_plane = noiseOf(level.slab, tolerance);
+  const double on_plane = noiseOf(level.slab, tolerance, parameters.priors);
   std::vector<std::uint8_t> on(cells.size(), 0);
   for (const std::size_t k : own)
     if (!left_out[all[k].cell] &&
@@ -140,7 +141,7 @@ collectInliers(std::vector<Level>& levels,
   for (std::size_t k = 0; k < level_of.size(); ++k)
     own[level_of[k]].push_back(k);
   parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
-    takeInliers(columns, own[l], parameters.tolerance, levels[l]);
+    takeInliers(columns, own[l], parameters, levels[l]);
   });
 }
 

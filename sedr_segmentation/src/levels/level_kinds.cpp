@@ -11,15 +11,19 @@ namespace sedr {
 
 namespace {
 
-/** @brief Square cells of the classification, coarse enough to bridge what furniture
- * hides. */
-constexpr double coarse_cell = 0.2;
+/** @brief The grid of the classification, coarse enough to bridge what furniture hides.
+ */
+CellGrid
+coarseGrid(const LevelParameters& parameters)
+{
+  return CellGrid(std::max(parameters.priors.coarse_cell, parameters.cell_size));
+}
 
 CellSet
-coarsened(const CellSet& cells, double cell_size)
+coarsened(const CellSet& cells, const LevelParameters& parameters)
 {
-  const CellGrid fine(cell_size);
-  const CellGrid coarse(std::max(coarse_cell, cell_size));
+  const CellGrid fine(parameters.cell_size);
+  const CellGrid coarse = coarseGrid(parameters);
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Eigen::Vector2d c = fine.centre(cells[i]);
@@ -30,9 +34,9 @@ coarsened(const CellSet& cells, double cell_size)
 
 /** @brief Height of a level above the middle of a coarse cell. */
 double
-heightAt(const Level& level, Cell cell, double cell_size)
+heightAt(const Level& level, Cell cell, const LevelParameters& parameters)
 {
-  return level.slab.heightAt(CellGrid(std::max(coarse_cell, cell_size)).centre(cell));
+  return level.slab.heightAt(coarseGrid(parameters).centre(cell));
 }
 
 /** @brief Share of the cells of `region` that level `f` covers at least a room's height
@@ -48,8 +52,8 @@ shareBelow(const std::vector<Level>& levels,
   std::size_t covered = 0;
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Cell cell = region[i];
-    const double gap = heightAt(levels[ceiling], cell, parameters.cell_size) -
-                       heightAt(levels[f], cell, parameters.cell_size);
+    const double gap = heightAt(levels[ceiling], cell, parameters) -
+                       heightAt(levels[f], cell, parameters);
     if (gap >= parameters.minimum_room_height && coarse_f.contains(cell))
       ++covered;
   }
@@ -68,11 +72,11 @@ shareOnTop(const std::vector<Level>& levels,
   std::size_t topmost = 0;
   for (std::size_t i = 0; i < coarse[of].size(); ++i) {
     const Cell cell = coarse[of][i];
-    const double height = heightAt(levels[of], cell, parameters.cell_size);
+    const double height = heightAt(levels[of], cell, parameters);
     bool is_top = true;
     for (std::size_t other = 0; other < levels.size() && is_top; ++other)
       is_top = other == of || !coarse[other].contains(cell) ||
-               heightAt(levels[other], cell, parameters.cell_size) <=
+               heightAt(levels[other], cell, parameters) <=
                    height + 2 * parameters.tolerance;
     topmost += is_top ? 1 : 0;
   }
@@ -122,8 +126,7 @@ ceilingsWithin(const std::vector<Level>& levels,
   for (const CellSet& region : connectedRegions(levels[level].cells)) {
     if (static_cast<double>(region.size()) * cell_area >= parameters.minimum_area &&
         isOpenAbove(levels, level, region, parameters) &&
-        isHigh(levels, coarse, level, coarsened(region, parameters.cell_size),
-               parameters))
+        isHigh(levels, coarse, level, coarsened(region, parameters), parameters))
       found = unite(found, region);
   }
   return found;
@@ -168,7 +171,7 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
     if (static_cast<double>(cells.size()) * cell_area < parameters.minimum_area)
       continue;
     CeilingRegion region;
-    region.coarse = coarsened(cells, parameters.cell_size);
+    region.coarse = coarsened(cells, parameters);
     std::size_t most = 0;
     for (std::size_t l = 0; l < levels.size(); ++l) {
       const std::size_t shared = levels[l].kind == LevelKind::Ceiling
@@ -212,7 +215,7 @@ classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
 {
   std::vector<CellSet> coarse(levels.size());
   parallelBlocks(levels.size(), 1, parameters.threads, [&](std::size_t l, std::size_t) {
-    coarse[l] = coarsened(levels[l].cells, parameters.cell_size);
+    coarse[l] = coarsened(levels[l].cells, parameters);
     levels[l].kind = LevelKind::Other;
   });
   std::vector<CeilingPart> ceilings(levels.size());

@@ -2,6 +2,7 @@
 #include "level_parting.h"
 #include "level_region_fit.h"
 
+#include "level_relief.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
@@ -55,12 +56,11 @@ leastStep(const LevelRegion& region,
           const std::vector<const LevelRegion*>& stay,
           const LevelParameters& parameters)
 {
-  constexpr double lowest_step = 0.015;
   const bool is_beside = std::any_of(
       region.beyond_steps.begin(), region.beyond_steps.end(), [&](std::size_t r) {
         return std::find(stay.begin(), stay.end(), &regions[r]) != stay.end();
       });
-  return is_beside ? std::min(lowest_step, parameters.least_step)
+  return is_beside ? std::min(parameters.priors.slab_noise, parameters.least_step)
                    : parameters.least_step;
 }
 
@@ -87,9 +87,9 @@ edgesOf(const LevelColumns& columns,
         const std::vector<std::uint8_t>& kept,
         const LevelRelief& relief,
         const PlanSlab& was,
-        const PlanSlab& slab)
+        const PlanSlab& slab,
+        int reach)
 {
-  constexpr int reach = 6; // cells
   const CellSet& cells = columns.cells();
   std::vector<const PlanSlab*> slab_of(cells.size(), nullptr);
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -161,8 +161,10 @@ partLevel(const LevelColumns& columns,
     return false;
   for (const LevelRegion* region : others)
     setApart(cells, region->cells, kept, relief.edges, draft.apart);
-  setApart(cells, edgesOf(columns, others, kept, relief, draft.slab, slab), kept,
-           relief.edges, draft.apart);
+  setApart(cells,
+           edgesOf(columns, others, kept, relief, draft.slab, slab,
+                   stepReach(parameters.priors)),
+           kept, relief.edges, draft.apart);
   draft.slab = slab;
   return true;
 }

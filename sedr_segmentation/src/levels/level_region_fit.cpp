@@ -73,13 +73,13 @@ unevennessOf(const Positions& points, const PlanSlab& slab)
   return squares / std::max(1.0, static_cast<double>(points.size()));
 }
 
-/** @brief The different numbers of the cells up to six away, those of none left out. */
+/** @brief The different numbers of the cells within reach, those of none left out. */
 std::vector<std::size_t>
 numbersAround(const CellSet& cells,
               std::size_t at,
-              const std::vector<std::size_t>& number_of)
+              const std::vector<std::size_t>& number_of,
+              int reach)
 {
-  constexpr int reach = 6;
   std::vector<std::size_t> numbers;
   forEachAround(cells, cells[at], reach, [&](std::size_t i) {
     if (number_of[i] != CellSet::npos &&
@@ -93,9 +93,10 @@ numbersAround(const CellSet& cells,
 void
 findStepsBetween(const CellSet& cells,
                  const std::vector<std::uint8_t>& edges,
+                 const Priors& priors,
                  std::vector<LevelRegion>& regions)
 {
-  constexpr std::size_t least_edge = 10; // cells
+  const auto least_edge = static_cast<std::size_t>(priors.min_points); // cells
   std::vector<std::size_t> region_of(cells.size(), CellSet::npos);
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const std::size_t i : regions[r].cells)
@@ -104,7 +105,8 @@ findStepsBetween(const CellSet& cells,
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!edges[i])
       continue;
-    const std::vector<std::size_t> beside = numbersAround(cells, i, region_of);
+    const std::vector<std::size_t> beside =
+        numbersAround(cells, i, region_of, stepReach(priors));
     for (const std::size_t a : beside)
       for (const std::size_t b : beside)
         if (a != b)
@@ -119,7 +121,8 @@ findStepsBetween(const CellSet& cells,
 std::vector<LevelRegion>
 partedRegions(const CellSet& cells,
               const LevelRelief& relief,
-              std::size_t minimum_cells)
+              std::size_t minimum_cells,
+              const Priors& priors)
 {
   std::vector<std::uint8_t> within(cells.size(), 0);
   for (std::size_t i = 0; i < within.size(); ++i)
@@ -129,7 +132,7 @@ partedRegions(const CellSet& cells,
     regions.emplace_back();
     regions.back().cells = std::move(region);
   }
-  findStepsBetween(cells, relief.edges, regions);
+  findStepsBetween(cells, relief.edges, priors, regions);
   return regions;
 }
 
@@ -210,7 +213,8 @@ reliefAround(const LevelColumns& columns,
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (!clear[i])
       relief.heights[i] = std::numeric_limits<double>::quiet_NaN();
-  relief.edges = cellsOfSteps(cells, relief.heights, parameters.threads);
+  relief.edges =
+      cellsOfSteps(cells, relief.heights, parameters.threads, parameters.priors);
   return relief;
 }
 
@@ -223,7 +227,7 @@ fittedRegions(const LevelColumns& columns,
               std::size_t minimum_cells)
 {
   std::vector<LevelRegion> regions =
-      partedRegions(columns.cells(), relief, minimum_cells);
+      partedRegions(columns.cells(), relief, minimum_cells, parameters.priors);
   findPoints(columns, candidates, relief, parameters.tolerance, slab, regions);
   parallelBlocks(
       regions.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {

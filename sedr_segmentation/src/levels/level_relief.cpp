@@ -2,6 +2,7 @@
 #include "level_relief.h"
 #include "relief_window.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
@@ -15,9 +16,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t cells_a_block = 4096;
 
 /** @brief The relief around a cell, up to four cells away. */
 class Surroundings {
@@ -44,11 +42,10 @@ public:
 
   /** @brief Whether a step is there at once: of what slopes, the two cells on either
    * side of the middle differ by no more than three fifths of the whole. */
-  bool isSharp(double step, bool along_x) const
+  bool isSharp(double step, bool along_x, const Priors& priors) const
   {
-    constexpr double least_share = 0.8;
-    constexpr std::size_t least = 3;
-    return difference(along_x, 2, 1, least, 0) / step >= least_share;
+    const auto least = static_cast<std::size_t>(priors.min_evidence);
+    return difference(along_x, 2, 1, least, 0) / step >= priors.share_most;
   }
 
 private:
@@ -140,9 +137,11 @@ enum : std::uint8_t { none = 0, edge = 1, sharp_edge = 2 };
 /** @brief Whether one in ten of the edge cells about a cell is sharp. A slope has edge
  * cells alone, and noise makes few of them sharp. */
 bool
-isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_t at)
+isOfStep(const CellSet& cells,
+         const std::vector<std::uint8_t>& kind,
+         std::size_t at,
+         int reach)
 {
-  constexpr int reach = 6;
   constexpr int least_share = 10; // one in so many
   std::array<int, 3> count{};
   forEachAround(cells, cells[at], reach, [&](std::size_t i) { ++count[kind[i]]; });
@@ -151,11 +150,13 @@ isOfStep(const CellSet& cells, const std::vector<std::uint8_t>& kind, std::size_
 
 /** @brief The kind of each cell: whether a drop is across it, and a sharp one. */
 std::vector<std::uint8_t>
-edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+edgeKinds(const CellSet& cells,
+          const std::vector<double>& relief,
+          unsigned threads,
+          const Priors& priors)
 {
-  constexpr double least_step = 0.015;
   // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
-  const double step = std::max(least_step, 2 * noiseOfRelief(cells, relief));
+  const double step = std::max(priors.slab_noise, 2 * noiseOfRelief(cells, relief));
   const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
   std::vector<std::uint8_t> kind(relief.size(), none);
   parallelBlocks(
@@ -168,7 +169,7 @@ edgeKinds(const CellSet& cells, const std::vector<double>& relief, unsigned thre
             const double across = around.step(along_x, step);
             if (across != 0)
               kind[i] = std::max<std::uint8_t>(
-                  kind[i], around.isSharp(across, along_x) ? sharp_edge : edge);
+                  kind[i], around.isSharp(across, along_x, priors) ? sharp_edge : edge);
           }
         }
       });
@@ -232,24 +233,31 @@ smoothRelief(const CellSet& cells,
 }
 
 std::vector<std::uint8_t>
-cellsOfDrops(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+cellsOfDrops(const CellSet& cells,
+             const std::vector<double>& relief,
+             unsigned threads,
+             const Priors& priors)
 {
-  std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
+  std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads, priors);
   for (std::uint8_t& k : kind)
     k = k != none ? 1 : 0;
   return kind;
 }
 
 std::vector<std::uint8_t>
-cellsOfSteps(const CellSet& cells, const std::vector<double>& relief, unsigned threads)
+cellsOfSteps(const CellSet& cells,
+             const std::vector<double>& relief,
+             unsigned threads,
+             const Priors& priors)
 {
-  const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads);
+  const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads, priors);
+  const int reach = stepReach(priors);
   std::vector<std::uint8_t> edges(relief.size(), 0);
-  parallelBlocks(relief.size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     edges[i] = kind[i] != none && isOfStep(cells, kind, i) ? 1 : 0;
-                 });
+  parallelBlocks(
+      relief.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          edges[i] = kind[i] != none && isOfStep(cells, kind, i, reach) ? 1 : 0;
+      });
   return edges;
 }
 

@@ -3,6 +3,8 @@
 
 #include "level_candidates.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -35,14 +37,25 @@ std::vector<double> smoothRelief(const CellSet& cells,
 /** @brief Marks the cells of drops: where the middle means of what is on either side,
  * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
  * lets them. O(n); the same for any number of threads. */
-std::vector<std::uint8_t>
-cellsOfDrops(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+std::vector<std::uint8_t> cellsOfDrops(const CellSet& cells,
+                                       const std::vector<double>& relief,
+                                       unsigned threads,
+                                       const Priors& priors = {});
 
 /** @brief Marks the cells of steps: of drops of which four fifths are there within 10
  * cm, along one in ten of these cells. What bends or leans, however steep it is, has
  * none: three fifths of its height are. O(n); the same for any number of threads. */
-std::vector<std::uint8_t>
-cellsOfSteps(const CellSet& cells, const std::vector<double>& relief, unsigned threads);
+std::vector<std::uint8_t> cellsOfSteps(const CellSet& cells,
+                                       const std::vector<double>& relief,
+                                       unsigned threads,
+                                       const Priors& priors = {});
+
+/** @brief How far from a step what is beside it is looked for, cells. */
+inline int
+stepReach(const Priors& priors)
+{
+  return static_cast<int>(2 * priors.riser_cells);
+}
 
 } // namespace sedr
 } // namespace pcl

@@ -14,9 +14,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief What is nearer to a plane than this may be of it, metres. */
-constexpr double least_noise = 0.015;
-
 /** @brief Whether a cell on the plane lies within some cells. */
 bool
 isNearPlane(const CellSet& cells,
@@ -54,9 +51,9 @@ isStep(const CellSet& cells,
 } // namespace
 
 double
-noiseOf(const PlanSlab& slab, double tolerance)
+noiseOf(const PlanSlab& slab, double tolerance, const Priors& priors)
 {
-  return std::min(tolerance, std::max(4 * slab.residual, least_noise));
+  return std::min(tolerance, std::max(4 * slab.residual, priors.slab_noise));
 }
 
 CellSet
@@ -77,14 +74,17 @@ withoutFringes(const CellSet& cells)
 }
 
 void
-setStepsApart(const LevelColumns& columns, double tolerance, LevelDraft& draft)
+setStepsApart(const LevelColumns& columns,
+              double tolerance,
+              const Priors& priors,
+              LevelDraft& draft)
 {
   constexpr std::size_t least_cells = 60;
   const CellSet& cells = columns.cells();
   const double reach = 2 * tolerance;
   std::vector<double> relief = draft.relief;
-  const double noise =
-      std::min(tolerance, std::max(2 * noiseOfRelief(cells, relief), least_noise));
+  const double noise = std::min(
+      tolerance, std::max(2 * noiseOfRelief(cells, relief), priors.slab_noise));
   // Of what is about as far as that, the noise alone is within reach.
   for (double& height : relief)
     if (std::abs(height) > reach - noise)

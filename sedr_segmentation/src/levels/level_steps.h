@@ -3,6 +3,8 @@
 
 #include "level_parting.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -18,11 +20,14 @@ namespace sedr {
  * its own; a plane that is uneven leaves itself gradually. O(n).
  * @param columns all points
  * @param[in,out] draft with its plane and relief; gets the cells apart */
-void setStepsApart(const LevelColumns& columns, double tolerance, LevelDraft& draft);
+void setStepsApart(const LevelColumns& columns,
+                   double tolerance,
+                   const Priors& priors,
+                   LevelDraft& draft);
 
 /** @brief How far from a plane its own points are: four standard deviations, at least
  * 1.5 cm, at most the tolerance; metres. */
-double noiseOf(const PlanSlab& slab, double tolerance);
+double noiseOf(const PlanSlab& slab, double tolerance, const Priors& priors);
 
 /** @brief The cells of a set that lie in a block of five by five with more cells of the
  * set than a strip two cells wide has: an uneven part of a ceiling does, the last

@@ -2,6 +2,7 @@
 #include "link_fit.h"
 #include "../curves/main_directions.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ layBridges(LoopChain& chain)
         (chain.corners[i] + chain.corners[chain.after(i)]) / 2;
     const Eigen::Vector2d from = chain.links[chain.before(i)].curve.project(middle);
     const Eigen::Vector2d to = chain.links[chain.after(i)].curve.project(middle);
-    if ((to - from).norm() > 1e-6)
+    if ((to - from).norm() > same_place)
       link.curve = lineThrough(from, to);
   }
 }
@@ -47,14 +48,17 @@ layBridges(LoopChain& chain)
 /** @brief Sine of the angle between a line and the nearest of the directions of the
  * other lines of a chain. */
 double
-askew(const LoopChain& chain, std::size_t link, const PlanCurve& line)
+askew(const LoopChain& chain,
+      std::size_t link,
+      const PlanCurve& line,
+      const Priors& priors)
 {
   std::vector<DirectedLine> others;
   for (std::size_t i = 0; i < chain.size(); ++i)
     if (i != link && !chain.links[i].curve.isCircle() && !chain.links[i].is_bridge)
       others.push_back({chain.element(i).length(), chain.links[i].curve.direction});
   double least = 1;
-  for (const auto& direction : mainDirections(std::move(others)))
+  for (const auto& direction : mainDirections(std::move(others), priors))
     least = std::min(least, std::abs(leftOf(direction).dot(line.direction)));
   return least;
 }
@@ -65,9 +69,9 @@ double
 shareCovered(const PlanElement& element,
              const PlanCurve& curve,
              const std::vector<WeightedPoint>& points,
-             double tolerance)
+             double tolerance,
+             double part)
 {
-  constexpr double part = 0.05;
   const auto parts = static_cast<std::size_t>(std::ceil(element.length() / part));
   std::vector<std::uint8_t> is_covered(parts, 0);
   for (const auto& p : points) {
@@ -87,15 +91,18 @@ turnsAway(const LoopChain& chain,
           std::size_t link,
           const PlanCurve& line,
           const std::vector<WeightedPoint>& points,
-          double tolerance)
+          const LoopParameters& parameters)
 {
-  constexpr double least_share = 0.4;
+  const double tolerance = parameters.tolerance;
+  const Priors& priors = parameters.priors;
   const PlanElement was = chain.element(link);
   if (was.isArc() || line.isCircle() ||
       std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
     return false;
-  return shareCovered(was, line, points, tolerance) < least_share &&
-         askew(chain, link, line) > askew(chain, link, chain.links[link].curve);
+  return shareCovered(was, line, points, tolerance, priors.evidence_cell / 2) <
+             priors.share_part &&
+         askew(chain, link, line, priors) >
+             askew(chain, link, chain.links[link].curve, priors);
 }
 
 } // namespace
@@ -104,10 +111,12 @@ std::vector<WeightedPoint>
 pointsAlong(const LoopChain& chain,
             std::size_t i,
             const PlanPoints& evidence,
-            double tolerance)
+            const LoopParameters& parameters)
 {
-  constexpr double step = 0.05;
-  constexpr double corner_zone = 0.3;
+  const double tolerance = parameters.tolerance;
+  const double cell = parameters.priors.evidence_cell;
+  const double step = cell / 2;
+  const double corner_zone = 2 * parameters.priors.run_gap;
   const PlanElement e = chain.element(i);
   const PlanCurve& curve = chain.links[i].curve;
   struct Neighbour {
@@ -122,7 +131,7 @@ pointsAlong(const LoopChain& chain,
     neighbours.push_back(
         {link.curve, corner, sineBetween(curve, link.curve, corner) < 0.4});
   }
-  const double smooth_zone = std::min(0.1, e.length() / 4);
+  const double smooth_zone = std::min(cell, e.length() / 4);
   const auto isAtCorner = [&](const Eigen::Vector2d& p) {
     return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& n) {
       const double from_corner = (p - n.corner).norm();
@@ -157,7 +166,7 @@ refitLinks(LoopChain& chain,
     if (link.is_known)
       return;
     const std::vector<WeightedPoint> points =
-        pointsAlong(chain, i, evidence, parameters.tolerance);
+        pointsAlong(chain, i, evidence, parameters);
     if (points.size() < (link.is_bridge ? 10 : 5))
       return;
     fitted.links[i].is_bridge = false;
@@ -166,7 +175,7 @@ refitLinks(LoopChain& chain,
                 ? fitParallel(points, link.curve, parameters.tolerance)
                 : fitRobustly(points, link.curve, parameters.tolerance,
                               parameters.minimum_radius, parameters.maximum_radius);
-    if (turnsAway(chain, i, curve, points, parameters.tolerance))
+    if (turnsAway(chain, i, curve, points, parameters))
       curve = fitParallel(points, link.curve, parameters.tolerance);
     if (curve.direction.dot(link.curve.direction) < 0)
       curve.direction = -curve.direction;

@@ -13,7 +13,7 @@ namespace sedr {
 std::vector<WeightedPoint> pointsAlong(const LoopChain& chain,
                                        std::size_t i,
                                        const PlanPoints& evidence,
-                                       double tolerance);
+                                       const LoopParameters& parameters);
 
 /** @brief Fits every link to the evidence along it, away from its corners, and joins
  * them again. The chain stays where they no longer meet. */

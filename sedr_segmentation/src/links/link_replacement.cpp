@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link_replacement.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "loop_window.h"
 
 namespace pcl {
@@ -24,7 +26,7 @@ putLine(std::size_t i,
                   changed.corners[after]))
     return false;
   for (const std::size_t k : {before, i, after})
-    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+    if (!runsForward(changed.links[k], changed.element(k), same_corner))
       return false;
   chain = std::move(changed);
   return true;
@@ -48,7 +50,7 @@ dropLink(std::size_t i,
     return false;
   changed.corners[i] = changed.corners[after];
   for (const std::size_t k : {before, after})
-    if (!runsForward(changed.links[k], changed.element(k), 1e-4))
+    if (!runsForward(changed.links[k], changed.element(k), same_corner))
       return false;
   changed.links.erase(changed.links.begin() + static_cast<std::ptrdiff_t>(i));
   changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(i));

@@ -13,16 +13,18 @@ namespace {
 
 /** @brief Points along every link, for each metre. */
 std::vector<double>
-densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
+densitiesOf(const LoopChain& chain,
+            const PlanPoints& evidence,
+            const LoopParameters& parameters)
 {
-  constexpr double least_length = 0.01;
+  const double least_length = parameters.priors.evidence_cell / 10;
   std::vector<double> densities;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const double length = chain.element(i).length();
     densities.push_back(
         length < least_length
             ? 0
-            : static_cast<double>(pointsAlong(chain, i, evidence, tolerance).size()) /
+            : static_cast<double>(pointsAlong(chain, i, evidence, parameters).size()) /
                   length);
   }
   return densities;
@@ -31,9 +33,11 @@ densitiesOf(const LoopChain& chain, const PlanPoints& evidence, double tolerance
 } // namespace
 
 std::vector<double>
-sharesSeen(const LoopChain& chain, const PlanPoints& evidence, double tolerance)
+sharesSeen(const LoopChain& chain,
+           const PlanPoints& evidence,
+           const LoopParameters& parameters)
 {
-  const std::vector<double> densities = densitiesOf(chain, evidence, tolerance);
+  const std::vector<double> densities = densitiesOf(chain, evidence, parameters);
   std::vector<std::pair<double, double>> ordered; // and lengths
   double all = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -59,12 +63,12 @@ bool
 isSeenInPart(const LoopChain& chain,
              std::size_t i,
              const PlanPoints& evidence,
-             double tolerance)
+             const LoopParameters& parameters)
 {
-  constexpr double bin = 0.1; // metres
+  const double bin = parameters.priors.evidence_cell;
   const PlanElement e = chain.element(i);
   std::vector<bool> is_seen(static_cast<std::size_t>(e.length() / bin) + 1, false);
-  for (const WeightedPoint& p : pointsAlong(chain, i, evidence, tolerance))
+  for (const WeightedPoint& p : pointsAlong(chain, i, evidence, parameters))
     is_seen[static_cast<std::size_t>(
         std::clamp(e.project(p.position), 0.0, e.length()) / bin)] = true;
   const auto seen = std::count(is_seen.begin(), is_seen.end(), true);

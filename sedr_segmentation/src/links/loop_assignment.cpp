@@ -3,6 +3,7 @@
 
 #include "wall_stretch.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -19,30 +20,30 @@ const double least_cosine = std::cos(35.0 * M_PI / 180.0);
 
 /** @brief The cost from which on it grows slowly only, in units of (half a tolerance)
  * squared: so far off, a sample is an outlier. */
-constexpr double outlier_cost = 9;
-
-/** @brief What a sample costs beyond that on a curve that is far away, for each metre.
- */
-constexpr double cost_per_metre = 10;
-
-/** @brief What a change of curve costs. */
-constexpr double change_cost = 6;
+double
+outlierCost(const Priors& priors)
+{
+  return priors.sigmas * priors.sigmas;
+}
 
 /** @brief What a sample that no points support costs on a curve. The wall may be hidden
  * behind furniture, so that it runs outside of the contour, or an opening may have led
  * the contour astray, so that it runs inside: both are cheap over some tenths of a
  * metre, beyond which it is costly. */
 double
-costUnsupported(const ContourSample& sample, const PlanCurve& curve)
+costUnsupported(const ContourSample& sample,
+                const PlanCurve& curve,
+                const Priors& priors)
 {
-  constexpr double farthest_outside = 0.6;
-  constexpr double farthest_inside = 0.3;
+  const double farthest_outside = priors.max_wall;
+  const double farthest_inside = priors.max_wall / 2;
   const double inside =
       (curve.project(sample.place) - sample.place).dot(leftOf(sample.tangent));
   const double d = curve.distance(sample.place);
   const double excess = inside < 0 ? d / farthest_outside : d / farthest_inside;
   const double cheap = (inside < 0 ? 0.05 : 0.2) + 0.45 * excess;
-  return excess <= 1 ? cheap : sample.weight() * outlier_cost + cost_per_metre * d;
+  return excess <= 1 ? cheap
+                     : sample.weight() * outlierCost(priors) + priors.far_cost * d;
 }
 
 /** @brief Calls `see(i)` for each of `n` samples, on several threads. */
@@ -50,7 +51,7 @@ template <typename See>
 void
 forEachSample(std::size_t n, unsigned threads, See see)
 {
-  constexpr std::size_t samples_a_block = 64;
+
   parallelBlocks(n, samples_a_block, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       see(i);
@@ -131,7 +132,7 @@ CurveAssignment::judge(std::size_t i,
         std::abs(curves[c].tangentAt(sample.place).dot(sample.tangent));
     costs[c] = cosine < least_cosine ? sample.weight() : 0;
     if (!sample.isSupported())
-      costs[c] += costUnsupported(sample, curves[c]);
+      costs[c] += costUnsupported(sample, curves[c], parameters_.priors);
   }
   if (!sample.isSupported())
     return;
@@ -176,10 +177,12 @@ CurveAssignment::costSupported(const ContourSample& sample,
                                double most) const
 {
   // A curve that most of the points here are on lacks nothing.
-  constexpr double enough = 0.95;
+  const Priors& priors = parameters_.priors;
+  const double enough = 1 - priors.share_unseen;
+  const double outlier_cost = outlierCost(priors);
   const double far = curve.distance(sample.place) - reach();
   if (far > 0)
-    return sample.weight() * outlier_cost + cost_per_metre * far;
+    return sample.weight() * outlier_cost + priors.far_cost * far;
   const double lack = std::max(0.0, 1 - heard.count / (enough * most));
   const double squared = std::pow(heard.offset / (parameters_.tolerance / 2), 2);
   return sample.weight() * std::min(outlier_cost, squared + outlier_cost * lack);
@@ -210,10 +213,10 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
       std::size_t best = c;
       double least = cost[c];
       for (const std::size_t other : cheapest) {
-        if (cost[other] + change_cost >= least)
+        if (cost[other] + parameters_.priors.change_cost >= least)
           break;
-        const double changed =
-            cost[other] + change_cost + here.sideStep(other, c, parameters_.tolerance);
+        const double changed = cost[other] + parameters_.priors.change_cost +
+                               here.sideStep(other, c, parameters_.tolerance);
         if (changed < least) {
           least = changed;
           best = other;

@@ -8,13 +8,6 @@
 namespace pcl {
 namespace sedr {
 
-namespace {
-
-/** @brief Sine of the angle up to which two curves run alike. */
-constexpr double alike = 0.25;
-
-} // namespace
-
 double
 sineBetween(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& place)
 {
@@ -73,7 +66,7 @@ findCorner(const PlanCurve& a,
            Eigen::Vector2d& corner)
 {
   const double gap = (a.project(place) - b.project(place)).norm();
-  const bool run_alike = sineBetween(a, b, place) < alike;
+  const bool run_alike = sineBetween(a, b, place) < parameters.priors.smooth_joint;
   if (run_alike && gap > parameters.tolerance)
     return false;
   double nearest = corner_reaches * parameters.corner_reach;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../loop/loop_fit.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -92,15 +93,14 @@ private:
                  const std::vector<std::size_t>& open,
                  double least) const
   {
-    constexpr double most_weight = 1; // of a sample
-    constexpr double rounding = 1e-6; // of the sum
+    // No sample has a weight above 1.
     double sum = 0;
     auto left = static_cast<double>(open.size());
     for (const std::size_t i : open) {
       if (samples_[i].isSupported() || !curve.isCircle() || !is_seen_)
         sum += agreement(samples_[i], curve, parameters_);
       left -= 1;
-      if (sum + most_weight * left + rounding < least)
+      if (sum + left + same_place < least)
         break;
     }
     return sum;
@@ -214,7 +214,7 @@ findCurves(const std::vector<ContourSample>& samples,
   constexpr std::size_t most_curves = 120;
   // A circle must explain clearly more than a line, or straight walls would bend.
   constexpr double circle_advantage = 1.15;
-  constexpr double circle_surplus = 3;
+  const double circle_surplus = parameters.priors.min_evidence;
 
   std::vector<PlanCurve> curves = known;
   std::vector<std::size_t> open;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link_fit.h"
+
 #include "loop_window.h"
+#include "sedr_filters/src/base/exactness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +39,9 @@ fusionsOf(const LoopChain& chain,
 {
   std::vector<WeightedPoint> points;
   for (const std::size_t i : window.inner)
-    for (const auto& p : pointsAlong(chain, i, evidence, parameters.tolerance))
+    for (const auto& p : pointsAlong(chain, i, evidence, parameters))
       points.push_back(p);
-  if (points.size() < 10)
+  if (static_cast<double>(points.size()) < parameters.priors.min_points)
     return {};
   const Eigen::Vector2d from = window.path[1].start;
   const Eigen::Vector2d to = window.path[window.path.size() - 2].end;
@@ -118,7 +120,7 @@ tryFusion(LoopChain& chain,
     return false;
   const LoopLink& before = chain.links[window.before];
   const LoopLink& after = chain.links[window.after];
-  double best = cost.of(window.path, zone) - least_gain;
+  double best = cost.of(window.path, zone) - leastGain(parameters.priors);
   bool is_found = false;
   LoopLink fused;
   Eigen::Vector2d start;
@@ -136,8 +138,9 @@ tryFusion(LoopChain& chain,
         LoopChain::elementBetween(before, window.lead_in.start, from),
         LoopChain::elementBetween(link, from, to),
         LoopChain::elementBetween(after, to, window.lead_out.end)};
-    if (!runsForward(before, path[0], 1e-4) || !runsForward(link, path[1], 0.04) ||
-        !runsForward(after, path[2], 1e-4))
+    if (!runsForward(before, path[0], same_corner) ||
+        !runsForward(link, path[1], parameters.priors.min_wall) ||
+        !runsForward(after, path[2], same_corner))
       continue;
     const double c = cost.of(path, zone);
     if (c >= best)
@@ -148,7 +151,8 @@ tryFusion(LoopChain& chain,
     end = to;
     is_found = true;
   }
-  return is_found && replaceLinks(chain, window, {fused}, {start, end}, cost);
+  return is_found &&
+         replaceLinks(chain, window, {fused}, {start, end}, cost, parameters.priors);
 }
 
 } // namespace sedr

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_path_cost.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
@@ -92,9 +93,12 @@ PathCost::PathCost(const std::vector<ContourSample>& samples,
                    double noise,
                    const LoopParameters& parameters)
     : evidence_(evidence)
+    , priors_(parameters.priors)
     , directions_(directions)
     , others_(others)
-    , tolerance_(std::clamp(3 * noise, parameters.tolerance / 2, parameters.tolerance))
+    , tolerance_(std::clamp(parameters.priors.sigmas * noise,
+                            parameters.tolerance / 2,
+                            parameters.tolerance))
     , reach_(std::abs(parameters.expected_offset) + parameters.reach + 0.02)
     , density_(densityAlong(samples, parameters.evidence_span))
     , shown_(placesOf(samples, true))
@@ -138,7 +142,7 @@ PathCost::Zone
 PathCost::zoneAlong(const std::vector<PlanElement>& elements) const
 {
   constexpr std::size_t most_points = 20000; // of the whole loop
-  constexpr double stretch = 0.5;            // metres, looked along at a time
+  const double stretch = priors_.patch;      // looked along at a time
   const std::size_t step = evidence_.size() / most_points + 1;
   std::vector<std::size_t> indices;
   for (const auto& e : elements) {
@@ -165,7 +169,6 @@ PathCost::ofChange(const std::vector<PlanElement>& before,
                    const std::vector<PlanElement>& after,
                    const std::vector<PlanElement>& rest) const
 {
-  constexpr double exactness = 1e-12; // square metres
   std::vector<PlanElement> both = before;
   both.insert(both.end(), after.begin(), after.end());
   const Zone zone = zoneAlong(both);
@@ -180,7 +183,7 @@ PathCost::ofChange(const std::vector<PlanElement>& before,
   std::vector<Change> changes;
   for (const auto& p : zone.points) {
     const Change change{p, nearestOf(reaches_before, p), nearestOf(reaches_after, p)};
-    if (std::abs(change.before - change.after) > exactness)
+    if (std::abs(change.before - change.after) > same_place * same_place)
       changes.push_back(change);
   }
   double sum = 0;
@@ -232,20 +235,19 @@ PathCost::simplicity(const PlanElement& e) const
 {
   constexpr double same = 0.01; // radians
   if (e.isArc())
-    return per_arc;
+    return 3 * priors_.element_cost;
   const Eigen::Vector2d way = e.end - e.start;
   const bool is_aligned =
       std::any_of(directions_.begin(), directions_.end(), [&](const auto& d) {
         return std::abs(leftOf(d).dot(way)) <= same * way.norm();
       });
-  return is_aligned ? per_element : per_element + per_direction;
+  return (is_aligned ? 1 : 2) * priors_.element_cost;
 }
 
 double
 PathCost::unseen(const PlanElement& e, const Zone& zone) const
 {
-  constexpr double bin = 0.025;
-  constexpr double least_share = 0.2;
+  const double bin = priors_.evidence_cell / 4;
   const Reach reach(e);
   const double length = e.length();
   if (length <= 0)
@@ -257,7 +259,7 @@ PathCost::unseen(const PlanElement& e, const Zone& zone) const
     if (found > 0)
       bins[1 + static_cast<std::size_t>(e.project(p) / bin)] += found;
   }
-  const double least = 4 * least_share * bin * zone.density;
+  const double least = 4 * priors_.share_little * bin * zone.density;
   double sum = 0;
   for (std::size_t k = 1; k + 1 < bins.size(); ++k)
     if (bins[k - 1] + 2 * bins[k] + bins[k + 1] < least)
@@ -269,14 +271,13 @@ double
 PathCost::astray(const PlanElement& e) const
 {
   constexpr double step = 0.03;
-  constexpr double hidden_reach = 0.6;
   const double length = e.length();
   const auto parts = std::max<std::size_t>(1, static_cast<std::size_t>(length / step));
   std::size_t count = 0;
   for (std::size_t k = 0; k < parts; ++k) {
     const Eigen::Vector2d p =
         e.pointAt(length * (static_cast<double>(k) + 0.5) / static_cast<double>(parts));
-    if (!shown_.hasWithin(p, reach_) && !hidden_.hasWithin(p, hidden_reach))
+    if (!shown_.hasWithin(p, reach_) && !hidden_.hasWithin(p, priors_.max_wall))
       ++count;
   }
   return length * static_cast<double>(count) / static_cast<double>(parts);

@@ -3,6 +3,8 @@
 
 #include "../loop/loop_fit.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -24,17 +26,6 @@ public:
            const std::vector<PlanElement>& others,
            double noise,
            const LoopParameters& parameters);
-
-  /** @brief What each segment costs. A smaller detour is no wall. */
-  static constexpr double per_element = 0.06;
-
-  /** @brief What a segment costs beyond that if it runs in no direction of other walls.
-   */
-  static constexpr double per_direction = per_element;
-
-  /** @brief What each arc costs: three sides of a small pilaster, blurred by noise, are
-   * not one. */
-  static constexpr double per_arc = 3 * per_element;
 
   /** @brief Whether the walls of this loop were seen at all. */
   bool isSeen() const { return density_ > 0; }
@@ -104,6 +95,9 @@ private:
   /** @brief What a point costs at a distance, 0 to 1. */
   double missed(double squared_distance) const;
 
+  /** @brief What an element costs by itself: a segment, the same again if it runs in no
+   * direction of other walls, and an arc three times as much: three sides of a small
+   * pilaster, blurred by noise, are not one. */
   double simplicity(const PlanElement& e) const;
 
   /** @brief Length of an element that no points show. */
@@ -113,6 +107,7 @@ private:
   double astray(const PlanElement& e) const;
 
   const PlanPoints& evidence_;
+  const Priors& priors_;
   std::vector<Eigen::Vector2d> directions_;
   std::vector<PlanElement> others_;
   double tolerance_;

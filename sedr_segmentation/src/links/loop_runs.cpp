@@ -86,9 +86,10 @@ collectEvidence(const Assignment& a,
                 std::size_t c,
                 const std::vector<ContourSample>& samples,
                 const PlanPoints& walls,
-                double tolerance)
+                const LoopParameters& parameters)
 {
-  constexpr std::size_t margin = 2;
+  const double tolerance = parameters.tolerance;
+  const auto margin = static_cast<std::size_t>(parameters.priors.blur / 2);
   const std::size_t n = samples.size();
   const PlanCurve& curve = a.curves[c];
   CurveEvidence own;
@@ -154,8 +155,7 @@ refit(Assignment& a,
 {
   std::vector<PlanCurve> fitted = a.curves;
   const auto fit = [&](std::size_t c) {
-    const CurveEvidence own =
-        collectEvidence(a, c, samples, walls, parameters.tolerance);
+    const CurveEvidence own = collectEvidence(a, c, samples, walls, parameters);
     if (own.places.size() < 2)
       return;
     PlanCurve start = a.curves[c];
@@ -237,8 +237,7 @@ isBlur(const Run& before,
        const std::vector<ContourSample>& samples,
        const LoopParameters& parameters)
 {
-  constexpr std::size_t blur = 4;
-  return run.count <= blur &&
+  return static_cast<double>(run.count) <= parameters.priors.blur &&
          isSameCurve(before, after, samples, parameters.tolerance / 2);
 }
 

@@ -2,6 +2,7 @@
 #include "wall_stretch.h"
 
 #include "../loop/loop_fit.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -13,22 +14,12 @@ namespace sedr {
 
 namespace {
 
-/** @brief Samples on either side that a tangent is taken over: half a metre in all at 5
- * cm. */
-constexpr std::size_t tangent_reach = 4;
-
-constexpr std::size_t samples_a_block = 64;
-
-/** @brief Fewest points across the contour that show a wall; and the least share of
- * what the walls of the loop have on average. */
-constexpr std::size_t least_evidence = 3;
-constexpr double least_evidence_share = 0.2;
-
 /** @brief Measures the evidence of each sample by that of the others; thin evidence is
  * none. */
 void
-judgeSupport(std::vector<ContourSample>& samples)
+judgeSupport(const Priors& priors, std::vector<ContourSample>& samples)
 {
+  const auto least_evidence = static_cast<std::size_t>(priors.min_evidence);
   std::vector<double> found;
   for (const ContourSample& sample : samples)
     if (sample.points >= least_evidence)
@@ -38,7 +29,7 @@ judgeSupport(std::vector<ContourSample>& samples)
   const double median = middleValue(found);
   for (ContourSample& sample : samples) {
     const double share = static_cast<double>(sample.points) / median;
-    if (sample.points >= least_evidence && share >= least_evidence_share)
+    if (sample.points >= least_evidence && share >= priors.share_little)
       sample.support = std::min(1.0, share);
   }
 }
@@ -72,6 +63,7 @@ sampleContour(const Contour& contour,
 {
   const std::size_t n = contour.size();
   const auto corner = [&](std::size_t i) { return contour[i % n]; };
+  const auto tangent_reach = static_cast<std::size_t>(parameters.priors.blur);
   const std::size_t reach = std::max<std::size_t>(1, std::min(tangent_reach, n / 8));
   const double edge = n > 1 ? (contour[1] - contour[0]).norm() : 0;
 
@@ -99,7 +91,7 @@ sampleContour(const Contour& contour,
                    for (std::size_t i = begin; i < end; ++i)
                      takeSample(i);
                  });
-  judgeSupport(samples);
+  judgeSupport(parameters.priors, samples);
   if (edge > 0)
     dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5),
                      samples);
@@ -132,12 +124,13 @@ sampleTolerance(const std::vector<ContourSample>& samples,
   // The deviation from the middle of two neighbours has 1.5 times the variance of a
   // sample.
   const double noise = 1.4826 * middleValue(deviations) / std::sqrt(1.5);
-  constexpr double exactness = 0.001; // of what is called a wall, metres
+  const Priors& priors = parameters.priors;
   // Of a contour alone it is the staircase of its cells.
   const double of_wall =
-      of_points.empty() ? parameters.tolerance : 3 * middleValue(of_points);
-  const double least = std::max(exactness, std::min(of_wall, parameters.tolerance / 2));
-  return std::clamp(4 * noise, least, parameters.tolerance);
+      of_points.empty() ? parameters.tolerance : priors.sigmas * middleValue(of_points);
+  const double least =
+      std::max(priors.unevenness, std::min(of_wall, parameters.tolerance / 2));
+  return std::clamp(priors.correlated_sigmas * noise, least, parameters.tolerance);
 }
 
 } // namespace sedr

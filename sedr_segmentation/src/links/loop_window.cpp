@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_window.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,19 +12,27 @@ namespace sedr {
 namespace {
 
 /** @brief How much of the links before and after a window is looked at, metres. */
-constexpr double lead = 0.4;
+double
+leadOf(const Priors& priors)
+{
+  return 4 * priors.evidence_cell;
+}
 
 bool
 crosses(const LoopChain& chain)
 {
-  return crossesItself(chain.loop().polygon(0.005));
+  return crossesItself(chain.loop().polygon(chord));
 }
 
 } // namespace
 
 Window
-windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
+windowOf(const LoopChain& chain,
+         std::size_t before,
+         std::size_t inner,
+         const Priors& priors)
 {
+  const double lead = leadOf(priors);
   Window w;
   w.before = before;
   std::size_t at = before;
@@ -57,8 +67,9 @@ windowOf(const LoopChain& chain, std::size_t before, std::size_t inner)
 }
 
 std::vector<PlanElement>
-restOf(const LoopChain& chain, const Window& window)
+restOf(const LoopChain& chain, const Window& window, const Priors& priors)
 {
+  const double lead = leadOf(priors);
   std::vector<PlanElement> rest;
   for (std::size_t i = chain.after(window.after); i != window.before;
        i = chain.after(i))
@@ -85,7 +96,8 @@ replaceLinks(LoopChain& chain,
              const Window& window,
              const std::vector<LoopLink>& links,
              const std::vector<Eigen::Vector2d>& corners,
-             const PathCost& cost)
+             const PathCost& cost,
+             const Priors& priors)
 {
   LoopChain result;
   std::vector<bool> is_inner(chain.size(), false);
@@ -113,7 +125,7 @@ replaceLinks(LoopChain& chain,
     becomes.push_back(LoopChain::elementBetween(links[k], corners[k], corners[k + 1]));
   becomes.push_back(LoopChain::elementBetween(
       after, corners.back(), chain.corners[chain.after(window.after)]));
-  if (cost.ofChange(was, becomes, rest) > -least_gain / 2 ||
+  if (cost.ofChange(was, becomes, rest) > -leastGain(priors) / 2 ||
       (crosses(result) && !crosses(chain)))
     return false;
   chain = std::move(result);

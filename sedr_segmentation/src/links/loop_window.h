@@ -2,7 +2,9 @@
 #pragma once
 
 #include "loop_chain.h"
+
 #include "loop_path_cost.h"
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -14,7 +16,11 @@ namespace pcl {
 namespace sedr {
 
 /** @brief What a change of a chain must save to be made, metres of wall. */
-constexpr double least_gain = 0.03;
+inline double
+leastGain(const Priors& priors)
+{
+  return priors.element_cost / 2;
+}
 
 /** @brief Some links of a chain that follow each other, and what comes before and after
  * them. */
@@ -31,10 +37,14 @@ struct Window {
 
 /** @brief The window of the `inner` links that follow link `before`; there must be at
  * least two more in the chain. */
-Window windowOf(const LoopChain& chain, std::size_t before, std::size_t inner);
+Window windowOf(const LoopChain& chain,
+                std::size_t before,
+                std::size_t inner,
+                const Priors& priors);
 
 /** @brief All of the loop that is not on the path of a window. */
-std::vector<PlanElement> restOf(const LoopChain& chain, const Window& window);
+std::vector<PlanElement>
+restOf(const LoopChain& chain, const Window& window, const Priors& priors);
 
 /** @brief Whether an element runs the way its link does, and not around. */
 bool runsForward(const LoopLink& link, const PlanElement& e, double least_length);
@@ -46,7 +56,8 @@ bool replaceLinks(LoopChain& chain,
                   const Window& window,
                   const std::vector<LoopLink>& links,
                   const std::vector<Eigen::Vector2d>& corners,
-                  const PathCost& cost);
+                  const PathCost& cost,
+                  const Priors& priors);
 
 /** @brief Lines that a chain may be led along. */
 struct Guides {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_bumps.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "../curves/plan_curve.h"
 
 #include <algorithm>
@@ -15,6 +17,8 @@ namespace {
 
 constexpr double least_cosine = 0.996; ///< of parallels: 5 degrees
 constexpr double square = 0.17; ///< cosine of what is square to a wall: 10 degrees
+
+/** @brief Sides of a bump: a cable or a curtain has no more. */
 constexpr std::size_t most_sides = 6;
 
 Eigen::Vector2d
@@ -76,7 +80,6 @@ struct Bump {
   /** @brief The elements that stand for it. */
   std::vector<PlanElement> straightened() const
   {
-    constexpr double in_line = 1e-4; // metres
     PlanElement first = before;
     PlanElement last = after;
     if (!isAlongOneWall()) {
@@ -87,7 +90,7 @@ struct Bump {
       first.end = carrierOf(before).project(after.start);
     else
       last.start = carrierOf(after).project(before.end);
-    if ((last.start - first.end).norm() > in_line) {
+    if ((last.start - first.end).norm() > same_corner) {
       PlanElement step;
       step.start = first.end;
       step.end = last.start;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../links/loop_window.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,10 +36,11 @@ appendLines(const Eigen::Vector2d& direction,
             std::vector<CrossPoint>& points,
             double tolerance,
             double density,
+            const Priors& priors,
             std::vector<Proposal>& lines)
 {
-  constexpr double least_length = 0.06;
-  constexpr double least_unexplained = 0.03;
+  const double least_length = priors.element_cost; // a shorter one cannot pay
+  const double least_unexplained = leastGain(priors);
   constexpr std::size_t most_lines = 5;
   const double width = tolerance / 2;
   std::sort(points.begin(), points.end());
@@ -119,7 +122,8 @@ linesOf(const LoopChain& chain,
         const Window& window,
         const PathCost& cost,
         const PathCost::Zone& zone,
-        const Guides& guides)
+        const Guides& guides,
+        const Priors& priors)
 {
   constexpr std::size_t most_lines = 10;
   std::vector<Proposal> proposals;
@@ -128,7 +132,7 @@ linesOf(const LoopChain& chain,
     std::vector<CrossPoint> points;
     for (std::size_t i = 0; i < zone.points.size(); ++i)
       points.push_back({zone.points[i].dot(leftOf(direction)), costs[i]});
-    appendLines(direction, points, cost.tolerance(), zone.density, proposals);
+    appendLines(direction, points, cost.tolerance(), zone.density, priors, proposals);
   }
   std::stable_sort(proposals.begin(), proposals.end(),
                    [](const Proposal& a, const Proposal& b) {
@@ -170,6 +174,8 @@ public:
       : window_(window)
       , cost_(cost)
       , zone_(zone)
+      , shortest_(parameters.priors.min_wall)
+      , element_cost_(parameters.priors.element_cost)
   {
     curves_.push_back(chain.links[window.before]);
     curves_.insert(curves_.end(), lines.begin(), lines.end());
@@ -226,7 +232,6 @@ public:
 
 private:
   static constexpr std::size_t most_lines = 3;
-  static constexpr double shortest = 0.04;
 
   /** @brief Lowers each cost to another where that is less. */
   static void takeLess(const std::vector<double>& other, std::vector<double>& costs)
@@ -303,7 +308,7 @@ private:
     const PlanElement e = piece(h, i, j);
     const bool is_line = i > 0 && i + 1 < curves_.size();
     const bool is_forward =
-        is_line ? e.length() >= shortest : runsForward(curves_[i], e, 1e-4);
+        is_line ? e.length() >= shortest_ : runsForward(curves_[i], e, same_corner);
     // A way with a piece that costs more than is left will not become the best.
     it->second = is_forward ? cost_.ofElement(e, zones_[i], best_ - floor_)
                             : std::numeric_limits<double>::infinity();
@@ -323,13 +328,13 @@ private:
         continue;
       // What this piece and those after it cost at least, and the points, where all
       // curves of the way are known.
-      const double pieces = (j == last ? 2 : 3) * PathCost::per_element;
+      const double pieces = (j == last ? 2 : 3) * element_cost_;
       const bool is_known = j == last || trial_.size() == most_lines;
       if (floor_ + spent + pieces >= best_ ||
           (is_known && leastWith(j) + spent + pieces >= best_))
         continue;
       const double so_far = spent + pieceCost(h, i, j);
-      if (floor_ + so_far + pieces - PathCost::per_element >= best_)
+      if (floor_ + so_far + pieces - element_cost_ >= best_)
         continue;
       trial_.push_back(j);
       if (j == last)
@@ -361,6 +366,8 @@ private:
   const Window& window_;
   const PathCost& cost_;
   const PathCost::Zone& zone_;
+  double shortest_;                   ///< element of a way, metres
+  double element_cost_;               ///< least cost of one
   std::vector<PathCost::Zone> zones_; ///< of each curve, the points on it
   std::vector<LoopLink> curves_;
   std::vector<Corner> corners_; ///< of curves i and j at i * n + j
@@ -384,9 +391,11 @@ tryDetour(LoopChain& chain,
           const LoopParameters& parameters)
 {
   DetourSearch search(chain, window, cost, zone,
-                      linesOf(chain, window, cost, zone, guides), parameters);
-  return search.run(cost.of(window.path, zone) - least_gain) &&
-         replaceLinks(chain, window, search.links(), search.corners(), cost);
+                      linesOf(chain, window, cost, zone, guides, parameters.priors),
+                      parameters);
+  return search.run(cost.of(window.path, zone) - leastGain(parameters.priors)) &&
+         replaceLinks(chain, window, search.links(), search.corners(), cost,
+                      parameters.priors);
 }
 
 } // namespace sedr

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../curves/plan_segment.h"
+
 #include "../links/link_fit.h"
 #include "../links/loop_chain.h"
 #include "../links/loop_path_cost.h"
@@ -7,6 +8,7 @@
 #include "../links/loop_tangents.h"
 #include "loop_revision.h"
 #include "loop_unseen.h"
+#include "sedr_filters/src/base/exactness.h"
 
 #include "loop_fit.h"
 #include "loop_lobes.h"
@@ -76,7 +78,7 @@ isSound(const PlanLoop& loop, const Contour& contour, const LoopParameters& para
 {
   if (loop.elements.empty() || !runsForward(loop))
     return false;
-  const std::vector<Eigen::Vector2d> polygon = loop.polygon(0.005);
+  const std::vector<Eigen::Vector2d> polygon = loop.polygon(chord);
   if (polygon.size() < 3 || crossesItself(polygon))
     return false;
   const double area = signedArea(contour);
@@ -124,13 +126,12 @@ elementsBeside(const std::vector<PlanElement>& elements,
 std::vector<PlanCurve>
 curvesOf(const std::vector<PlanElement>& elements)
 {
-  constexpr double exactness = 1e-6;
   std::vector<PlanCurve> curves;
   for (const auto& e : elements) {
     const auto runsAlong = [&](const PlanCurve& curve) {
-      return curve.isCircle() == e.isArc() && curve.distance(e.start) < exactness &&
-             curve.distance(e.pointAt(e.length() / 2)) < exactness &&
-             curve.distance(e.end) < exactness;
+      return curve.isCircle() == e.isArc() && curve.distance(e.start) < same_place &&
+             curve.distance(e.pointAt(e.length() / 2)) < same_place &&
+             curve.distance(e.end) < same_place;
     };
     if (std::any_of(curves.begin(), curves.end(), runsAlong))
       continue;
@@ -176,13 +177,15 @@ revise(LoopChain& chain,
   if (chain.size() < 3)
     return;
   refitLinks(chain, evidence, parameters);
-  const Guides guides{mainDirections(linesOf(chain, known)), known};
+  const Guides guides{
+      mainDirections(linesOf(chain, known, parameters.priors), parameters.priors),
+      known};
   const PathCost cost(samples, evidence, guides.directions, others, noiseOf(chain),
                       parameters);
   reviseChain(chain, cost, evidence, guides, parameters);
   for (int round = 0; round < 2; ++round) {
     refitLinks(chain, evidence, parameters);
-    alignShortLinks(chain);
+    alignShortLinks(chain, parameters.priors);
   }
   refitLinks(chain, evidence, parameters);
   if (is_of_room && chain.loop().area() > 0)
@@ -216,7 +219,7 @@ fitLoop(const Contour& contour,
       closeTangents(chain, parameters);
       PlanLoop loop = chain.loop();
       dropPoints(loop);
-      cutLobes(loop);
+      cutLobes(loop, parameters.priors);
       if (isSound(loop, contour, parameters))
         return loop;
     }

@@ -5,6 +5,7 @@
 #include "../curves/plan_curve.h"
 #include "../curves/plan_points.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <cstddef>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_lobes.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "../curves/contour.h"
 #include "../curves/plan_curve.h"
 
@@ -10,8 +12,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr double same_place = 1e-7; // metres
 
 /** @brief Where a loop crosses itself. */
 struct Crossing {
@@ -29,7 +29,7 @@ areNeighboursAt(const PlanLoop& loop, const Crossing& c)
 {
   const std::size_t n = loop.elements.size();
   const auto isCorner = [&](std::size_t a, std::size_t b) {
-    return (a + 1) % n == b && (loop.elements[a].end - c.at).norm() < same_place;
+    return (a + 1) % n == b && (loop.elements[a].end - c.at).norm() < same_point;
   };
   return isCorner(c.first, c.second) || isCorner(c.second, c.first);
 }
@@ -48,13 +48,13 @@ smallestLobe(const PlanLoop& loop)
   std::optional<Crossing> smallest;
   for (std::size_t a = 0; a < elements.size(); ++a)
     for (std::size_t b = a + 1; b < elements.size(); ++b) {
-      if (boxes[a].exteriorDistance(boxes[b]) > 2 * same_place)
+      if (boxes[a].exteriorDistance(boxes[b]) > 2 * same_point)
         continue;
       for (const auto& at :
            intersections(carrierOf(elements[a]), carrierOf(elements[b]))) {
         Crossing c{a, b, elements[a].project(at), elements[b].project(at), at, 0, true};
-        if (elements[a].distance(at) > same_place ||
-            elements[b].distance(at) > same_place || areNeighboursAt(loop, c))
+        if (elements[a].distance(at) > same_point ||
+            elements[b].distance(at) > same_point || areNeighboursAt(loop, c))
           continue;
         const double between = from[b] + c.on_second - from[a] - c.on_first;
         c.is_between = between < from.back() - between;
@@ -74,7 +74,7 @@ cut(PlanLoop& loop, const Crossing& c)
                         const Eigen::Vector2d& end) {
     e.start = start;
     e.end = end;
-    if ((start - end).norm() > same_place)
+    if ((start - end).norm() > same_point)
       kept.push_back(e);
   };
   const auto& elements = loop.elements;
@@ -94,11 +94,10 @@ cut(PlanLoop& loop, const Crossing& c)
 } // namespace
 
 bool
-cutLobes(PlanLoop& loop)
+cutLobes(PlanLoop& loop, const Priors& priors)
 {
-  constexpr double most = 0.25;
   const PlanLoop was = loop;
-  const double longest = most * loop.length();
+  const double longest = priors.share_half / 2 * loop.length();
   for (std::size_t n = loop.elements.size(); n > 0; --n) {
     const std::optional<Crossing> crossing = smallestLobe(loop);
     if (!crossing)

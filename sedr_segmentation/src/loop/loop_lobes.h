@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 namespace pcl {
 namespace sedr {
@@ -13,7 +14,7 @@ namespace sedr {
  * corners may come out in the wrong order; what is between them is such a lobe.
  * @return false, and the loop is as it was, where a lobe is longer than a quarter of
  * the loop, or crossings remain. O(n^2) for n elements and each lobe */
-bool cutLobes(PlanLoop& loop);
+bool cutLobes(PlanLoop& loop, const Priors& priors = {});
 
 /** @brief Drops segments of no length, up to a micrometre, and closes the gaps that
  * they leave: where corners have come to lie in one place, a mesh would have a vertex

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_necks.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "../curves/plan_segment.h"
 
 #include "../curves/contour.h"
@@ -14,8 +16,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr double exactness = 1e-7; // metres
 
 /** @brief A way beside a loop, from where an element starts to a place on another. */
 struct Neck {
@@ -38,7 +38,7 @@ partOf(const PlanLoop& loop, const Neck& neck, bool is_rest)
                         const Eigen::Vector2d& end) {
     e.start = start;
     e.end = end;
-    if ((end - start).norm() > exactness)
+    if ((end - start).norm() > same_point)
       part.elements.push_back(e);
   };
   if (is_rest) {
@@ -82,7 +82,7 @@ withoutPart(const PlanLoop& loop, bool is_inside, const Neck& neck, double most_
       small.length() - neck.length < least_outline * neck.length)
     return std::nullopt;
   const PlanLoop& rest = parts[is_first_small ? 1 : 0];
-  if (crossesItself(rest.polygon(0.005)))
+  if (crossesItself(rest.polygon(chord)))
     return std::nullopt;
   return rest;
 }
@@ -101,7 +101,7 @@ withoutNarrowest(const PlanLoop& loop, bool is_inside, double width, double most
       const double along =
           std::clamp(loop.elements[e].project(corner), 0.0, loop.elements[e].length());
       const double length = (loop.elements[e].pointAt(along) - corner).norm();
-      if (length < width && length > exactness)
+      if (length < width && length > same_point)
         necks.push_back({c, e, along, length});
     }
   std::sort(necks.begin(), necks.end(), [](const Neck& a, const Neck& b) {
@@ -123,12 +123,12 @@ withoutNarrowest(const PlanLoop& loop, bool is_inside, double width, double most
 } // namespace
 
 std::size_t
-cutNecks(PlanLoop& loop, const NeckParameters& parameters)
+cutNecks(PlanLoop& loop, const Priors& priors)
 {
   std::size_t count = 0;
   for (const bool is_inside : {true, false}) {
-    const double width = is_inside ? parameters.inside_width : parameters.outside_width;
-    while (auto rest = withoutNarrowest(loop, is_inside, width, parameters.most_area)) {
+    const double width = is_inside ? priors.wall_band : priors.min_wall;
+    while (auto rest = withoutNarrowest(loop, is_inside, width, priors.small_area)) {
       loop = std::move(*rest);
       ++count;
     }

@@ -15,8 +15,6 @@ namespace sedr {
 
 namespace {
 
-constexpr double deepest = 0.6; // metres
-
 /** @brief A point as a wall sees it, metres: along the wall, out of the room, above the
  * floor. */
 struct WallPlace {
@@ -48,9 +46,10 @@ shareSeen(const PlanElement& e,
           double tolerance,
           const PlanSlab& floor,
           const PointView& points,
-          const std::vector<int>& indices)
+          const std::vector<int>& indices,
+          const Priors& priors)
 {
-  constexpr double cell = 0.1;
+  const double cell = priors.evidence_cell;
   const double length = e.length() - 2 * cell;
   if (!(length > 0) || !(high > low))
     return 0;
@@ -79,10 +78,10 @@ heightOfSill(const PlanElement& mouth,
              double tolerance,
              const PlanSlab& floor,
              const PointView& points,
-             const std::vector<int>& indices)
+             const std::vector<int>& indices,
+             const Priors& priors)
 {
-  constexpr double strip = 0.1;
-  constexpr double gap = 0.15; // a wall is seen without larger ones
+  const double strip = priors.evidence_cell;
   std::vector<std::vector<double>> on_wall(
       static_cast<std::size_t>(std::ceil(mouth.length() / strip)));
   std::vector<double> behind;
@@ -102,7 +101,7 @@ heightOfSill(const PlanElement& mouth,
     std::sort(heights.begin(), heights.end());
     double top = 0;
     for (const double z : heights)
-      top = z < top + gap ? z : top;
+      top = z < top + priors.run_gap ? z : top;
     tops.push_back(top);
   }
   const double top = middleValue(std::move(tops));
@@ -134,17 +133,18 @@ struct Recess {
     return loop.elements[i % loop.elements.size()];
   }
 
-  bool isOne() const
+  bool isOne(const Priors& priors) const
   {
-    constexpr double in_line = 0.04; // metres
-    constexpr double shallowest = 0.03;
-    constexpr double narrowest = 0.4;
+    const double in_line = priors.min_wall;
+    constexpr double cosine = 0.99;
     if (!is_straight_)
       return false;
-    return std::abs(aside(after.start)) < in_line && back.length() > narrowest &&
-           along(before).dot(along(after)) > 0.99 &&
-           along(before).dot(along(back)) > 0.99 && depth() > shallowest &&
-           depth() < deepest && std::abs(depth() + aside(back.end)) < in_line;
+    return std::abs(aside(after.start)) < in_line &&
+           back.length() > priors.max_pilaster &&
+           along(before).dot(along(after)) > cosine &&
+           along(before).dot(along(back)) > cosine &&
+           depth() > priors.min_ceiling_step && depth() < priors.max_wall &&
+           std::abs(depth() + aside(back.end)) < in_line;
   }
 
   double depth() const { return -aside(back.start); }
@@ -192,34 +192,37 @@ private:
 } // namespace
 
 std::vector<PlanNiche>
-closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& indices)
+closeRecesses(PlanRoom& room,
+              const PointView& points,
+              const std::vector<int>& indices,
+              const Priors& priors)
 {
-  constexpr double wall_low = 0.1; // metres above the floor
-  constexpr double wall_high = 0.4;
-  constexpr double least_wall = 0.5;
-  constexpr double on_wall = 0.03; // furniture may be nearly flush with it
-  constexpr double near_back = 0.05;
-  constexpr double unseen = 0.05;
-  constexpr double closed = 0.5; // beside a window, and below and above it
-  constexpr double least_depth = NicheParameters().least_depth;
+  const double wall_low = priors.surface_band;    // above the floor
+  const double on_wall = priors.min_ceiling_step; // furniture may be flush with it
+  const double near_back = priors.wall_band;
+  const double least_depth = priors.min_niche_depth;
+  const auto seen = [&](const PlanElement& e, double low, double high, double off) {
+    return shareSeen(e, low, high, off, room.floor, points, indices, priors);
+  };
   std::vector<PlanNiche> niches;
   std::vector<PlanElement>& elements = room.boundary.elements;
   for (std::size_t i = 0; elements.size() > 6 && i < elements.size(); ++i) {
     const Recess recess(room.boundary, i);
-    if (!recess.isOne())
+    if (!recess.isOne(priors))
       continue;
     const Eigen::Vector2d& place = recess.back.start;
     const double top = room.ceiling.heightAt(place) - room.floor.heightAt(place);
-    const bool is_above_wall = shareSeen(recess.mouth(), wall_low, wall_high, on_wall,
-                                         room.floor, points, indices) >= least_wall;
-    if (!is_above_wall && shareSeen(recess.back, wall_low, top - wall_low, near_back,
-                                    room.floor, points, indices) >= unseen)
+    const bool is_above_wall =
+        seen(recess.mouth(), wall_low, priors.low_wall, on_wall) >= priors.share_half;
+    if (!is_above_wall &&
+        seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen)
       continue;
     if (is_above_wall && recess.depth() >= least_depth) {
       const double sill = heightOfSill(recess.mouth(), recess.depth(), on_wall,
-                                       room.floor, points, indices);
-      if (shareSeen(recess.back, sill + wall_low, top - wall_low, near_back, room.floor,
-                    points, indices) >= closed)
+                                       room.floor, points, indices, priors);
+      // Beside a window, and below and above it, the back is closed.
+      if (seen(recess.back, sill + wall_low, top - wall_low, near_back) >=
+          priors.share_half)
         niches.push_back({recess.loop(),
                           horizontalSlab(room.floor.heightAt(place) + sill),
                           room.ceiling});

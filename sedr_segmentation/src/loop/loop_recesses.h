@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -18,8 +19,10 @@ namespace sedr {
  * @return niches for those above a wall of whose back half was seen, as of an alcove
  * above a low wall with a window in it: fitNiches() does not find one through which one
  * sees on. O(n) for each recess that is looked at. */
-std::vector<PlanNiche>
-closeRecesses(PlanRoom& room, const PointView& points, const std::vector<int>& indices);
+std::vector<PlanNiche> closeRecesses(PlanRoom& room,
+                                     const PointView& points,
+                                     const std::vector<int>& indices,
+                                     const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

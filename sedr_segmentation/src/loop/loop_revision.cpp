@@ -14,16 +14,17 @@ namespace pcl {
 namespace sedr {
 
 std::vector<DirectedLine>
-linesOf(const LoopChain& chain, const std::vector<PlanCurve>& known)
+linesOf(const LoopChain& chain,
+        const std::vector<PlanCurve>& known,
+        const Priors& priors)
 {
-  constexpr double length_of_known = 1;
   std::vector<DirectedLine> lines;
   for (std::size_t i = 0; i < chain.size(); ++i)
     if (!chain.links[i].curve.isCircle() && !chain.links[i].is_bridge)
       lines.push_back({chain.element(i).length(), chain.links[i].curve.direction});
   for (const auto& curve : known)
     if (!curve.isCircle())
-      lines.push_back({length_of_known, curve.direction});
+      lines.push_back({priors.short_wall, curve.direction});
   return lines;
 }
 
@@ -47,28 +48,24 @@ noiseOf(const LoopChain& chain)
 }
 
 void
-alignShortLinks(LoopChain& chain)
+alignShortLinks(LoopChain& chain, const Priors& priors)
 {
-  constexpr double longest = 1.0;
-  constexpr double times_longer = 2.0;
-  constexpr double most_sigmas = 4.0;   // points are not quite independent
-  constexpr double largest_turn = 0.35; // radians: other directions are meant
-  constexpr double least_residual = 0.001;
   std::vector<double> lengths;
   for (std::size_t i = 0; i < chain.size(); ++i)
     lengths.push_back(chain.element(i).length());
   for (std::size_t i = 0; i < chain.size(); ++i) {
     LoopLink& link = chain.links[i];
     PlanCurve& line = link.curve;
-    if (line.isCircle() || link.is_known || lengths[i] > longest)
+    if (line.isCircle() || link.is_known || lengths[i] > priors.short_wall)
       continue;
     const double weight =
         lineInformation(static_cast<double>(line.inliers),
-                        std::max(line.residual, least_residual), lengths[i])(0, 0);
-    double least = std::min(largest_turn, most_sigmas / std::sqrt(weight + 1e-9));
+                        std::max(line.residual, priors.unevenness), lengths[i])(0, 0);
+    double least = std::min(priors.other_direction,
+                            priors.correlated_sigmas / std::sqrt(weight + 1e-9));
     Eigen::Vector2d best = line.direction;
     for (std::size_t j = 0; j < chain.size(); ++j) {
-      if (chain.links[j].curve.isCircle() || lengths[j] < times_longer * lengths[i])
+      if (chain.links[j].curve.isCircle() || lengths[j] < 2 * lengths[i])
         continue;
       const Eigen::Vector2d& other = chain.links[j].curve.direction;
       for (const Eigen::Vector2d& d : {other, leftOf(other)}) {
@@ -125,7 +122,6 @@ reviseChain(LoopChain& chain,
 {
   constexpr std::size_t most_detour = 3;
   constexpr std::size_t most_fusion = 5;
-  constexpr double longest_detour = 2.5;
   if (!cost.isSeen())
     return;
   // Points all over the place, where there are no walls, would be followed for ever.
@@ -146,7 +142,7 @@ reviseChain(LoopChain& chain,
     for (std::size_t inner = 0; inner <= most_fusion; ++inner)
       for (std::size_t i = 0;
            i < chain.size() && chain.size() >= inner + 3 && !isDone(); ++i) {
-        const Window window = windowOf(chain, i, inner);
+        const Window window = windowOf(chain, i, inner, parameters.priors);
         if (!tried.insert(shapeOf(chain, window)).second) {
           ++in_vain;
           continue;
@@ -155,13 +151,14 @@ reviseChain(LoopChain& chain,
         for (const std::size_t k : window.inner)
           length += chain.element(k).length();
         const bool may_fuse = inner >= 2;
-        const bool may_lead_around = inner <= most_detour && length < longest_detour;
+        const bool may_lead_around =
+            inner <= most_detour && length < parameters.priors.max_detour;
         if (!may_fuse && !may_lead_around) {
           ++in_vain;
           continue;
         }
-        const PathCost::Zone zone =
-            cost.zoneAround(window.middle, window.radius, restOf(chain, window));
+        const PathCost::Zone zone = cost.zoneAround(
+            window.middle, window.radius, restOf(chain, window, parameters.priors));
         if ((may_fuse && tryFusion(chain, window, cost, zone, evidence, guides,
                                    parameters, memo)) ||
             (may_lead_around &&

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_unseen.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include "../curves/main_directions.h"
 #include "../links/link_fit.h"
 #include "../links/link_replacement.h"
@@ -15,29 +17,25 @@ namespace sedr {
 
 namespace {
 
-/** @brief A link is unseen where it has less than this share of the usual points. */
-constexpr double unseen_below = 0.05;
-
-/** @brief One that runs along no wall that was seen, where it has less than this, along
- * less than half of it: the open leaf of a door, a curtain. The lintel of a window goes
- * all along. */
-constexpr double oblique_unseen_below = 0.15;
-
 std::vector<Eigen::Vector2d>
-directionsSeen(const LoopChain& chain, const std::vector<double>& shares)
+directionsSeen(const LoopChain& chain,
+               const std::vector<double>& shares,
+               const Priors& priors)
 {
   std::vector<DirectedLine> lines;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (shares[i] >= oblique_unseen_below && !chain.links[i].curve.isCircle())
+    if (shares[i] >= priors.share_few && !chain.links[i].curve.isCircle())
       lines.push_back({chain.element(i).length(), chain.links[i].curve.direction});
-  return mainDirections(std::move(lines));
+  return mainDirections(std::move(lines), priors);
 }
 
 /** @brief Turns a line to the nearest of some directions; false where none is near. */
 bool
-turnTo(const std::vector<Eigen::Vector2d>& directions, PlanCurve& line)
+turnTo(const std::vector<Eigen::Vector2d>& directions,
+       double other_direction,
+       PlanCurve& line)
 {
-  double nearest = 0.35; // radians
+  double nearest = other_direction;
   Eigen::Vector2d best = line.direction;
   for (const auto& d : directions) {
     const double turn =
@@ -47,7 +45,7 @@ turnTo(const std::vector<Eigen::Vector2d>& directions, PlanCurve& line)
     nearest = turn;
     best = d.dot(line.direction) < 0 ? Eigen::Vector2d(-d) : d;
   }
-  const bool is_found = nearest < 0.35;
+  const bool is_found = nearest < other_direction;
   line.direction = best;
   return is_found;
 }
@@ -57,9 +55,10 @@ turnTo(const std::vector<Eigen::Vector2d>& directions, PlanCurve& line)
 std::vector<Eigen::Vector2d>
 directionsBeside(const LoopChain& chain,
                  std::size_t i,
-                 const std::vector<Eigen::Vector2d>& directions)
+                 const std::vector<Eigen::Vector2d>& directions,
+                 const Priors& priors)
 {
-  constexpr double same = 0.03; // sine
+  const double same = priors.same_direction;
   std::vector<Eigen::Vector2d> beside;
   for (const std::size_t k : {chain.before(i), chain.after(i)})
     for (const auto& d : directions)
@@ -78,14 +77,14 @@ shiftOutwards(const PlanElement& e,
               const LoopParameters& parameters,
               PlanCurve& line)
 {
+  const Priors& priors = parameters.priors;
   constexpr double few = 0.03;
-  constexpr double reach = 0.6; // metres
   constexpr double least_cosine = 0.9;
   std::vector<double> outwards;
   const Eigen::Vector2d way = (e.end - e.start).normalized();
   for (const auto& s : samples) {
     const double along = (s.place - e.start).dot(way);
-    if (along > 0 && along < e.length() && e.distance(s.place) < reach &&
+    if (along > 0 && along < e.length() && e.distance(s.place) < priors.max_wall &&
         s.tangent.dot(way) > least_cosine)
       outwards.push_back(leftOf(line.direction).dot(line.point - s.place));
   }
@@ -118,8 +117,8 @@ putLineOverBoth(std::size_t i,
                 const LoopParameters& parameters,
                 LoopChain& chain)
 {
-  constexpr double hardly = 0.5;
-  constexpr double alike = 0.35; // sine
+  const double hardly = parameters.priors.share_half;
+  const double alike = parameters.priors.other_direction;
   const double longest = chain.element(i).length() / 2;
   for (const std::size_t k : {chain.after(i), chain.before(i)}) {
     const PlanElement beside = chain.element(k);
@@ -159,23 +158,22 @@ straightenArcs(const PlanPoints& evidence,
                const LoopParameters& parameters,
                LoopChain& chain)
 {
-  constexpr std::size_t least_points = 10;
-  constexpr double as_well = 1.2;
-  constexpr double slack = 0.002; // metres
+  const Priors& priors = parameters.priors;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const LoopLink& link = chain.links[i];
     if (!link.curve.isCircle() || link.is_known ||
-        !isSeenInPart(chain, i, evidence, parameters.tolerance))
+        !isSeenInPart(chain, i, evidence, parameters))
       continue;
     const std::vector<WeightedPoint> points =
-        pointsAlong(chain, i, evidence, parameters.tolerance);
-    if (points.size() < least_points)
+        pointsAlong(chain, i, evidence, parameters);
+    if (static_cast<double>(points.size()) < priors.min_points)
       continue;
     PlanCurve line = fitLine(points);
     const PlanElement e = chain.element(i);
     if (line.direction.dot(e.end - e.start) < 0)
       line.direction = -line.direction;
-    if (residualOf(line, points) <= as_well * residualOf(link.curve, points) + slack)
+    if (residualOf(line, points) <=
+        priors.clearly * residualOf(link.curve, points) + 2 * priors.unevenness)
       putLine(i, line, parameters, chain);
   }
 }
@@ -193,7 +191,7 @@ dropShortBeside(std::size_t& i,
   for (const bool is_before : {true, false}) {
     const std::size_t k = is_before ? chain.before(i) : chain.after(i);
     if (chain.element(k).length() >= least_length ||
-        shares[k] >= oblique_unseen_below ||
+        shares[k] >= parameters.priors.share_few ||
         !dropLink(k, least_length, parameters, chain))
       continue;
     shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(k));
@@ -211,16 +209,14 @@ straightenOblique(std::size_t i,
                   const LoopParameters& parameters,
                   LoopChain& chain)
 {
-  constexpr double square = 0.7;         // sines
-  constexpr double deepest_corner = 1.2; // that a wardrobe across it hides, metres
-  constexpr double alike = 0.35;
+  const Priors& priors = parameters.priors;
   const PlanElement e = chain.element(i);
   const Eigen::Vector2d middle = (e.start + e.end) / 2;
   const PlanCurve& before = chain.links[chain.before(i)].curve;
   const double sine = sineBetween(before, chain.links[chain.after(i)].curve, middle);
-  if (sine >= square)
-    return dropLink(i, deepest_corner, parameters, chain);
-  if (sine > alike)
+  if (sine >= 0.7) // square rather than alike
+    return dropLink(i, priors.max_corner_depth, parameters, chain);
+  if (sine > priors.other_direction)
     return false;
   PlanCurve line;
   line.direction = leftOf(before.tangentAt(middle));
@@ -240,25 +236,28 @@ squareUnseenLinks(LoopChain& chain,
                   const PlanPoints& evidence,
                   const LoopParameters& parameters)
 {
-  constexpr double least_length = 0.2; // a shorter one is between what was seen
+  const Priors& priors = parameters.priors;
+  const double least_length = 2 * priors.evidence_cell; // less is between what was seen
   if (chain.size() < 3)
     return;
   straightenArcs(evidence, parameters, chain);
-  std::vector<double> shares = sharesSeen(chain, evidence, parameters.tolerance);
-  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, shares);
+  std::vector<double> shares = sharesSeen(chain, evidence, parameters);
+  const std::vector<Eigen::Vector2d> directions = directionsSeen(chain, shares, priors);
   for (std::size_t i = 0; i < chain.size();) {
     const PlanElement e = chain.element(i);
-    const bool is_unseen = shares[i] < unseen_below;
-    const bool is_oblique = !is_unseen && shares[i] < oblique_unseen_below &&
+    const bool is_unseen = shares[i] < priors.share_unseen;
+    // The open leaf of a door, a curtain; the lintel of a window goes all along.
+    const bool is_oblique = !is_unseen && shares[i] < priors.share_few &&
                             !chain.links[i].curve.isCircle() &&
-                            isSeenInPart(chain, i, evidence, parameters.tolerance);
+                            isSeenInPart(chain, i, evidence, parameters);
     if (e.length() >= least_length && (is_unseen || is_oblique)) {
       if (chain.links[i].curve.isCircle())
         chain.links[i] = chordOf(chain, i);
       PlanCurve line = chain.links[i].curve;
       line.point = line.project((e.start + e.end) / 2);
-      if (!turnTo(directionsBeside(chain, i, directions), line) &&
-          !turnTo(directions, line)) {
+      if (!turnTo(directionsBeside(chain, i, directions, priors),
+                  priors.other_direction, line) &&
+          !turnTo(directions, priors.other_direction, line)) {
         dropShortBeside(i, least_length, parameters, shares, chain);
         if (straightenOblique(i, samples, parameters, chain)) {
           shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));

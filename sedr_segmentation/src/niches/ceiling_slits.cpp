@@ -14,12 +14,11 @@ namespace sedr {
 
 namespace {
 
-constexpr double parallel = 0.98;   ///< least cosine: 11 degrees
-constexpr double least_depth = 0.1; ///< of furniture, metres
-constexpr double deepest = 0.9;     ///< off the wall, metres
-constexpr double longest = 5;       ///< along it
-constexpr std::size_t most_sides = 5;
+constexpr double parallel = 0.98;  ///< least cosine: 11 degrees
 constexpr double same_wall = 0.06; ///< between two stretches of it, metres
+
+/** @brief Sides of what stands before a wall. */
+constexpr std::size_t most_sides = 5;
 
 /** @brief Sides of an outline, or a column, that may be those of furniture. */
 struct Suspect {
@@ -50,7 +49,10 @@ elementAt(const PlanLoop& loop, std::size_t i)
 /** @brief Whether the sides from `first` on lead into the room, square to the wall
  * before them, and back to that wall, or square to the one around its corner. */
 bool
-standsBefore(const PlanLoop& loop, std::size_t first, std::size_t count)
+standsBefore(const PlanLoop& loop,
+             std::size_t first,
+             std::size_t count,
+             const Priors& priors)
 {
   const std::size_t n = loop.elements.size();
   if (n < count + 2)
@@ -70,41 +72,45 @@ standsBefore(const PlanLoop& loop, std::size_t first, std::size_t count)
     const Eigen::Vector2d to = elementAt(loop, first + k).end - before.end;
     high = high.max(Eigen::Array2d(along.dot(to), inwards.dot(to)));
   }
-  if (high.minCoeff() < least_depth || high.maxCoeff() > longest)
+  if (high.minCoeff() < priors.min_furniture_depth ||
+      high.maxCoeff() > priors.max_furniture_length)
     return false;
   if (wayOf(after).dot(along) > parallel)
-    return high.y() <= deepest && last.dot(inwards) < -parallel &&
+    return high.y() <= priors.max_furniture_depth && last.dot(inwards) < -parallel &&
            std::abs(inwards.dot(after.start - before.end)) < same_wall;
-  return high.minCoeff() <= deepest && last.dot(along) > parallel &&
+  return high.minCoeff() <= priors.max_furniture_depth && last.dot(along) > parallel &&
          wayOf(after).dot(inwards) > parallel;
 }
 
 Suspect
-suspectOf(PlanRoom& room, std::vector<PlanElement> sides, bool is_column)
+suspectOf(PlanRoom& room,
+          std::vector<PlanElement> sides,
+          bool is_column,
+          const Priors& priors)
 {
   Suspect suspect{&room, std::move(sides), is_column, {}};
   for (const PlanElement& side : suspect.sides)
-    suspect.faces.emplace_back(room, side);
+    suspect.faces.emplace_back(room, side, priors);
   return suspect;
 }
 
 std::vector<Suspect>
-suspectsOf(Floorplan& plan)
+suspectsOf(Floorplan& plan, const Priors& priors)
 {
   std::vector<Suspect> suspects;
   for (PlanRoom& room : plan.rooms) {
     for (std::size_t i = 0; i < room.boundary.elements.size(); ++i)
       for (std::size_t count = most_sides; count >= 2; --count) { // whole fronts first
-        if (!standsBefore(room.boundary, i, count))
+        if (!standsBefore(room.boundary, i, count, priors))
           continue;
         std::vector<PlanElement> sides;
         for (std::size_t k = 0; k < count; ++k)
           sides.push_back(elementAt(room.boundary, i + k));
-        suspects.push_back(suspectOf(room, std::move(sides), false));
+        suspects.push_back(suspectOf(room, std::move(sides), false, priors));
       }
     for (const PlanLoop& column : room.columns)
       if (!column.elements.empty())
-        suspects.push_back(suspectOf(room, column.elements, true));
+        suspects.push_back(suspectOf(room, column.elements, true, priors));
   }
   return suspects;
 }
@@ -159,7 +165,7 @@ leadPast(PlanLoop& loop, std::size_t first, std::size_t count)
 }
 
 bool
-takeOut(const Suspect& suspect)
+takeOut(const Suspect& suspect, const Priors& priors)
 {
   const PlanElement& side = suspect.sides.front();
   if (suspect.is_column) {
@@ -172,7 +178,7 @@ takeOut(const Suspect& suspect)
   PlanLoop& loop = suspect.room->boundary;
   const std::size_t count = suspect.sides.size();
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    if (isSame(loop.elements[i], side) && standsBefore(loop, i, count))
+    if (isSame(loop.elements[i], side) && standsBefore(loop, i, count, priors))
       return leadPast(loop, i, count);
   return false; // with what stands beside it
 }
@@ -183,9 +189,10 @@ std::size_t
 leaveOutBelowSlits(Floorplan& plan,
                    const PointView& raw,
                    const std::vector<int>& indices,
-                   unsigned threads)
+                   unsigned threads,
+                   const Priors& priors)
 {
-  std::vector<Suspect> suspects = suspectsOf(plan);
+  std::vector<Suspect> suspects = suspectsOf(plan, priors);
   std::vector<SlitFace*> faces;
   for (Suspect& suspect : suspects)
     for (SlitFace& face : suspect.faces)
@@ -195,7 +202,7 @@ leaveOutBelowSlits(Floorplan& plan,
   countAtFaces(faces, raw, indices, threads);
   std::size_t taken_out = 0;
   for (const Suspect& suspect : suspects)
-    if (isBelowSlit(suspect) && takeOut(suspect))
+    if (isBelowSlit(suspect) && takeOut(suspect, priors))
       ++taken_out;
   return taken_out;
 }

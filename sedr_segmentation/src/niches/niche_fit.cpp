@@ -24,7 +24,7 @@ namespace {
 bool
 mayHaveNiches(const PlanElement& wall, const NicheParameters& parameters)
 {
-  return !wall.isArc() && wall.length() >= parameters.least_size;
+  return !wall.isArc() && wall.length() >= parameters.priors.min_recess;
 }
 
 /** @brief Of each wall of a room, those of some points that are on it or within reach
@@ -36,8 +36,7 @@ pointsByWall(const PointView& points,
              double reach,
              const NicheParameters& parameters)
 {
-  constexpr double cell = 0.5; // metres
-  PlaceTable walls_near(cell);
+  PlaceTable walls_near(parameters.priors.patch);
   for (std::size_t k = 0; k < walls.size(); ++k)
     if (mayHaveNiches(walls[k], parameters))
       walls_near.addAlong(walls[k], reach, static_cast<std::uint32_t>(k));
@@ -56,9 +55,14 @@ unroll(const PointView& points,
        const std::vector<int>& around,
        const PlanRoom& room,
        const PlanElement& element,
-       double farthest)
+       double farthest,
+       const Priors& priors)
 {
-  UnrolledWall wall{element, 0, std::clamp(2.5 * element.residual, 0.03, 0.06), {}};
+  UnrolledWall wall{element,
+                    0,
+                    std::clamp(2.5 * element.residual, 0.6 * priors.wall_band,
+                               1.2 * priors.wall_band),
+                    {}};
   const Eigen::Vector2d inside =
       element.pointAt(element.length() / 2) + 0.01 * element.normalAt(0);
   const double floor = room.floorAt(inside);
@@ -71,7 +75,8 @@ unroll(const PointView& points,
     const Eigen::Vector2d d = p.head<2>() - element.start;
     const WallPoint seen{d.dot(way), p.z() - floor, -d.dot(inwards)};
     if (seen.behind >= -wall.tolerance && seen.behind <= farthest && seen.along >= 0 &&
-        seen.along <= length && seen.up >= -0.1 && seen.up <= wall.height)
+        seen.along <= length && seen.up >= -priors.surface_band &&
+        seen.up <= wall.height)
       wall.points.push_back(seen);
   }
   return wall;
@@ -99,9 +104,8 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
 /** @brief Whether a niche reaches into its own room, another wing of which lies behind
  * the wall. */
 bool
-reachesInto(const PlanRoom& room, const PlanNiche& niche)
+reachesInto(const PlanRoom& room, const PlanNiche& niche, double step)
 {
-  constexpr double step = 0.05;
   const auto& sides = niche.boundary.elements;
   const Eigen::Vector2d back = sides[1].end - sides[1].start;
   const Eigen::Vector2d out = sides[0].end - sides[0].start;
@@ -138,9 +142,9 @@ nichesIn(const UnrolledWall& wall,
          const NicheParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  const auto least =
-      static_cast<std::size_t>(cellsFor(parameters.least_size, grid.size()) *
-                               cellsFor(parameters.least_size, grid.size()));
+  const Priors& priors = parameters.priors;
+  const auto least = static_cast<std::size_t>(cellsFor(priors.min_recess, grid.size()) *
+                                              cellsFor(priors.min_recess, grid.size()));
   const CellMask open = openCells(wall, grid);
   const MaskRegions regions = labelRegions(open, false);
   std::vector<Recess> recesses;
@@ -151,8 +155,8 @@ nichesIn(const UnrolledWall& wall,
     if (!findRecess(wall, regionMask(open, regions, static_cast<std::int32_t>(r)), grid,
                     parameters, recess))
       continue;
-    const bool is_at_floor = recess.low < 0.15 && !recess.has_bottom;
-    if (is_at_floor && (recess.depth < parameters.least_alcove ||
+    const bool is_at_floor = recess.low < priors.run_gap && !recess.has_bottom;
+    if (is_at_floor && (recess.depth < priors.max_door_recess ||
                         recess.high == wall.height)) // a part of the room
       continue;
     if (is_at_floor)
@@ -162,7 +166,7 @@ nichesIn(const UnrolledWall& wall,
   std::vector<PlanNiche> niches;
   for (const Recess& recess : largestOf(std::move(recesses))) {
     PlanNiche niche = nicheOf(room, wall, recess);
-    if (!reachesInto(room, niche))
+    if (!reachesInto(room, niche, parameters.cell_size))
       niches.push_back(std::move(niche));
   }
   return niches;
@@ -177,7 +181,8 @@ fitNiches(const PointView& points,
           const NicheParameters& parameters)
 {
   const std::vector<PlanElement>& walls = room.boundary.elements;
-  const double reach = parameters.greatest_depth + parameters.view;
+  const double reach =
+      parameters.priors.max_niche_depth + viewBehind(parameters.priors);
   const std::vector<std::vector<int>> near =
       pointsByWall(points, around, walls, reach, parameters);
   std::vector<std::vector<PlanNiche>> niches_of(walls.size());
@@ -185,7 +190,8 @@ fitNiches(const PointView& points,
     const PlanElement& element = walls[k];
     if (mayHaveNiches(element, parameters))
       niches_of[k] =
-          nichesIn(unroll(points, near[k], room, element, reach), room, parameters);
+          nichesIn(unroll(points, near[k], room, element, reach, parameters.priors),
+                   room, parameters);
   });
   std::vector<PlanNiche> niches;
   for (auto& own : niches_of)

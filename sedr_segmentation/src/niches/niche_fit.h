@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -11,23 +12,25 @@ namespace sedr {
 
 /** @brief What a niche is; lengths in metres. */
 struct NicheParameters {
+  Priors priors;
   double cell_size = 0.05;
-  double least_depth = 0.09; ///< of those built 0.1 deep, as they are measured
-  double greatest_depth = 1.0;
-  double view = 0.3;         ///< how far beyond a back is looked for what is seen there
-  double least_size = 0.3;   ///< width and height
-  double least_alcove = 0.2; ///< depth of one that starts at the floor
-  double minimum_coverage = 0.7; ///< share of its back that was seen
-  double greatest_view = 0.1;    ///< share of its back, or rim, beyond which one sees
   unsigned threads = 1; ///< that share the walls; 0: as many as there are processors
 };
+
+/** @brief How far beyond a back is looked for what is seen there, metres. */
+inline double
+viewBehind(const Priors& priors)
+{
+  return 2 * priors.run_gap;
+}
 
 /** @brief How far from a room's ceiling the points that fitNiches() looks at may be,
  * metres: walls stand up to two cells beyond it. */
 inline double
 nicheReach(const NicheParameters& parameters = {})
 {
-  return parameters.greatest_depth + parameters.view + 2 * parameters.cell_size;
+  return parameters.priors.max_niche_depth + viewBehind(parameters.priors) +
+         2 * parameters.cell_size;
 }
 
 /** @brief Finds the niches in the straight walls of a room: where nothing is on the

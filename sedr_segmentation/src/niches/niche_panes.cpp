@@ -3,6 +3,7 @@
 
 #include "../profiles/cell_count.h"
 #include "../refit/plan_refit.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -17,13 +18,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double cell = 0.1;        ///< metres
-constexpr double around = 0.3;      ///< a mouth, where the wall is looked at, metres
-constexpr double reach = 0.05;      ///< of the points of wall and back, metres
-constexpr double margin = 0.05;     ///< from the edges of a mouth, where its sides are
-constexpr double least_share = 0.4; ///< of the wall's density, on a back
-constexpr double best_seen = 0.25;  ///< share of a back that is asked
-constexpr std::size_t least_cells = 20; ///< of the wall in which points were seen
+/** @brief Of a larger scan, every so-manieth point is taken. */
 constexpr std::size_t most_points = 2000000;
 
 /** @brief A niche, the wall around its mouth, and their cells along and up the wall. */
@@ -35,7 +30,11 @@ public:
     std::vector<std::size_t> wall;
   };
 
-  explicit NicheView(const PlanNiche& niche)
+  NicheView(const PlanNiche& niche, const Priors& priors)
+      : cell_(priors.evidence_cell)
+      , around_(priors.min_recess)
+      , reach_(priors.wall_band)
+      , priors_(priors)
   {
     const std::vector<PlanElement>& sides = niche.boundary.elements;
     mouth_ = sides.back();
@@ -47,8 +46,8 @@ public:
     low_ = niche.bottom.heightAt(middle);
     high_ = niche.top.heightAt(middle);
     depth_ = out_.dot(sides[1].start - mouth_.start);
-    columns_ = static_cast<std::size_t>(cellsFor(width_ + 2 * around, cell));
-    rows_ = static_cast<std::size_t>(cellsFor(high_ - low_ + 2 * around, cell));
+    columns_ = static_cast<std::size_t>(cellsFor(width_ + 2 * around_, cell_));
+    rows_ = static_cast<std::size_t>(cellsFor(high_ - low_ + 2 * around_, cell_));
   }
 
   Counts noCounts() const
@@ -64,21 +63,21 @@ public:
     const double along = way_.dot(to);
     const double up = point.z() - low_;
     const double height = high_ - low_;
-    if (!(along >= -around && along < width_ + around && up >= -around &&
-          up < height + around))
+    if (!(along >= -around_ && along < width_ + around_ && up >= -around_ &&
+          up < height + around_))
       return;
     const double behind = out_.dot(to);
-    const double near = std::min(reach, depth_ / 3);
-    const auto column = static_cast<std::size_t>((along + around) / cell);
-    const auto row = static_cast<std::size_t>((up + around) / cell);
+    const double near = std::min(reach_, depth_ / 3);
+    const auto column = static_cast<std::size_t>((along + around_) / cell_);
+    const auto row = static_cast<std::size_t>((up + around_) / cell_);
     const std::size_t at =
         std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
-    if (std::abs(behind - depth_) <= near && along >= margin &&
-        along <= width_ - margin && up >= margin && up <= height - margin)
+    if (std::abs(behind - depth_) <= near && along >= reach_ &&
+        along <= width_ - reach_ && up >= reach_ && up <= height - reach_)
       ++counts.back[at];
     else if (std::abs(behind) <= near &&
-             (along <= -margin || along >= width_ + margin || up <= -margin ||
-              up >= height + margin))
+             (along <= -reach_ || along >= width_ + reach_ || up <= -reach_ ||
+              up >= height + reach_))
       ++counts.wall[at];
   }
 
@@ -89,20 +88,25 @@ public:
     for (const std::size_t points : counts.wall)
       if (points > 0)
         wall.push_back(static_cast<double>(points));
-    if (wall.size() < least_cells)
+    if (static_cast<double>(wall.size()) < 2 * priors_.min_points)
       return false;
     std::vector<std::size_t> back = counts.back;
     std::sort(back.begin(), back.end(), std::greater<>());
-    const double cells = std::max(1.0, best_seen * std::floor(width_ / cell) *
-                                           std::floor((high_ - low_) / cell));
+    const double cells =
+        std::max(1.0, priors_.share_half / 2 * std::floor(width_ / cell_) *
+                          std::floor((high_ - low_) / cell_));
     const auto best =
         std::accumulate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(cells),
                         std::size_t{0});
     return static_cast<double>(best) <
-           least_share * std::floor(cells) * middleValue(std::move(wall));
+           priors_.share_part * std::floor(cells) * middleValue(std::move(wall));
   }
 
 private:
+  double cell_;   ///< along the wall and up, metres
+  double around_; ///< the mouth, where the wall is looked at, metres
+  double reach_;  ///< of the points of wall and back; of sides, from the edges
+  const Priors& priors_;
   PlanElement mouth_;
   Eigen::Vector2d way_;
   Eigen::Vector2d out_; ///< of the room
@@ -144,7 +148,6 @@ countsOf(const std::vector<NicheView>& views,
     std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
   };
   std::mutex adding;
-  constexpr std::size_t points_a_block = 65536;
   parallelBlocks(
       all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
         std::vector<NicheView::Counts> counts;
@@ -172,13 +175,14 @@ std::size_t
 leaveOutPanes(Floorplan& plan,
               const PointView& raw,
               const std::vector<int>& indices,
-              unsigned threads)
+              unsigned threads,
+              const Priors& priors)
 {
   std::vector<NicheView> views;
   for (const PlanRoom& room : plan.rooms)
     for (const PlanNiche& niche : room.niches)
       if (isAsked(niche))
-        views.emplace_back(niche);
+        views.emplace_back(niche, priors);
   if (views.empty())
     return 0;
   const std::vector<NicheView::Counts> counts = countsOf(views, raw, indices, threads);

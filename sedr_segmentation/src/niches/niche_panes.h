@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 #include <vector>
@@ -29,7 +30,8 @@ namespace sedr {
 std::size_t leaveOutPanes(Floorplan& plan,
                           const PointView& raw,
                           const std::vector<int>& indices = {},
-                          unsigned threads = 0);
+                          unsigned threads = 0,
+                          const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

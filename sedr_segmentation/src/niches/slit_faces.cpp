@@ -2,6 +2,7 @@
 #include "slit_faces.h"
 
 #include "../refit/plan_refit.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_table.h"
 
@@ -17,15 +18,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double face_reach = 0.05;      ///< of the points of a face, metres from it
-constexpr double end_margin = 0.05; ///< from its ends, where other faces are
-constexpr double before_low = 0.08; ///< where the ceiling before a face is looked at
-constexpr double before_high = 0.4; ///< from it, metres
-constexpr double body_low = 0.1;    ///< below the ceiling, where the face is for sure
-constexpr double body_high = 0.25;  ///< metres
-constexpr double slit_low = 0.045;  ///< below the ceiling: of a slit of 5 cm, and noise
-constexpr double least_slit = 0.01; ///< that noise must leave, metres
-constexpr double least_noise = 0.015; ///< of a ceiling, metres
+/** @brief Of a larger scan, every so-manieth point is taken. */
 constexpr std::size_t most_face_points = 1000000;
 
 using Bins = std::array<std::size_t, SlitFace::Counts::bins>;
@@ -82,12 +75,15 @@ chanceOf(std::size_t seen, double expected)
 
 } // namespace
 
-SlitFace::SlitFace(const PlanRoom& room, const PlanElement& element)
+SlitFace::SlitFace(const PlanRoom& room,
+                   const PlanElement& element,
+                   const Priors& priors)
     : element_(element)
+    , priors_(priors)
 {
   const double middle = element.length() / 2;
   const Eigen::Vector2d before =
-      element.pointAt(middle) + 0.1 * element.normalAt(middle);
+      element.pointAt(middle) + priors.surface_band * element.normalAt(middle);
   ceiling_ = room.ceilingSlab(room.detailAt(before));
   low_ = high_ = element.start.array();
   constexpr int parts = 8;
@@ -96,8 +92,8 @@ SlitFace::SlitFace(const PlanRoom& room, const PlanElement& element)
     low_ = low_.min(place);
     high_ = high_.max(place);
   }
-  low_ -= before_high;
-  high_ += before_high;
+  low_ -= farthestBefore();
+  high_ += farthestBefore();
 }
 
 void
@@ -119,13 +115,14 @@ SlitFace::count(const Eigen::Vector3f& point, Counts& counts) const
   if (!(below >= Counts::highest && binOf(below) < Counts::bins))
     return;
   const double s = element_.project(p);
-  const double margin = std::min(end_margin, element_.length() / 4);
+  const double margin = std::min(priors_.wall_band, element_.length() / 4);
   if (s < margin || s > element_.length() - margin)
     return;
   const double before = element_.normalAt(s).dot(p - element_.pointAt(s));
-  if (std::abs(before) <= face_reach)
+  if (std::abs(before) <= priors_.wall_band)
     ++counts.face[binOf(below)];
-  else if (before >= before_low && before <= before_high && below < -Counts::highest)
+  else if (before >= 2 * priors_.min_wall && before <= farthestBefore() &&
+           below < -Counts::highest)
     ++counts.ceiling[binOf(below)];
 }
 
@@ -143,15 +140,16 @@ SlitFace::Top
 SlitFace::top() const
 {
   constexpr double least_expected = 8; // points
-  constexpr double most_share = 0.4;
-  constexpr double most_chance = 1e-4; // a storey has hundreds of such faces
   constexpr double sigma = 0.341; // share of the points up to one above: no lamps there
+  // Where the face is for sure.
+  const double body_low = priors_.surface_band;
+  const double body_high = priors_.surface_band + priors_.run_gap;
   const double plane = quantileOf(counts_.ceiling, 0.5);
   const double spread = plane - quantileOf(counts_.ceiling, 0.5 - sigma);
-  const double noise = std::max(least_noise, 3 * spread);
+  const double noise = std::max(priors_.slab_noise, priors_.sigmas * spread);
   const std::size_t body =
       countBetween(counts_.face, plane + body_low, plane + body_high);
-  const double slit = std::max(slit_low, noise + least_slit);
+  const double slit = std::max(priors_.min_slit, noise + 2 * Counts::step);
   if (slit > body_low)
     return Top::Unknown;
   // What ends within the body has points in its lower half only.
@@ -164,12 +162,12 @@ SlitFace::top() const
   if (expected < least_expected)
     return Top::Unknown;
   const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
-  if (static_cast<double>(seen) > most_share * expected)
+  if (static_cast<double>(seen) > priors_.share_part * expected)
     return Top::Ceiling;
   const double below =
       expected * 2 * static_cast<double>(lower) / static_cast<double>(body);
-  return chanceOf(seen, std::max(expected, below)) <= most_chance ? Top::Slit
-                                                                  : Top::Unknown;
+  return chanceOf(seen, std::max(expected, below)) <= priors_.chance ? Top::Slit
+                                                                     : Top::Unknown;
 }
 
 namespace {
@@ -179,7 +177,7 @@ namespace {
 class FacesNear {
 public:
   explicit FacesNear(const std::vector<SlitFace*>& faces)
-      : table_(0.5) // metres
+      : table_(0.5) // metres; any size will do
       , all_(faces.size())
   {
     std::iota(all_.begin(), all_.end(), 0u);
@@ -217,7 +215,6 @@ countAtFaces(const std::vector<SlitFace*>& faces,
     lowest = std::min(lowest, face->lowest());
   const FacesNear near(faces);
   std::mutex adding;
-  constexpr std::size_t points_a_block = 65536;
   parallelBlocks(
       all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
         std::vector<SlitFace::Counts> counts(faces.size());

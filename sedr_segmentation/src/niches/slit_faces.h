@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <array>
 #include <cstddef>
@@ -18,7 +19,8 @@ public:
   /** @brief What the face ends at. */
   enum class Top { Unknown, Ceiling, Slit };
 
-  SlitFace(const PlanRoom& room, const PlanElement& element);
+  /** @param priors must outlive this */
+  SlitFace(const PlanRoom& room, const PlanElement& element, const Priors& priors);
 
   /** @brief Counts of points by their distance below the ceiling. */
   struct Counts {
@@ -49,7 +51,11 @@ public:
   Top top() const;
 
 private:
+  /** @brief How far before the face the ceiling is looked at, metres. */
+  double farthestBefore() const { return 4 * priors_.evidence_cell; }
+
   PlanElement element_;
+  const Priors& priors_;
   PlanSlab ceiling_;
   Eigen::Array2d low_; ///< of what is near the face, in plan
   Eigen::Array2d high_;

@@ -13,10 +13,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief A lower bottom is the floor, metres; a higher head the ceiling. */
-constexpr double least_sill = 0.05;
-constexpr double least_head = 0.05;
-
 Cell
 cellOf(const CellGrid& grid, const WallPoint& p)
 {
@@ -47,9 +43,9 @@ depthOfBack(const std::vector<WallPoint>& region, double tolerance)
 
 /** @brief Moves the edges of a recess onto the points seen on its sides. */
 void
-fitEdges(const UnrolledWall& wall, Recess& recess)
+fitEdges(const UnrolledWall& wall, const Priors& priors, Recess& recess)
 {
-  constexpr double reach = 0.1;
+  const double reach = priors.surface_band;
   const auto fit = [&](double& edge, double WallPoint::*across,
                        double WallPoint::*beside, double low, double high) {
     std::vector<double> places;
@@ -67,7 +63,7 @@ fitEdges(const UnrolledWall& wall, Recess& recess)
   fit(recess.right, &WallPoint::along, &WallPoint::up, recess.low, recess.high);
   recess.has_bottom =
       fit(recess.low, &WallPoint::up, &WallPoint::along, recess.left, recess.right) &&
-      recess.low >= least_sill;
+      recess.low >= priors.wall_band; // a lower bottom is the floor
   fit(recess.high, &WallPoint::up, &WallPoint::along, recess.left, recess.right);
   std::vector<double> depths;
   for (const WallPoint& p : wall.points)
@@ -105,9 +101,10 @@ isClosed(const CellMask& region,
     return static_cast<double>(intersect(seen, of).count()) /
            static_cast<double>(std::max<std::size_t>(1, of.count()));
   };
-  return share(back, inside) >= parameters.minimum_coverage &&
-         share(beyond, inside) <= parameters.greatest_view &&
-         share(beyond, rim) <= parameters.greatest_view;
+  const Priors& priors = parameters.priors;
+  const double greatest_view = priors.share_little / 2;
+  return share(back, inside) >= priors.share_closed &&
+         share(beyond, inside) <= greatest_view && share(beyond, rim) <= greatest_view;
 }
 
 } // namespace
@@ -139,8 +136,8 @@ findRecess(const UnrolledWall& wall,
     if (around.at(cellOf(grid, p)))
       behind.push_back(p);
   recess.depth = depthOfBack(behind, wall.tolerance);
-  if (recess.depth < parameters.least_depth ||
-      recess.depth > parameters.greatest_depth ||
+  const Priors& priors = parameters.priors;
+  if (recess.depth < priors.min_niche_depth || recess.depth > priors.max_niche_depth ||
       !isClosed(region, behind, grid, recess.depth, wall.tolerance, parameters))
     return false;
   const CellBox box = boxOf(region.toSet());
@@ -150,13 +147,13 @@ findRecess(const UnrolledWall& wall,
   recess.low = box.low.y * size;
   recess.high = (box.high.y + 1) * size;
   const double area = (recess.right - recess.left) * (recess.high - recess.low);
-  if (static_cast<double>(region.count()) * size * size < 0.7 * area)
+  if (static_cast<double>(region.count()) * size * size < priors.share_closed * area)
     return false;
-  fitEdges(wall, recess);
-  if (recess.high > wall.height - least_head)
+  fitEdges(wall, priors, recess);
+  if (recess.high > wall.height - priors.wall_band)
     recess.high = wall.height;
-  return recess.right - recess.left >= parameters.least_size &&
-         recess.high - recess.low >= parameters.least_size;
+  return recess.right - recess.left >= priors.min_recess &&
+         recess.high - recess.low >= priors.min_recess;
 }
 
 } // namespace sedr

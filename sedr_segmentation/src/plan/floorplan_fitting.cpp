@@ -81,17 +81,21 @@ void
 fitToRaw(const PointView& raw,
          const pcl::Indices& indices,
          unsigned threads,
+         const Priors& priors,
          Floorplan& plan,
          std::vector<std::string>& warnings)
 {
   RefitParameters parameters;
+  parameters.priors = priors;
   parameters.threads = threads;
-  leaveOutBelowSlits(plan, raw, indices, threads);
-  leaveOutPanes(plan, raw, indices, threads);
+  leaveOutBelowSlits(plan, raw, indices, threads, priors);
+  leaveOutPanes(plan, raw, indices, threads, priors);
   const RefitReport report = refitToRaw(plan, raw, indices, parameters);
   if (!report.problem.empty())
     warnings.push_back("the plan is not fitted to the raw cloud: " + report.problem);
-  regularisePlan(plan);
+  RegularisationParameters regular;
+  regular.priors = priors;
+  regularisePlan(plan, regular);
 }
 
 } // namespace
@@ -125,16 +129,17 @@ fitFloorplan(const PlanInput& input,
   const bool has_raw =
       input.raw.size() > 0 && !(input.raw_indices && input.raw_indices->empty());
   const pcl::Indices all;
+  const Priors& priors = parameters.loop.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
   if (has_raw)
-    fitToRaw(input.raw, raw_indices, parameters.threads, plan, warnings);
-  constexpr double tolerance = 0.05; // metres, of what lies on a wall
+    fitToRaw(input.raw, raw_indices, parameters.threads, priors, plan, warnings);
   const std::vector<std::string> cuts =
-      separateRooms(plan, input.points, input.indices);
+      separateRooms(plan, input.points, input.indices, priors);
   giveCeilings(sheets, has_raw ? &input.raw : nullptr, raw_indices, parameters.threads,
                plan);
-  measureEvidence(plan, input.points, input.indices, tolerance, parameters.threads);
+  measureEvidence(plan, input.points, input.indices, priors.wall_band,
+                  parameters.threads);
   warnings.insert(warnings.end(), cuts.begin(), cuts.end());
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontier_points.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -16,8 +17,11 @@ namespace {
  * too; the other face of a thin partition is farther away. */
 constexpr double neighbourhood = 1.5; // cells
 
+/** @brief Cells of a frontier that a thread takes at a time: each holds many points. */
+constexpr std::size_t frontiers_a_block = 64;
+
 /** @brief The cells that these may lie in, to each side. */
-constexpr int reach_cells = 2;
+constexpr auto reach_cells = static_cast<int>(neighbourhood + 0.5);
 
 /** @brief The points of the cells along frontiers and around these, by height. */
 class FrontierColumns {
@@ -89,8 +93,6 @@ private:
     std::size_t index;
   };
 
-  static constexpr std::size_t points_a_block = 16384;
-
   /** @brief The cell of each point that is of a room, npos for those elsewhere. */
   std::vector<std::size_t> cellsOf(const PointView& points,
                                    const CellGrid& grid,
@@ -126,11 +128,10 @@ private:
 
   void sortColumns(unsigned threads)
   {
-    constexpr std::size_t cells_a_block = 256;
     const auto isLower = [](const Member& a, const Member& b) {
       return a.place.z() != b.place.z() ? a.place.z() < b.place.z() : a.index < b.index;
     };
-    parallelBlocks(cells_.size(), cells_a_block, threads,
+    parallelBlocks(cells_.size(), frontiers_a_block, threads,
                    [&](std::size_t first, std::size_t last) {
                      for (std::size_t c = first; c < last; ++c) {
                        Member* const low = members_.data() + first_[c];
@@ -166,8 +167,6 @@ private:
 std::vector<std::int32_t>
 roomsOfPoints(const PointView& points, const RoomTerritory& territory, unsigned threads)
 {
-  constexpr std::size_t points_a_block = 16384;
-  constexpr std::size_t cells_a_block = 64;
   std::vector<std::int32_t> rooms(points.size());
   parallelBlocks(rooms.size(), points_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
@@ -175,7 +174,7 @@ roomsOfPoints(const PointView& points, const RoomTerritory& territory, unsigned 
                      rooms[i] = territory.roomAt(points[i]);
                  });
   const FrontierColumns columns(points, territory, rooms, threads);
-  parallelBlocks(columns.size(), cells_a_block, threads,
+  parallelBlocks(columns.size(), frontiers_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t f = begin; f < end; ++f)
                      columns.vote(f, rooms);

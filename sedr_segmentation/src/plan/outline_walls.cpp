@@ -6,34 +6,24 @@
 namespace pcl {
 namespace sedr {
 
-namespace {
-
-/** @brief Smallest hole that may be a column, square metres: 17 cm by 17 cm. */
-constexpr double least_column_area = 0.03;
-
-/** @brief Share of the upper half of a column that a wall fills. */
-constexpr double least_upper_share = 0.6;
-
-} // namespace
-
 double
 OutlineWalls::topAroundGap(Cell cell) const
 {
-  return columns_.topAround(cell, cellsFor(2 * outline_gap, grid().size()));
+  return columns_.topAround(cell, cellsFor(2 * priors_.evidence_cell, grid().size()));
 }
 
 bool
 OutlineWalls::isUpright(Cell cell) const
 {
-  return columns_.upperShare(cell, columns_.topAround(cell, 2), 0.1, 0) >=
-         least_upper_share;
+  return columns_.upperShare(cell, columns_.topAround(cell, 2), priors_.surface_band,
+                             0) >= priors_.share_clear;
 }
 
 bool
 OutlineWalls::isWallUpTo(Cell cell, double top) const
 {
   return columns_.reaches(cell, top, gap_) &&
-         columns_.upperShare(cell, top, 0.1, 1) >= least_upper_share;
+         columns_.upperShare(cell, top, priors_.surface_band, 1) >= priors_.share_clear;
 }
 
 bool
@@ -53,20 +43,21 @@ OutlineWalls::isFloorToCeiling(Cell cell) const
 {
   const double top = topAroundGap(cell);
   const double floor = columns_.floorAt(cell);
+  const double band = priors_.surface_band;
   return isWallUpTo(cell, top) &&
-         columns_.table().share(cell, floor + 0.1, top - 0.1, 10, 1) >= 0.5 &&
-         isSurface(cell, columns_.middleBelow(cell, top), top - 0.1);
+         columns_.table().share(cell, floor + band, top - band, 10, 1) >=
+             priors_.share_half &&
+         isSurface(cell, columns_.middleBelow(cell, top), top - band);
 }
 
 bool
 OutlineWalls::isSurface(Cell cell, double low, double high) const
 {
-  constexpr double least_share = 0.5;
   const int parts = cellsFor(high - low, grid().size());
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
       if (columns_.table().share({cell.x + dx, cell.y + dy}, low, high, parts, 0) >=
-          least_share)
+          priors_.share_half)
         return true;
   return false;
 }
@@ -75,7 +66,7 @@ bool
 OutlineWalls::isLargeEnough(std::size_t cells) const
 {
   return static_cast<double>(cells) * grid().size() * grid().size() >=
-         least_column_area;
+         priors_.min_column_area;
 }
 
 bool
@@ -88,7 +79,8 @@ OutlineWalls::isColumn(const CellMask& hole) const
   std::size_t walled = 0;
   for (std::size_t i = 0; i < rim.values().size(); ++i)
     walled += rim.values()[i] && isFloorToCeiling(rim.cellAt(i)) ? 1 : 0;
-  return 5 * walled >= 2 * rim.count();
+  return static_cast<double>(walled) >=
+         priors_.share_part * static_cast<double>(rim.count());
 }
 
 double

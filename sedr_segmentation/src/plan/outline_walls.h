@@ -3,21 +3,24 @@
 
 #include "../profiles/room_columns.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include "sedr_filters/src/grids/cell_mask.h"
 
 namespace pcl {
 namespace sedr {
 
-/** @brief What was not hit of a ceiling is bridged up to this far, metres. */
-constexpr double outline_gap = 0.1;
-
 /** @brief Which columns of a grid hold walls of a room, partitions and columns. */
 class OutlineWalls {
 public:
-  OutlineWalls(const RoomColumns& columns, const CeilingGap& gap)
+  /** @param priors must outlive this */
+  OutlineWalls(const RoomColumns& columns, const CeilingGap& gap, const Priors& priors)
       : columns_(columns)
       , gap_(gap)
+      , priors_(priors)
   {}
+
+  const Priors& priors() const { return priors_; }
 
   const CellGrid& grid() const { return columns_.grid(); }
 
@@ -64,6 +67,7 @@ private:
 
   RoomColumns columns_;
   CeilingGap gap_;
+  const Priors& priors_;
 };
 
 } // namespace sedr

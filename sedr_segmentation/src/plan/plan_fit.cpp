@@ -10,6 +10,7 @@
 #include "../rooms/room_planes.h"
 #include "../sheets/sheet_fit.h"
 #include "room_territory.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -44,9 +45,8 @@ template <typename RoomOf>
 std::vector<std::int32_t>
 roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
 {
-  constexpr std::size_t indices_a_block = 16384;
   std::vector<std::int32_t> rooms(indices.size());
-  parallelBlocks(indices.size(), indices_a_block, threads,
+  parallelBlocks(indices.size(), points_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t k = begin; k < end; ++k)
                      rooms[k] = roomOf(indices[k]);
@@ -94,9 +94,6 @@ struct RoomWork {
   RoomRecord record;
 };
 
-/** @brief A part of a room that is worth a word when it is left out, square metres. */
-constexpr double least_loss = 0.25;
-
 /** @brief Fits every room for itself; what is wrong with those of which there is a
  * problem. */
 std::vector<std::string>
@@ -133,7 +130,7 @@ leaveToOthers(const PointView& points,
   std::vector<std::vector<PlanElement>> faces;
   std::vector<std::size_t> among_others;
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    faces.push_back(facesOfOthers(plan, r));
+    faces.push_back(facesOfOthers(plan, r, parameters.loop.priors));
     if (!faces.back().empty())
       among_others.push_back(r);
   }
@@ -161,9 +158,10 @@ leaveToOthers(const PointView& points,
 /** @brief The ceiling of a room as it is known before its walls are: a relief of its
  * facets; null where there are none, or they explain too little of it. */
 std::shared_ptr<const PlanSlab>
-seenSheet(const std::vector<Eigen::Vector3d>& points, unsigned threads)
+seenSheet(const std::vector<Eigen::Vector3d>& points,
+          const Priors& priors,
+          unsigned threads)
 {
-  constexpr double least_explained = 0.6;
   SheetParameters parameters; // coarse: only the tops of walls are asked for
   parameters.cell_size = 0.15;
   parameters.most_cells = 6000;
@@ -178,7 +176,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points, unsigned threads)
   for (const Eigen::Vector3d& p : points)
     domain[grid.at(p.head<2>())] = 1;
   const Sheet sheet = fitSheet(points, grid, domain, {}, parameters);
-  if (!hasSlope(sheet) || sheet.explained < least_explained)
+  if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
     return nullptr;
   return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
 }
@@ -206,6 +204,7 @@ fitPlan(const PointView& points,
         std::vector<RoomSheet>* sheets)
 {
   Floorplan plan;
+  const Priors& priors = parameters.loop.priors;
   problem.clear();
   warnings.clear();
   const CellGrid grid(parameters.cell_size);
@@ -240,7 +239,7 @@ fitPlan(const PointView& points,
                  [&](std::size_t k, std::size_t) {
                    territories[k] = std::make_unique<RoomTerritory>(
                        grid, scopes, heights,
-                       k == 0 ? RoomTerritory::farthest_wall : nicheReach());
+                       k == 0 ? wallReach(priors) : nicheReach({priors}), priors);
                  });
   const RoomTerritory& territory = *territories[0];
   const RoomTerritory& wide = *territories[1];
@@ -271,11 +270,11 @@ fitPlan(const PointView& points,
                          std::move(behind[r])},
                         {}});
   if (sheets)
-    parallelBlocks(numbers.size(), 1, parameters.threads,
-                   [&](std::size_t r, std::size_t) {
-                     all_work[r].evidence.sheet =
-                         seenSheet(placesOf(points, of_sheets[r]), parameters.threads);
-                   });
+    parallelBlocks(
+        numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+          all_work[r].evidence.sheet =
+              seenSheet(placesOf(points, of_sheets[r]), priors, parameters.threads);
+        });
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
       fitRooms(points, parameters, all_work, rooms);
@@ -297,7 +296,7 @@ fitPlan(const PointView& points,
     if (!leaveToOthers(points, parameters, work, plan))
       break;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    if (work[r].record.lost_area >= least_loss) {
+    if (work[r].record.lost_area >= parameters.minimum_detail_area) {
       char text[96];
       std::snprintf(text, sizeof text,
                     "room %u: %.2f m2 of its ceiling lie apart and are left out",
@@ -310,7 +309,9 @@ fitPlan(const PointView& points,
         boundaries->push_back(std::move(boundary));
     }
   }
-  regularisePlan(plan);
+  RegularisationParameters regular;
+  regular.priors = priors;
+  regularisePlan(plan, regular);
   if (plan.rooms.empty())
     problem =
         warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../curves/main_directions.h"
+
 #include "../details/height_map.h"
 #include "../loop/loop_bumps.h"
 #include "../loop/loop_recesses.h"
 #include "../walls/wall_boards.h"
 #include "../walls/wall_evidence.h"
+#include "sedr_segmentation/src/plan/room_territory.h"
 
 #include "room_fit.h"
 
@@ -15,6 +17,7 @@
 #include "../niches/niche_fit.h"
 #include "../profiles/cell_count.h"
 #include "room_outline.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -28,9 +31,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief How much more than the ceilings is looked at on each side, metres. */
-constexpr double margin = 0.7;
 
 /** @brief Does what does not depend on each other, on several threads. */
 void
@@ -61,8 +61,8 @@ slabOf(const PointView& points,
        const std::vector<int>& indices,
        const RoomFitParameters& parameters)
 {
-  constexpr double maximum_tilt = 3.0 * M_PI / 180.0;
-  return findLargerSlab(points, indices, parameters.slab_tolerance, maximum_tilt,
+  return findLargerSlab(points, indices, parameters.slab_tolerance,
+                        radians(parameters.loop.priors.max_slab_tilt),
                         parameters.loop.seed, parameters.threads);
 }
 
@@ -92,8 +92,8 @@ boundaryOf(const Contour& contour,
   constexpr int most_rounds = 4; // the loop may run along parts of a board only
   const LoopParameters loop = loopOnCells(parameters);
   PlanLoop boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
-  for (int round = 0;
-       round < most_rounds && leaveOutBoards(boundary, walls, parameters.threads);
+  for (int round = 0; round < most_rounds &&
+                      leaveOutBoards(boundary, walls, parameters.threads, loop.priors);
        ++round)
     boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
   return boundary;
@@ -134,23 +134,22 @@ floorEvidence(const PointView& points,
 
 /** @brief The directions of a loop's straight walls. */
 std::vector<Eigen::Vector2d>
-directionsOf(const PlanLoop& loop)
+directionsOf(const PlanLoop& loop, const Priors& priors)
 {
   std::vector<DirectedLine> lines;
   for (const auto& e : loop.elements)
     if (!e.isArc() && e.length() > 0)
       lines.push_back({e.length(), (e.end - e.start) / e.length()});
-  return mainDirections(std::move(lines));
+  return mainDirections(std::move(lines), priors);
 }
 
 /** @brief Whether two loops share more than a side. */
 bool
 overlapWidely(const PlanLoop& a, const PlanLoop& b)
 {
-  constexpr double narrow = 0.001; // metres
   const std::vector<PlanLoop> shared = intersection(a, b);
   return std::any_of(shared.begin(), shared.end(), [](const PlanLoop& part) {
-    return 2 * part.area() > narrow * part.length();
+    return 2 * part.area() > same_line * part.length();
   });
 }
 
@@ -179,8 +178,8 @@ columnLoop(const CellMask& column,
   // hole's.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
-  return fitColumn(contour, walls, directionsOf(boundary), loopOnCells(parameters),
-                   &samples);
+  return fitColumn(contour, walls, directionsOf(boundary, parameters.loop.priors),
+                   loopOnCells(parameters), &samples);
 }
 
 } // namespace
@@ -194,11 +193,13 @@ fitRoom(const PointView& points,
         std::size_t fewer_than)
 {
   PlanRoom room;
+  const Priors& priors = parameters.loop.priors;
   const CellGrid grid(parameters.cell_size);
   std::vector<int> slabs = evidence.ceiling;
   slabs.insert(slabs.end(), evidence.details.begin(), evidence.details.end());
   const CellSet seen(grid, points, slabs);
-  const CellBox box = grown(boxOf(seen), cellsFor(margin, parameters.cell_size, 3));
+  const CellBox box =
+      grown(boxOf(seen), cellsFor(wallReach(priors), parameters.cell_size, 3));
   problem = maskProblem(box);
   if (!problem.empty())
     return room;
@@ -230,20 +231,20 @@ fitRoom(const PointView& points,
     besides_furniture = all.without(furniture);
   const ColumnTable& columns = besides_furniture ? *besides_furniture : all;
   const RoomOutline outline =
-      outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap);
+      outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap, priors);
   std::vector<UprightPlace> walls =
       uprightPlaces(points,
                     besides(furniture, points,
                             wallEvidence(points, evidence, outline.room, grid,
                                          parameters.loop.tolerance, parameters.threads),
                             grid, parameters.threads),
-                    room, columns, grid, parameters.threads);
+                    room, columns, grid, parameters.threads, priors);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
   dropBumps(room.boundary, parameters.loop.minimum_length);
-  std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around);
+  std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around, priors);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
@@ -260,7 +261,7 @@ fitRoom(const PointView& points,
   }
   const CellMask open = outline.columns.empty()
                             ? CellMask(box)
-                            : aroundSeenCeiling(ceilings, upright, grid);
+                            : aroundSeenCeiling(ceilings, upright, grid, priors);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
@@ -269,7 +270,7 @@ fitRoom(const PointView& points,
       return;
     // What the growing took for no wall may still be the column's.
     const PlanPoints own = inPlan(uprightPlaces(
-        points, columns.indicesIn(dilated(column, 1)), room, columns, grid, 1));
+        points, columns.indicesIn(dilated(column, 1)), room, columns, grid, 1, priors));
     of_columns[c].label = StructureLabel::Column;
     loops[c] =
         columnLoop(column, own, room.boundary, parameters, of_columns[c].samples);
@@ -302,6 +303,7 @@ fitRoom(const PointView& points,
   beside.insert(beside.end(), evidence.behind.begin(), evidence.behind.end());
   NicheParameters of_niches;
   of_niches.threads = parameters.threads;
+  of_niches.priors = priors;
   room.niches = fitNiches(points, beside, room, of_niches);
   addWhereNoneIs(std::move(alcoves), room.niches);
   return room;

@@ -14,9 +14,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief Radius within which notches are questioned, metres. */
-constexpr double notch_radius = 0.4;
-
 /** @brief Share of a notch's width along which the wall that it opens towards stands
  * behind it. The faces of a pilaster end at the wall, and behind it is none.
  * @param outer cells of the notch at its mouth in that wall
@@ -71,7 +68,8 @@ columnBeforeWall(const CellMask& notch,
     return nothing;
   const CellMask outside = inverted(closed);
   const CellMask outer = intersect(notch, dilated(outside, 1));
-  if (outer.count() == 0 || wallBehind(notch, outer, outside, walls) < 0.6)
+  if (outer.count() == 0 ||
+      wallBehind(notch, outer, outside, walls) < walls.priors().share_clear)
     return nothing;
   const CellMask column = largestRegion(subtract(notch, outer));
   return walls.isColumn(column) ? column : nothing;
@@ -84,7 +82,7 @@ withoutFalseNotches(const CellMask& room,
                     const OutlineWalls& walls,
                     std::vector<CellMask>& columns)
 {
-  const double radius = cellsFor(notch_radius, walls.grid().size());
+  const double radius = cellsFor(walls.priors().max_pilaster, walls.grid().size());
   CellMask closed = eroded(dilated(room, radius), radius);
   closed = unite(closed, enclosedCells(closed));
   const CellMask notches = subtract(closed, room);
@@ -92,7 +90,7 @@ withoutFalseNotches(const CellMask& room,
   CellMask result = room;
   for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
     const CellMask notch = regionMask(notches, regions, static_cast<std::int32_t>(r));
-    const bool is_false = walls.wallShare(notch, room) < 0.5;
+    const bool is_false = walls.wallShare(notch, room) < walls.priors().share_half;
     const CellMask column =
         is_false ? CellMask() : columnBeforeWall(notch, closed, walls);
     if (column.count() > 0)

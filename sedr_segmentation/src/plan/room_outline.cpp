@@ -14,33 +14,19 @@ namespace sedr {
 
 namespace {
 
-/** @brief Radius within which protrusions are questioned, metres. */
-constexpr double protrusion_radius = 0.15;
-
-/** @brief What was seen through an opening is no wider than twice this, and reaches
- * farther than that from the room, metres: corners do not. */
-constexpr double opening_radius = 0.45;
-constexpr double least_sight = 0.3;
-
-/** @brief A larger hole in what is known of a ceiling is no part of the room, square
- * metres: a court, or a core of rooms. */
-constexpr double largest_unseen = 4;
-
-/** @brief What reaches further into a room than this may be a partition, metres. */
-constexpr double partition_reach = 0.4;
-
 class Outliner {
 public:
   explicit Outliner(const OutlineWalls& walls)
       : walls_(walls)
       , grid_(walls.grid())
+      , priors_(walls.priors())
   {}
 
   RoomOutline outline(const CellMask& seen) const
   {
     RoomOutline result;
     // What was not hit: gaps of up to two cells each way.
-    const double gap = cellsFor(outline_gap, grid_.size());
+    const double gap = cellsFor(priors_.evidence_cell, grid_.size());
     CellMask room = eroded(dilated(seen, gap), gap);
     room = subtract(room, thinPartitions(subtract(room, seen), room));
     const CellMask holes = enclosedCells(room);
@@ -51,7 +37,7 @@ public:
       const CellMask hole = regionMask(holes, regions, static_cast<std::int32_t>(r));
       const double area =
           static_cast<double>(regions.sizes[r]) * grid_.size() * grid_.size();
-      if (area > largest_unseen || walls_.isColumn(hole))
+      if (area > priors_.max_unseen_area || walls_.isColumn(hole))
         result.columns.push_back(hole);
     }
     room = unite(room, holes);
@@ -108,10 +94,10 @@ private:
   CellMask thinPartitions(const CellMask& bridged, const CellMask& room) const
   {
     CellMask walls = partitionsAmong(bridged);
-    const double gap = cellsFor(outline_gap, grid_.size());
+    const double gap = cellsFor(priors_.evidence_cell, grid_.size());
     walls = withStraysOfTheCeiling(walls, gap);
     // Where a partition is wider it was not bridged.
-    const double reach = cellsFor(partition_reach, grid_.size());
+    const double reach = cellsFor(priors_.max_pilaster, grid_.size());
     const CellMask filled = eroded(dilated(room, reach), reach);
     const CellMask slits = unite(walls, subtract(filled, room));
     const CellMask inner =
@@ -121,7 +107,7 @@ private:
 
   CellMask withoutFalseProtrusions(const CellMask& room) const
   {
-    const double radius = cellsFor(protrusion_radius, grid_.size());
+    const double radius = cellsFor(priors_.run_gap, grid_.size());
     const CellMask opened = dilated(eroded(room, radius), radius);
     const CellMask parts = subtract(room, opened);
     const CellMask outside = inverted(room);
@@ -131,7 +117,7 @@ private:
       if (regions.sizes[r] < 4)
         continue;
       const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
-      if (walls_.wallShare(part, outside) < 0.5)
+      if (walls_.wallShare(part, outside) < priors_.share_half)
         result = subtract(result, part);
     }
     return result;
@@ -141,9 +127,9 @@ private:
    * mirror: wider than a false protrusion, but nothing at all stands along it. */
   CellMask withoutSights(const CellMask& room) const
   {
-    constexpr double most_walled = 0.15;
     constexpr double rim = 1.5; // cells: by it, corners hang together
-    const double radius = cellsFor(opening_radius, grid_.size());
+    // What was seen through an opening is no wider than a door.
+    const double radius = cellsFor(priors_.door_width / 2, grid_.size());
     const CellMask opened = dilated(eroded(room, radius), radius);
     if (opened.count() == 0) // a narrow room
       return room;
@@ -151,7 +137,7 @@ private:
     const CellMask parts = subtract(room, dilated(opened, rim));
     const CellMask outside = inverted(room);
     const MaskRegions regions = labelRegions(parts, false);
-    const auto least = static_cast<float>(least_sight / grid_.size());
+    const auto least = static_cast<float>(priors_.max_wall / 2 / grid_.size());
     std::vector<std::uint8_t> is_deep(regions.sizes.size(), 0);
     for (std::size_t i = 0; i < parts.values().size(); ++i)
       if (regions.label[i] >= 0 && away[i] > least * least)
@@ -161,7 +147,7 @@ private:
       if (!is_deep[r])
         continue;
       const CellMask part = regionMask(parts, regions, static_cast<std::int32_t>(r));
-      if (walls_.wallShare(part, outside) < most_walled)
+      if (walls_.wallShare(part, outside) < priors_.share_few)
         result = subtract(result, subtract(dilated(part, rim), opened));
     }
     return result;
@@ -169,6 +155,7 @@ private:
 
   const OutlineWalls& walls_;
   const CellGrid& grid_;
+  const Priors& priors_;
 };
 
 } // namespace
@@ -179,9 +166,10 @@ outlineRoom(const CellMask& seen,
             const ColumnTable& columns,
             const PlanSlab& ceiling,
             const PlanSlab& floor,
-            const CeilingGap& gap)
+            const CeilingGap& gap,
+            const Priors& priors)
 {
-  const OutlineWalls walls({grid, columns, ceiling, floor}, gap);
+  const OutlineWalls walls({grid, columns, ceiling, floor}, gap, priors);
   return Outliner(walls).outline(seen);
 }
 

@@ -5,6 +5,7 @@
 #include "../profiles/column_table.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -39,7 +40,8 @@ RoomOutline outlineRoom(const CellMask& seen,
                         const ColumnTable& columns,
                         const PlanSlab& ceiling,
                         const PlanSlab& floor,
-                        const CeilingGap& gap = {});
+                        const CeilingGap& gap = {},
+                        const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

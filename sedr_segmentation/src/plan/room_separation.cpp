@@ -7,6 +7,7 @@
 #include "../curves/loop_difference.h"
 #include "../loop/loop_lobes.h"
 #include "../loop/loop_necks.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -23,14 +24,6 @@ namespace sedr {
 
 namespace {
 
-/** @brief Thickness of a partition of which nothing is known, metres. */
-constexpr double least_partition = 0.01;
-
-/** @brief A cut that is worth a word, square metres. */
-constexpr double worth_a_word = 0.1;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /** @brief Smallest box around loops; one around none meets nothing. */
 struct Bounds {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(infinite);
@@ -40,7 +33,7 @@ struct Bounds {
 
   void extend(const PlanLoop& loop)
   {
-    for (const auto& p : loop.polygon(0.01)) {
+    for (const auto& p : loop.polygon(2 * chord)) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
@@ -48,9 +41,9 @@ struct Bounds {
 
   bool meets(const Bounds& other) const
   {
-    constexpr double slack = 0.01; // the polygon is within its arcs
-    return (low.array() <= other.high.array() + slack).all() &&
-           (other.low.array() <= high.array() + slack).all();
+    // The polygon is within its arcs.
+    return (low.array() <= other.high.array() + 2 * chord).all() &&
+           (other.low.array() <= high.array() + 2 * chord).all();
   }
 };
 
@@ -206,14 +199,15 @@ sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
  * left may be broken or missing; a millimetre more is tried then.
  * @return false where nothing is left of it */
 bool
-cutBack(PlanRoom& room, const PlanRoom& from)
+cutBack(PlanRoom& room, const PlanRoom& from, const Priors& priors)
 {
-  constexpr double chord = 0.002;
-  constexpr double slack = 0.01; // square metres
+  constexpr double fine_chord = 0.002;
+  const double slack = priors.evidence_cell * priors.evidence_cell;
   constexpr int tries = 5;
   std::optional<PlanRoom> left;
   for (int k = 0; k < tries; ++k) {
-    const PlanLoop cutter = widened(from.boundary, least_partition + 0.0013 * k);
+    const PlanLoop cutter =
+        widened(from.boundary, priors.assumed_partition + 1.3 * priors.unevenness * k);
     const std::vector<PlanLoop> parts = difference(room.boundary, cutter);
     if (parts.empty() || !(parts.front().area() > 0))
       continue;
@@ -222,7 +216,8 @@ cutBack(PlanRoom& room, const PlanRoom& from)
     double lost = room.boundary.area();
     for (const auto& part : parts)
       lost -= part.area();
-    if (lost < cutter.area() + slack && !crossesItself(left->boundary.polygon(chord)) &&
+    if (lost < cutter.area() + slack &&
+        !crossesItself(left->boundary.polygon(fine_chord)) &&
         (holeAround(from, *left) || !overlap(left->boundary, from.boundary)))
       break;
   }
@@ -235,14 +230,14 @@ cutBack(PlanRoom& room, const PlanRoom& from)
 /** @brief Ends a room that lies mostly in a hole of another one at that hole.
  * @return whether it lies there */
 bool
-keepInHole(PlanRoom& room, const PlanRoom& other)
+keepInHole(PlanRoom& room, const PlanRoom& other, const Priors& priors)
 {
   const PlanLoop* const hole = holeAround(room, other);
   if (!hole)
     return false;
   if (!partsInside(room.boundary, reversed(*hole)).second.empty()) {
-    const std::vector<PlanLoop> parts =
-        intersection(room.boundary, widened(reversed(*hole), -least_partition));
+    const std::vector<PlanLoop> parts = intersection(
+        room.boundary, widened(reversed(*hole), -priors.assumed_partition));
     if (!parts.empty())
       room.boundary = parts.front();
   }
@@ -256,6 +251,7 @@ bool
 separateOnce(Floorplan& plan,
              const PointView& points,
              const std::vector<int>& indices,
+             const Priors& priors,
              std::set<std::size_t>& gone,
              std::vector<std::string>& sentences)
 {
@@ -268,8 +264,9 @@ separateOnce(Floorplan& plan,
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
       if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
-          !shareHeights(first, second) || keepInHole(first, second) ||
-          keepInHole(second, first) || !overlap(first.boundary, second.boundary))
+          !shareHeights(first, second) || keepInHole(first, second, priors) ||
+          keepInHole(second, first, priors) ||
+          !overlap(first.boundary, second.boundary))
         continue;
       has_changed = true;
       const double seen_first = seenInside(first, second.boundary, points, indices);
@@ -279,11 +276,11 @@ separateOnce(Floorplan& plan,
       PlanRoom& loser = is_first_cut ? first : second;
       const PlanRoom& winner = is_first_cut ? second : first;
       double lost = loser.area();
-      if (cutBack(loser, winner))
+      if (cutBack(loser, winner, priors))
         lost -= loser.area();
       else
         gone.insert(is_first_cut ? a : b);
-      if (lost > worth_a_word)
+      if (lost > priors.small_area)
         sentences.push_back(sentenceOf(loser, winner, lost));
     }
   return has_changed;
@@ -291,30 +288,33 @@ separateOnce(Floorplan& plan,
 
 /** @brief Cuts off slits and spikes of a room, and what of its details is in them. */
 void
-cutNecksOf(PlanRoom& room)
+cutNecksOf(PlanRoom& room, const Priors& priors)
 {
-  if (cutNecks(room.boundary) == 0)
+  if (cutNecks(room.boundary, priors) == 0)
     return;
   for (auto* details : {&room.details, &room.floor_details})
     for (PlanDetail& detail : *details)
-      cutNecks(detail.boundary);
+      cutNecks(detail.boundary, priors);
 }
 
 } // namespace
 
 std::vector<std::string>
-separateRooms(Floorplan& plan, const PointView& points, const std::vector<int>& indices)
+separateRooms(Floorplan& plan,
+              const PointView& points,
+              const std::vector<int>& indices,
+              const Priors& priors)
 {
   constexpr int most_rounds = 4; // what is cut back from one room may touch a third
   std::vector<std::string> sentences;
   std::set<std::size_t> gone;
   for (int round = 0; round < most_rounds; ++round)
-    if (!separateOnce(plan, points, indices, gone, sentences))
+    if (!separateOnce(plan, points, indices, priors, gone, sentences))
       break;
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)
     plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
   for (PlanRoom& room : plan.rooms) {
-    cutNecksOf(room);
+    cutNecksOf(room, priors);
     dropPoints(room.boundary);
     trimDetails(room);
   }

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ namespace sedr {
  * O(n m); for every overlap, the evidence of two rooms is measured. Deterministic. */
 std::vector<std::string> separateRooms(Floorplan& plan,
                                        const PointView& points,
-                                       const std::vector<int>& indices);
+                                       const std::vector<int>& indices,
+                                       const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

@@ -3,6 +3,7 @@
 
 #include "../profiles/box_clusters.h"
 #include "../profiles/cell_count.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -59,14 +60,13 @@ awayFrom(const RoomHeights& range, double z)
 } // namespace
 
 RoomHeights
-heightsFrom(double floor, std::vector<float> ceilings)
+heightsFrom(double floor, std::vector<float> ceilings, const Priors& priors)
 {
-  constexpr double elsewhere = 0.05; // share
   if (ceilings.empty())
     return {floor, floor};
-  const auto top = ceilings.begin() +
-                   static_cast<std::ptrdiff_t>(
-                       (1 - elsewhere) * static_cast<double>(ceilings.size() - 1));
+  const auto top = ceilings.begin() + static_cast<std::ptrdiff_t>(
+                                          (1 - priors.share_unseen) *
+                                          static_cast<double>(ceilings.size() - 1));
   std::nth_element(ceilings.begin(), top, ceilings.end());
   return {floor, *top};
 }
@@ -74,8 +74,12 @@ heightsFrom(double floor, std::vector<float> ceilings)
 RoomTerritory::RoomTerritory(const CellGrid& grid,
                              const std::vector<CellSet>& scopes,
                              const std::vector<RoomHeights>& heights,
-                             double reach)
+                             double reach,
+                             const Priors& priors)
     : grid_(grid)
+    , reach_(priors.max_wall / 2)
+    , outside_(priors.surface_band)
+    , deepest_(priors.patch)
 {
   const int steps = cellsFor(reach, grid.size(), 3);
   for (const auto& layer : layersOf(scopes.size(), heights))
@@ -127,30 +131,26 @@ RoomTerritory::roomIn(const Layer& layer, Cell cell) const
 std::int32_t
 RoomTerritory::roomAt(const Eigen::Vector3f& p) const
 {
-  constexpr double reach = 0.3;   // metres: a surface's noise, half of a slab
-  constexpr double outside = 0.1; // metres that count for a place beside the room
   if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
     return -1;
   const Cell cell = grid_.at(p.x(), p.y());
   if (layers_.size() == 1) {
-    constexpr double deepest =
-        0.5; // metres below a floor: steps; a mirror image is not
     const std::int32_t room = roomIn(layers_.front(), cell);
     const bool is_below =
         room >= 0 && !heights_.empty() &&
-        p.z() < heights_[static_cast<std::size_t>(room)].low - deepest;
+        p.z() < heights_[static_cast<std::size_t>(room)].low - deepest_;
     return is_below ? -1 : room;
   }
   std::int32_t best = -1;
-  double least = reach + outside;
+  double least = reach_ + outside_;
   for (const Layer& layer : layers_) {
     const std::int32_t room = roomIn(layer, cell);
     if (room < 0)
       continue;
     const auto r = static_cast<std::size_t>(room);
     const double away = awayFrom(heights_[r], p.z());
-    const double cost = away + (scopes_[r].contains(cell) ? 0 : outside);
-    if (away <= reach && cost < least) {
+    const double cost = away + (scopes_[r].contains(cell) ? 0 : outside_);
+    if (away <= reach_ && cost < least) {
       least = cost;
       best = room;
     }
@@ -161,7 +161,6 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
 std::vector<std::int32_t>
 RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
 {
-  constexpr std::size_t points_a_block = 32768;
   std::vector<std::int32_t> rooms(points.size());
   parallelBlocks(points.size(), points_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {

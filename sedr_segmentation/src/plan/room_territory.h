@@ -3,6 +3,7 @@
 
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstdint>
 #include <string>
@@ -16,7 +17,16 @@ namespace sedr {
  * @param floor height of its floor, metres
  * @param ceilings heights of what was seen of its ceiling; of none the range is empty
  */
-RoomHeights heightsFrom(double floor, std::vector<float> ceilings);
+RoomHeights
+heightsFrom(double floor, std::vector<float> ceilings, const Priors& priors = {});
+
+/** @brief How far from a room's ceiling its walls may be, metres: the thickest, and
+ * what noise makes of it. */
+inline double
+wallReach(const Priors& priors = {})
+{
+  return priors.max_wall + priors.surface_band;
+}
 
 /** @brief Which room a place belongs to: rooms grow from the cells of their ceilings
  * outwards until they meet or have gone as far as walls can be. So each face of a thin
@@ -25,9 +35,6 @@ RoomHeights heightsFrom(double floor, std::vector<float> ceilings);
  * rooms). */
 class RoomTerritory {
 public:
-  /** @brief How far from a room's ceiling its walls may be, metres. */
-  static constexpr double farthest_wall = 0.7;
-
   /** @param scopes the cells of each room
    * @param heights of each room's lowest floor and highest ceiling; empty: no room lies
    * above another
@@ -35,7 +42,8 @@ public:
   RoomTerritory(const CellGrid& grid,
                 const std::vector<CellSet>& scopes,
                 const std::vector<RoomHeights>& heights = {},
-                double reach = farthest_wall);
+                double reach = wallReach(),
+                const Priors& priors = {});
 
   /** @brief What is wrong, a sentence; empty if nothing is. */
   const std::string& problem() const { return problem_; }
@@ -70,6 +78,9 @@ private:
   std::int32_t roomIn(const Layer& layer, Cell cell) const;
 
   CellGrid grid_;
+  double reach_;   ///< of a surface's noise, half of a slab, metres
+  double outside_; ///< what counts for a place beside the room, metres
+  double deepest_; ///< below a floor: steps; a mirror image is deeper
   std::vector<Layer> layers_;
   std::vector<CellSet> scopes_;      ///< kept where there are several layers
   std::vector<RoomHeights> heights_; ///< likewise

@@ -10,33 +10,36 @@ namespace sedr {
 
 namespace {
 
-/** @brief Less than the thinnest partition, metres. Where two rooms share the points of
- * one face, each has the half of the noise that is on its side. */
-constexpr double farthest = 0.04;
-
 /** @brief Whether no place of an element is near one of another. */
 bool
-areApart(const PlanElement& a, const PlanElement& b)
+areApart(const PlanElement& a, const PlanElement& b, double farthest)
 {
   const double reach = (a.length() + b.length()) / 2 + farthest;
   return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() > reach;
 }
 
-/** @brief Whether a place of a wall is on another one, with its room on the other side.
- */
+/** @brief Whether a place of a wall is on another one, with its room on the other side:
+ * nearer than the thinnest partition. Where two rooms share the points of one face,
+ * each has the half of the noise that is on its side. */
 bool
-isOtherSideOf(const PlanElement& e, double s, const PlanElement& other)
+isOtherSideOf(const PlanElement& e,
+              double s,
+              const PlanElement& other,
+              const Priors& priors)
 {
   constexpr double least_cosine = 0.95;
   const Eigen::Vector2d p = e.pointAt(s);
-  return other.distance(p) <= farthest &&
+  return other.distance(p) <= priors.min_wall &&
          e.normalAt(s).dot(other.normalAt(other.project(p))) <= -least_cosine;
 }
 
 /** @brief The walls of other rooms, at the heights of a room, that a wall comes so near
  * to in any place. */
 std::vector<PlanElement>
-facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
+facesAlong(const PlanElement& e,
+           const Floorplan& plan,
+           std::size_t room,
+           const Priors& priors)
 {
   constexpr int samples = 9;
   std::vector<PlanElement> faces;
@@ -44,11 +47,11 @@ facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
     if (r == room || !shareHeights(plan.rooms[r], plan.rooms[room]))
       continue;
     for (const auto& other : plan.rooms[r].boundary.elements) {
-      if (areApart(e, other))
+      if (areApart(e, other, priors.min_wall))
         continue;
       bool meets = false;
       for (int k = 0; k < samples && !meets; ++k)
-        meets = isOtherSideOf(e, (k + 0.5) / samples * e.length(), other);
+        meets = isOtherSideOf(e, (k + 0.5) / samples * e.length(), other, priors);
       if (meets)
         faces.push_back(other);
     }
@@ -59,15 +62,14 @@ facesAlong(const PlanElement& e, const Floorplan& plan, std::size_t room)
 } // namespace
 
 std::vector<PlanElement>
-facesOfOthers(const Floorplan& plan, std::size_t room)
+facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors)
 {
-  constexpr double shortest = 0.1;
   constexpr double times_longer = 1.25;
   std::vector<PlanElement> all;
   for (const auto& e : plan.rooms[room].boundary.elements) {
-    if (e.length() < shortest)
+    if (e.length() < priors.evidence_cell)
       continue;
-    const std::vector<PlanElement> faces = facesAlong(e, plan, room);
+    const std::vector<PlanElement> faces = facesAlong(e, plan, room, priors);
     double length = 0;
     for (const auto& face : faces)
       length += face.length();

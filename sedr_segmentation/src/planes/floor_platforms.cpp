@@ -4,6 +4,7 @@
 #include "floor_platforms.h"
 
 #include "../profiles/cell_count.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
@@ -40,9 +41,10 @@ floorBeside(const CellMask& region,
             const Level& level,
             const std::vector<const Level*>& floors,
             const CellGrid& grid,
-            const PlatformParameters& platform)
+            const Priors& priors)
 {
-  const CellMask beside = subtract(dilated(region, cellsFor(0.6, grid.size())), region);
+  const CellMask beside =
+      subtract(dilated(region, cellsFor(priors.max_wall, grid.size())), region);
   const CellBox& box = region.box();
   const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
   const auto stepUpFrom = [&](const Level& floor) {
@@ -58,8 +60,8 @@ floorBeside(const CellMask& region,
     best = floor;
   }
   const bool is_platform = best != nullptr &&
-                           stepUpFrom(*best) >= platform.least_height &&
-                           stepUpFrom(*best) <= platform.greatest_height;
+                           stepUpFrom(*best) >= priors.min_floor_step &&
+                           stepUpFrom(*best) <= priors.max_platform_height;
   return is_platform ? best : nullptr;
 }
 
@@ -72,23 +74,23 @@ isWithinAStep(const CellMask& region,
               const Level& floor,
               const std::vector<Level>& levels,
               const CellGrid& grid,
-              const PlatformParameters& platform)
+              const Priors& priors)
 {
   const CellBox& box = region.box();
   const Eigen::Vector2d middle = (grid.centre(box.low) + grid.centre(box.high)) / 2;
   const double top = level.slab.heightAt(middle);
   const double bottom = floor.slab.heightAt(middle);
-  if (top - bottom <= platform.greatest_step ||
-      isLargerThanFurniture(region, grid.size()))
+  if (top - bottom <= priors.max_step_height ||
+      isLargerThanFurniture(region, grid.size(), priors))
     return true;
   const CellMask rim = subtract(dilated(region, 2), region);
   const auto least = static_cast<std::size_t>(cellsFor(0.4, grid.size()));
   return std::any_of(levels.begin(), levels.end(), [&](const Level& tread) {
     const double height = tread.slab.heightAt(middle);
-    return top - height <= platform.greatest_step &&
-           top - height >= platform.least_height &&
-           height - bottom >= platform.least_height &&
-           height - bottom <= platform.greatest_step &&
+    return top - height <= priors.max_step_height &&
+           top - height >= priors.min_floor_step &&
+           height - bottom >= priors.min_floor_step &&
+           height - bottom <= priors.max_step_height &&
            intersect(CellMask(tread.cells, box), rim).count() >= least;
   });
 }
@@ -100,9 +102,8 @@ mayStepUp(const Level& level,
           const Level& floor,
           const CellBox& box,
           const CellGrid& grid,
-          const PlatformParameters& platform)
+          const Priors& priors)
 {
-  constexpr double rounding = 1e-6; // metres
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const std::int32_t x : {box.low.x, box.high.x})
@@ -112,8 +113,8 @@ mayStepUp(const Level& level,
       lowest = std::min(lowest, step);
       highest = std::max(highest, step);
     }
-  return lowest <= platform.greatest_height + rounding &&
-         highest >= platform.least_height - rounding;
+  return lowest <= priors.max_platform_height + same_place &&
+         highest >= priors.min_floor_step - same_place;
 }
 
 /** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
@@ -127,17 +128,17 @@ platformCells(const Level& level,
               const std::function<CellSet()>& steps_up,
               const PointView& points,
               const std::vector<int>& indices,
-              const LevelParameters& parameters,
-              const PlatformParameters& platform)
+              const LevelParameters& parameters)
 {
+  const Priors& priors = parameters.priors;
   const double cell_size = parameters.cell_size;
   const CellGrid grid(cell_size);
-  const auto least =
-      static_cast<std::size_t>(cellsFor(platform.minimum_area / cell_size, cell_size));
-  const int margin = cellsFor(0.7, cell_size);
+  const auto least = static_cast<std::size_t>(
+      cellsFor(priors.min_platform_area / cell_size, cell_size));
+  const int margin = cellsFor(priors.min_platform_width, cell_size);
   const CellBox all = grown(boxOf(level.cells), margin);
   if (std::none_of(floors.begin(), floors.end(), [&](const Level* floor) {
-        return mayStepUp(level, *floor, all, grid, platform);
+        return mayStepUp(level, *floor, all, grid, priors);
       }))
     return {};
   CellSet found;
@@ -154,25 +155,26 @@ platformCells(const Level& level,
     if (whole.count() < least)
       continue;
     const CellMask region = widePart(
-        whole, above.count() > 0 ? platform.minimum_tread : platform.minimum_width,
+        whole, above.count() > 0 ? priors.min_tread : priors.min_platform_width,
         cell_size);
     const Level* floor = region.count() < least
                              ? nullptr
-                             : floorBeside(region, level, floors, grid, platform);
+                             : floorBeside(region, level, floors, grid, priors);
     const bool is_table =
         floor != nullptr &&
         std::any_of(floors.begin(), floors.end(), [&](const Level* f) {
           return f->height < level.height && hasFloorBelow(*f, region);
         });
     if (floor == nullptr || is_table ||
-        !isWithinAStep(region, level, *floor, levels, grid, platform))
+        !isWithinAStep(region, level, *floor, levels, grid, priors))
       continue;
     const PlatformStep step{level,
                             *floor,
                             grid,
                             ColumnTable(grid, box, points, indices, parameters.threads),
                             unite(CellMask(higher, box), CellMask(steps_up(), box)),
-                            levels};
+                            levels,
+                            priors};
     if (isClosed(step, region))
       found = unite(found, region.toSet());
   }
@@ -194,19 +196,19 @@ CellSet
 stepsUpFrom(const Level& level,
             const std::vector<Level>& levels,
             double cell_size,
-            const PlatformParameters& platform)
+            const Priors& priors)
 {
   CellSet steps;
   for (const Level& other : levels) {
     const double rise = other.height - level.height;
     if (other.kind == LevelKind::Ceiling || other.cells.empty() ||
-        rise < platform.least_height || rise > platform.greatest_step)
+        rise < priors.min_floor_step || rise > priors.max_step_height)
       continue;
     const CellBox box = grown(boxOf(other.cells), cellsFor(0.2, cell_size));
     if (maskProblem(box).empty())
-      steps = unite(
-          steps, widePart(CellMask(other.cells, box), platform.minimum_width, cell_size)
-                     .toSet());
+      steps = unite(steps, widePart(CellMask(other.cells, box),
+                                    priors.min_platform_width, cell_size)
+                               .toSet());
   }
   return steps;
 }
@@ -217,14 +219,12 @@ void
 markPlatforms(std::vector<Level>& levels,
               const PointView& points,
               const std::vector<int>& indices,
-              const LevelParameters& parameters,
-              const PlatformParameters& platform)
+              const LevelParameters& parameters)
 {
   CellSet found;
   const auto tryLevel = [&](Level& level, const std::function<CellSet()>& steps_up) {
-    const CellSet cells =
-        platformCells(level, levels, floorsOf(levels), found, steps_up, points, indices,
-                      parameters, platform);
+    const CellSet cells = platformCells(level, levels, floorsOf(levels), found,
+                                        steps_up, points, indices, parameters);
     if (cells.empty())
       return;
     found = unite(found, cells);
@@ -240,7 +240,7 @@ markPlatforms(std::vector<Level>& levels,
   for (auto& level : levels)
     if (level.kind == LevelKind::Other)
       tryLevel(level, [&] {
-        return stepsUpFrom(level, levels, parameters.cell_size, platform);
+        return stepsUpFrom(level, levels, parameters.cell_size, parameters.priors);
       });
 }
 

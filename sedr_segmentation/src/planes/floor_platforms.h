@@ -8,16 +8,6 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a platform is, a step of a floor: lengths in metres. */
-struct PlatformParameters {
-  double least_height = 0.06;   ///< above the floor beside it
-  double greatest_height = 0.6; ///< a higher one is a table
-  double greatest_step = 0.35;  ///< what one must climb higher onto is a bench or a bed
-  double minimum_area = 1.2;    ///< square metres
-  double minimum_width = 0.7;   ///< of its narrowest part that counts
-  double minimum_tread = 0.2;   ///< likewise, of a step up to another platform
-};
-
 /** @brief Marks as floors, after classifyLevels(), the levels that are platforms: parts
  * of the floor at a height of their own.
  *
@@ -33,8 +23,7 @@ struct PlatformParameters {
 void markPlatforms(std::vector<Level>& levels,
                    const PointView& points,
                    const std::vector<int>& indices,
-                   const LevelParameters& parameters,
-                   const PlatformParameters& platform = {});
+                   const LevelParameters& parameters);
 
 } // namespace sedr
 } // namespace pcl

@@ -11,22 +11,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief What is nearer below a floor than this is its own noise, metres. */
-constexpr double least_depth = 0.15;
-
-/** @brief Fewer points below a floor are strays and make no difference. */
-constexpr std::size_t least_points = 50;
-
-constexpr double least_share = 0.8; ///< of what is below that has its like above
-
-/** @brief Square cells, metres, in which a floor goes on below what hides it. */
-constexpr double wide_cell = 0.5;
-
 /** @brief Where a level is, in cells wide enough to bridge what hides parts of it. */
 CellSet
-footprintOf(const Level& level, const CellGrid& grid)
+footprintOf(const Level& level, const CellGrid& grid, const Priors& priors)
 {
-  const CellGrid wide(wide_cell);
+  const CellGrid wide(priors.patch);
   std::vector<CellKey> keys;
   for (std::size_t i = 0; i < level.cells.size(); ++i) {
     const Eigen::Vector2d c = grid.centre(level.cells[i]);
@@ -53,11 +42,14 @@ isBelowCeilings(const std::vector<Level>& levels,
 }
 
 bool
-hasPointsBelow(const Level& level, const std::vector<Candidate>& all)
+hasPointsBelow(const Level& level,
+               const std::vector<Candidate>& all,
+               const Priors& priors)
 {
+  const auto least_points = static_cast<std::size_t>(5 * priors.min_points);
   std::size_t below = 0; // counted up to what is enough
   for (auto c = all.begin(); c != all.end() && below < least_points; ++c)
-    below += distanceAbove(level.slab, c->position()) < -least_depth ? 1 : 0;
+    below += distanceAbove(level.slab, c->position()) < -priors.run_gap ? 1 : 0;
   return below >= least_points;
 }
 
@@ -65,12 +57,13 @@ hasPointsBelow(const Level& level, const std::vector<Candidate>& all)
 std::vector<Candidate>
 belowFootprint(const Level& level,
                const CellSet& footprint,
-               const std::vector<Candidate>& some)
+               const std::vector<Candidate>& some,
+               const Priors& priors)
 {
-  const CellGrid wide(wide_cell);
+  const CellGrid wide(priors.patch);
   std::vector<Candidate> below;
   for (const Candidate& c : some)
-    if (distanceAbove(level.slab, c.position()) <= -least_depth &&
+    if (distanceAbove(level.slab, c.position()) <= -priors.run_gap &&
         footprint.contains(wide.at(c.x, c.y)))
       below.push_back(c);
   return below;
@@ -126,22 +119,23 @@ bool
 hardlyMirrors(const Level& level,
               const CellSet& footprint,
               const LevelColumns& columns,
-              const NearPoints& near_points)
+              const NearPoints& near_points,
+              const Priors& priors)
 {
   constexpr std::size_t looked_at = 5000;
   constexpr std::size_t enough = 200; // of them below
-  constexpr double most_share = 0.5;
   std::vector<Candidate> some;
   const std::vector<Candidate>& all = columns.withoutWalls();
   for (std::size_t k = 0; k < all.size(); k += all.size() / looked_at + 1)
     some.push_back(all[k]);
-  const std::vector<Candidate> below = belowFootprint(level, footprint, some);
+  const std::vector<Candidate> below = belowFootprint(level, footprint, some, priors);
   const auto images =
       std::count_if(below.begin(), below.end(), [&](const Candidate& c) {
         return near_points.holdImage(c, level);
       });
   return below.size() >= enough &&
-         static_cast<double>(images) < most_share * static_cast<double>(below.size());
+         static_cast<double>(images) <
+             priors.share_half * static_cast<double>(below.size());
 }
 
 /** @brief Whether so many of some points below a level have their like above it that it
@@ -149,14 +143,16 @@ hardlyMirrors(const Level& level,
 bool
 mirrors(const Level& level,
         const std::vector<Candidate>& below,
-        const NearPoints& near_points)
+        const NearPoints& near_points,
+        const Priors& priors)
 {
-  if (below.size() < least_points)
+  if (static_cast<double>(below.size()) < 5 * priors.min_points)
     return false;
   std::size_t left = below.size();
   for (const Candidate& c : below) {
     left -= near_points.holdImage(c, level) ? 0 : 1;
-    if (static_cast<double>(left) / static_cast<double>(below.size()) < least_share)
+    if (static_cast<double>(left) / static_cast<double>(below.size()) <
+        priors.share_most)
       return false;
   }
   return true;
@@ -170,17 +166,18 @@ reflectionsIn(const LevelColumns& columns,
               const LevelParameters& parameters)
 {
   const Level& floor = levels[at];
+  const Priors& priors = parameters.priors;
   if (floor.kind == LevelKind::Ceiling || !isBelowCeilings(levels, at, parameters) ||
-      !hasPointsBelow(floor, columns.all()))
+      !hasPointsBelow(floor, columns.all(), priors))
     return {};
   const NearPoints near_points(columns);
-  const CellSet footprint = footprintOf(floor, columns.grid());
-  if (hardlyMirrors(floor, footprint, columns, near_points) ||
-      !mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls()),
-               near_points))
+  const CellSet footprint = footprintOf(floor, columns.grid(), priors);
+  if (hardlyMirrors(floor, footprint, columns, near_points, priors) ||
+      !mirrors(floor, belowFootprint(floor, footprint, columns.withoutWalls(), priors),
+               near_points, priors))
     return {};
   std::vector<int> found;
-  for (const Candidate& c : belowFootprint(floor, footprint, columns.all()))
+  for (const Candidate& c : belowFootprint(floor, footprint, columns.all(), priors))
     if (near_points.holdImage(c, floor))
       found.push_back(c.index);
   return found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_pair.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/cell_grid.h>
 
@@ -19,10 +20,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double most_off = 0.026; ///< of an axis from square to another one, radians
-constexpr double slab_height = 0.1;
-constexpr double cell_size = 0.1;
-constexpr std::size_t points_a_block = 16384;
+constexpr double cell_size = 0.1; ///< and height of a slab, metres
 
 /** @brief What lies within a decimetre along an axis. */
 struct Slab {
@@ -41,12 +39,12 @@ levelsOf(const PointView& points,
          const Eigen::Vector3d& across,
          unsigned threads)
 {
-  constexpr double farthest = 1e5;
   const auto levelOf = [&](int i) {
     const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
-    const bool is_near = std::abs(p.x()) < farthest && std::abs(p.y()) < farthest &&
-                         std::abs(p.z()) < farthest; // no NaN is
-    const double height = is_near ? across.dot(p) / slab_height : 0;
+    const bool is_near = std::abs(p.x()) < farthest_place &&
+                         std::abs(p.y()) < farthest_place &&
+                         std::abs(p.z()) < farthest_place; // no NaN is
+    const double height = is_near ? across.dot(p) / cell_size : 0;
     const auto whole = static_cast<std::int32_t>(height); // std::floor() is a call
     return is_near ? whole - (height < whole ? 1 : 0) : no_level;
   };
@@ -143,7 +141,7 @@ bestPair(const PointView& points,
       const std::pair<std::int32_t, std::int32_t> levels =
           std::minmax(slab->level, other->level);
       const double distance =
-          static_cast<double>(levels.second - levels.first) * slab_height;
+          static_cast<double>(levels.second - levels.first) * cell_size;
       const std::size_t cells = std::min(slab->cells, other->cells);
       if (distance < nearest || distance > farthest || cells < best.cells ||
           (cells == best.cells && !(levels < levels_of_best)))
@@ -184,17 +182,17 @@ bestSidePair(const PointView& points,
              const std::vector<int>& indices,
              const Eigen::Vector3d& up,
              double least,
-             unsigned threads)
+             unsigned threads,
+             const Priors& priors)
 {
-  constexpr double least_area = 2; // square metres
-  constexpr double cell_area = cell_size * cell_size;
+  const double least_area = 2 * priors.min_slab_area;
   const Eigen::AlignedBox3f box = boxAround(points, indices, threads);
   const Eigen::Vector3d reach =
       box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                     : Eigen::Vector3d(box.sizes().cast<double>().array() + 0.2);
   std::vector<int> asked;
   for (const int axis : {0, 1})
-    if (std::abs(up[axis]) <= most_off && reach[2] * reach[1 - axis] > least)
+    if (std::abs(up[axis]) <= priors.same_axis && reach[2] * reach[1 - axis] > least)
       asked.push_back(axis);
   std::vector<PlanePair> pairs(asked.size());
   parallelBlocks(asked.size(), 1, threads, [&](std::size_t a, std::size_t) {
@@ -202,8 +200,9 @@ bestSidePair(const PointView& points,
     for (int k = 0; k < 3; ++k)
       axes.row(k) = Eigen::Vector3d::Unit((asked[a] + 1 + k) % 3);
     pairs[a] = bestPair(
-        points, indices, axes, lowest_room, highest_usual_room,
-        static_cast<std::size_t>(std::max(least, least_area) / cell_area), threads);
+        points, indices, axes, priors.min_headroom, priors.usual_room_height,
+        static_cast<std::size_t>(std::max(least, least_area) / (cell_size * cell_size)),
+        threads);
   });
   SidePair best;
   for (std::size_t a = 0; a < asked.size(); ++a) {
@@ -217,10 +216,13 @@ bestSidePair(const PointView& points,
 }
 
 std::string
-sideProblem(const SidePair& side, const Eigen::Vector3d& up, const PlanePair& pair)
+sideProblem(const SidePair& side,
+            const Eigen::Vector3d& up,
+            const PlanePair& pair,
+            const Priors& priors)
 {
   std::array<char, 48> across{"z"};
-  if (up.z() < std::cos(most_off))
+  if (up.z() < std::cos(priors.same_axis))
     std::snprintf(across.data(), across.size(), "a direction at %.1f degrees to z",
                   std::acos(std::min(1.0, up.z())) * 180 / M_PI);
   std::array<char, 400> text{};

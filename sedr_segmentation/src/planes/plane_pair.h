@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -36,11 +37,6 @@ PlanePair bestPair(const PointView& points,
                    std::size_t least_cells = 0,
                    unsigned threads = 1);
 
-/** @brief Heights of rooms, metres. */
-constexpr double lowest_room = 1.8;
-constexpr double highest_usual_room = 4.5;
-constexpr double highest_room = 100;
-
 /** @brief Planes at the distance of a floor and a ceiling across y or x. */
 struct SidePair : PlanePair {
   char axis = 0; ///< 'x' or 'y', 0 where there are none
@@ -56,12 +52,15 @@ SidePair bestSidePair(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Vector3d& up,
                       double least,
-                      unsigned threads = 1);
+                      unsigned threads = 1,
+                      const Priors& priors = {});
 
 /** @brief The sentence that the axis of `side` is up rather than `up`, across which
  * `pair` is, and what turns it. */
-std::string
-sideProblem(const SidePair& side, const Eigen::Vector3d& up, const PlanePair& pair);
+std::string sideProblem(const SidePair& side,
+                        const Eigen::Vector3d& up,
+                        const PlanePair& pair,
+                        const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

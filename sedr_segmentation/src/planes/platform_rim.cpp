@@ -42,22 +42,21 @@ PlatformStep::isRiser(Cell cell) const
 double
 PlatformStep::treadAt(Cell cell) const
 {
-  constexpr double least_rise = 0.06;
   double height = floorAt(cell);
   for (const Level& tread : levels) {
     const double z = tread.slab.heightAt(grid.centre(cell));
-    if (z > height && z < topAt(cell) - least_rise && isNear(tread.cells, cell))
+    if (z > height && z < topAt(cell) - priors.min_floor_step &&
+        isNear(tread.cells, cell))
       height = z;
   }
   return height;
 }
 
 bool
-isLargerThanFurniture(const CellMask& region, double cell_size)
+isLargerThanFurniture(const CellMask& region, double cell_size, const Priors& priors)
 {
-  constexpr double largest_furniture = 4.5; // square metres
   return static_cast<double>(region.count()) * cell_size * cell_size >
-         largest_furniture;
+         priors.max_furniture_area;
 }
 
 bool
@@ -80,7 +79,7 @@ isClosed(const PlatformStep& step, const CellMask& region)
       ++risers;
   }
   const std::size_t all = rim.count();
-  return (isLargerThanFurniture(region, step.grid.size()) ||
+  return (isLargerThanFurniture(region, step.grid.size(), step.priors) ||
           5 * walls >= all - hidden) &&
          10 * (walls + hidden + risers) >= 7 * all;
 }

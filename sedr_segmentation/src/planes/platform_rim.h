@@ -2,8 +2,10 @@
 #pragma once
 
 #include "../levels/horizontal_levels.h"
+
 #include "../profiles/column_table.h"
 #include "sedr_filters/src/grids/cell_mask.h"
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -11,7 +13,8 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Whether a region is larger than furniture: than two beds side by side. */
-bool isLargerThanFurniture(const CellMask& region, double cell_size);
+bool
+isLargerThanFurniture(const CellMask& region, double cell_size, const Priors& priors);
 
 /** @brief A level that may be a platform, and the floor below it. */
 struct PlatformStep {
@@ -21,6 +24,7 @@ struct PlatformStep {
   ColumnTable columns;
   CellMask higher; ///< platforms above this one
   const std::vector<Level>& levels;
+  const Priors& priors;
 
   double topAt(Cell cell) const { return level.slab.heightAt(grid.centre(cell)); }
   double floorAt(Cell cell) const { return floor.slab.heightAt(grid.centre(cell)); }

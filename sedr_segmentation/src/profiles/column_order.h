@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
@@ -40,7 +41,6 @@ public:
       , column_of_(indices.size())
       , first_(columns + 1, 0)
   {
-    constexpr std::size_t points_a_block = 16384;
     parallelBlocks(
         indices.size(), points_a_block, threads,
         [&](std::size_t begin, std::size_t end) {

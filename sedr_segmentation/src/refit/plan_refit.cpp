@@ -135,7 +135,7 @@ refitToRaw(Floorplan& plan,
     return report;
   const RawPoints points{raw, indices.empty() ? nullptr : &indices, 1,
                          parameters.threads};
-  PlanCurves curves(plan);
+  PlanCurves curves(plan, parameters.priors);
   const std::vector<MeasuredCurve> was = curves.curves;
   const std::vector<std::vector<Eigen::Vector2d>> places = placesAlong(curves);
   std::vector<PlanSlab> slabs_were;

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 #include <string>
@@ -21,6 +22,7 @@ rawStep(std::size_t points, std::size_t most)
 
 /** @brief How a plan is fitted to the scan it came from. */
 struct RefitParameters {
+  Priors priors;
   double reach = 0.06;    ///< points farther from a surface are not its own, metres
   double farthest = 0.01; ///< a surface moves no farther than this and its noise
   std::size_t least_points = 20;     ///< of a surface that is fitted

@@ -254,9 +254,10 @@ RegularisationReport
 regularisePlan(Floorplan& plan, const RegularisationParameters& parameters)
 {
   constexpr int most_tries = 10;
-  std::vector<CurveTie> ties = TieFinder(PlanCurves(plan), parameters).find();
+  std::vector<CurveTie> ties =
+      TieFinder(PlanCurves(plan, parameters.priors), parameters).find();
   for (int tries = 0; tries < most_tries; ++tries) {
-    PlanCurves curves(plan);
+    PlanCurves curves(plan, parameters.priors);
     if (!adjust(curves, ties, parameters))
       return {};
     for (const auto& tie : ties)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 
@@ -10,6 +11,7 @@ namespace sedr {
 
 /** @brief What makes two curves of a plan related. */
 struct RegularisationParameters {
+  Priors priors;
   /** @brief A relation that contradicts what was measured by more standard deviations
    * is none. */
   double most_sigmas = 3.0;

@@ -14,12 +14,10 @@ namespace {
 
 constexpr std::int32_t square_size = 20;
 constexpr std::size_t least_of_square = 10;
-constexpr double fill_wanted = 0.97;
 
 /** @brief A scan that fills so much of its middle square is sparse at most in places;
  * below, it is in too many. */
 constexpr double fill_enough = 0.98;
-constexpr double most_enlargement = 2.5;
 
 /** @brief Cells between two occupied ones. */
 struct Between {
@@ -75,14 +73,15 @@ sharesOf(const std::vector<CellSet>& ceilings)
 } // namespace
 
 double
-cellSizeFor(const std::vector<CellSet>& ceilings, double size)
+cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& priors)
 {
   const std::vector<Weighted> shares = sharesOf(ceilings);
   if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
     return size;
   const double fill = std::max(quantileOf(shares, 0.1), 0.01);
-  const double enlargement = std::sqrt(std::log(1 - fill_wanted) / std::log(1 - fill));
-  const double wanted = size * std::clamp(enlargement, 1.0, most_enlargement);
+  const double enlargement =
+      std::sqrt(std::log(1 - priors.cell_fill) / std::log(1 - fill));
+  const double wanted = size * std::clamp(enlargement, 1.0, priors.max_enlargement);
   return std::max(size, std::round(wanted * 100) / 100);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -21,7 +22,9 @@ namespace sedr {
  * window shows of a ceiling may be larger than it, but few points make them.
  * @param ceilings their cells of `size` that hold points
  * O(n log n) for n cells. */
-double cellSizeFor(const std::vector<CellSet>& ceilings, double size);
+double cellSizeFor(const std::vector<CellSet>& ceilings,
+                   double size,
+                   const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

@@ -26,10 +26,6 @@ text(const char* format, double a, double b = 0, double c = 0, double d = 0)
   return buffer.data();
 }
 
-// No building, nor a scan of one, is larger, metres.
-constexpr double highest = 200;
-constexpr double longest = 20000;
-
 /** @brief Extent along one axis of all but the outermost hundredth of the points at
  * each end. */
 double
@@ -54,9 +50,10 @@ extentsOf(const std::vector<Eigen::Vector3f>& points)
 }
 
 bool
-exceedsBuildings(const Eigen::Vector3d& extents)
+exceedsBuildings(const Eigen::Vector3d& extents, const Priors& priors)
 {
-  return extents.z() > highest || std::min(extents.x(), extents.y()) > longest;
+  return extents.z() > priors.max_building_height ||
+         std::min(extents.x(), extents.y()) > priors.max_building_extent;
 }
 
 /** @brief Points that are counted together. */
@@ -116,15 +113,15 @@ ScanSample::add(const PointView& points, const Read& read)
 }
 
 bool
-ScanSample::isTooLarge() const
+ScanSample::isTooLarge(const Priors& priors) const
 {
-  return !sample_.empty() && exceedsBuildings(extentsOf(sample_));
+  return !sample_.empty() && exceedsBuildings(extentsOf(sample_), priors);
 }
 
 std::string
-ScanSample::problem() const
+ScanSample::problem(const Priors& priors) const
 {
-  constexpr std::size_t fewest = 1000;
+  const auto fewest = static_cast<std::size_t>(priors.min_scan_points);
   if (finite_ < fewest)
     return text("%.0f of %.0f points are finite, a room needs at least %.0f",
                 static_cast<double>(finite_), static_cast<double>(size_),
@@ -133,9 +130,10 @@ ScanSample::problem() const
   const double x = extents.x();
   const double y = extents.y();
   const double z = extents.z();
-  if (exceedsBuildings(extents)) {
+  if (exceedsBuildings(extents, priors)) {
     // The unit in which the scan would be up to a few storeys high.
-    const bool is_centimetre = z < 10 * highest && std::min(x, y) < longest;
+    const bool is_centimetre = z < 10 * priors.max_building_height &&
+                               std::min(x, y) < priors.max_building_extent;
     return text(is_centimetre
                     ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
                       "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
@@ -152,12 +150,14 @@ ScanSample::problem() const
 }
 
 std::string
-scanProblem(const PointView& points, const std::vector<int>& indices)
+scanProblem(const PointView& points,
+            const std::vector<int>& indices,
+            const Priors& priors)
 {
   ScanSample sample(indices.size());
   for (const int i : indices)
     sample.add(points[static_cast<std::size_t>(i)]);
-  return sample.problem();
+  return sample.problem(priors);
 }
 
 std::string
@@ -165,53 +165,53 @@ upProblem(const PointView& points,
           const std::vector<int>& indices,
           RoomsAlongZ rooms,
           double found_area,
-          unsigned threads)
+          unsigned threads,
+          const Priors& priors)
 {
-  constexpr double times = 1.5;
-  constexpr double times_of_rooms = 4; // a corridor's walls are larger than its floor
+  const double times = priors.upright_ratio;
+  const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   if (rooms == RoomsAlongZ::Found &&
-      !bestSidePair(points, indices, z, times_of_rooms * found_area, threads).axis)
+      !bestSidePair(points, indices, z, times_of_rooms * found_area, threads, priors)
+           .axis)
     return {}; // whatever there is along z, as is so with most scans
-  const PlanePair up = bestPair(points, indices, Eigen::Matrix3d::Identity(),
-                                lowest_room, highest_room, 0, threads);
-  const bool is_usual = up.cells == 0 || up.distance <= highest_usual_room;
+  const PlanePair up =
+      bestPair(points, indices, Eigen::Matrix3d::Identity(), priors.min_headroom,
+               priors.max_room_height, 0, threads);
+  const bool is_usual = up.cells == 0 || up.distance <= priors.usual_room_height;
   if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
     return {};
   const double least = rooms == RoomsAlongZ::Found
                            ? std::max(times_of_rooms * std::max(up.area(), found_area),
                                       times * std::max(up.largestArea(), found_area))
                            : times * up.area();
-  const SidePair side = bestSidePair(points, indices, z, least, threads);
-  return side.axis ? sideProblem(side, z, up) : std::string();
+  const SidePair side = bestSidePair(points, indices, z, least, threads, priors);
+  return side.axis ? sideProblem(side, z, up, priors) : std::string();
 }
 
 namespace {
 
+constexpr double foot = 0.3048; ///< metres
+
 /** @brief Whether the middle one of the doorways is as high as a door is in feet. */
 bool
-hasDoorsAsHighAsInFeet(const Floorplan& plan)
+hasDoorsAsHighAsInFeet(const Floorplan& plan, const Priors& priors)
 {
-  constexpr double lowest_door = 5.9;
-  constexpr double highest_door = 8.5;
   std::vector<double> heights;
   for (const PlanDoorway& doorway : plan.doorways)
     heights.push_back(doorway.top - doorway.bottom);
   if (heights.empty())
     return false;
   const double height = middleValue(heights);
-  return height >= lowest_door && height <= highest_door;
+  return height * foot >= priors.min_headroom &&
+         height * foot <= priors.max_door_height;
 }
 
 } // namespace
 
 std::string
-footProblem(const Floorplan& plan)
+footProblem(const Floorplan& plan, const Priors& priors)
 {
-  constexpr double lowest = 7;
-  constexpr double highest = 12;
-  constexpr double largest = 300;
-  constexpr double least_share = 0.8;
   constexpr double sliver = 0.1; // of the largest room: smaller ones tell nothing
   std::vector<double> heights;
   std::vector<double> areas;
@@ -227,16 +227,16 @@ footProblem(const Floorplan& plan)
     const Eigen::Vector2d& corner = room.boundary.elements.front().start;
     const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
     whole_area += room.area();
-    if (height < lowest || height > highest)
+    if (height * foot < priors.min_home_height ||
+        height * foot > priors.max_home_height)
       continue;
     heights.push_back(height);
     areas.push_back(room.area());
   }
-  if (heights.empty() || middleValue(areas) > largest ||
-      std::accumulate(areas.begin(), areas.end(), 0.0) < least_share * whole_area)
+  if (heights.empty() || middleValue(areas) * foot * foot > priors.max_home_area ||
+      std::accumulate(areas.begin(), areas.end(), 0.0) < priors.share_most * whole_area)
     return {};
-  constexpr std::size_t pair = 2;
-  if (heights.size() == pair && !hasDoorsAsHighAsInFeet(plan))
+  if (heights.size() == 2 && !hasDoorsAsHighAsInFeet(plan, priors))
     return {};
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const std::string which =

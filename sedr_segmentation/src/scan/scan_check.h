@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/row_source.h>
 
 #include <cstddef>
@@ -56,11 +57,11 @@ public:
   const std::vector<Eigen::Vector3f>& points() const { return sample_; }
 
   /** @brief The sentence of scanProblem(). */
-  std::string problem() const;
+  std::string problem(const Priors& priors = {}) const;
 
   /** @brief Whether what was seen so far is so large that the metre cannot be the unit.
    */
-  bool isTooLarge() const;
+  bool isTooLarge(const Priors& priors = {}) const;
 
 private:
   static constexpr std::size_t most_points = 100000;
@@ -74,7 +75,9 @@ private:
 /** @brief What is wrong with a scan as a whole, a sentence with its numbers; empty if
  * it may be one of rooms in metres: too few finite points, too small, or so large that
  * its unit cannot be the metre. Looks at no more than 100,000 of the points. */
-std::string scanProblem(const PointView& points, const std::vector<int>& indices);
+std::string scanProblem(const PointView& points,
+                        const std::vector<int>& indices,
+                        const Priors& priors = {});
 
 /** @brief What is known of rooms along z when upProblem() is asked. */
 enum class RoomsAlongZ {
@@ -95,13 +98,14 @@ std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
                       RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
                       double found_area = 0,
-                      unsigned threads = 1);
+                      unsigned threads = 1,
+                      const Priors& priors = {});
 
 /** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
  * Then rooms with four fifths of the area are 7 to 12 high, and half of them or more
  * have an area below 300: halls of that height are larger. Two rooms alone may be halls
  * all the same, unless the doors between them are 5.9 to 8.5 high. O(rooms). */
-std::string footProblem(const Floorplan& plan);
+std::string footProblem(const Floorplan& plan, const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

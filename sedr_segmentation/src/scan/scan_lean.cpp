@@ -16,21 +16,16 @@ namespace sedr {
 
 namespace {
 
-/** @brief Edge of a patch, metres; twice that once the scan is put right, as thinning
- * makes a plane that leans uneven over half a metre. */
-constexpr double patch_size = 0.5;
-
-/** @brief Directions that are nearer to each other agree, radians. */
-constexpr double agreement = 0.026;
-
 /** @brief How many normals stand along a direction. */
 double
 countAlong(const Eigen::Vector3d& direction,
-           const std::vector<Eigen::Vector3d>& normals)
+           const std::vector<Eigen::Vector3d>& normals,
+           const Priors& priors)
 {
+  const double least = std::cos(priors.same_axis);
   return static_cast<double>(
       std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
-        return std::abs(n.dot(direction)) > std::cos(agreement);
+        return std::abs(n.dot(direction)) > least;
       }));
 }
 
@@ -38,37 +33,37 @@ countAlong(const Eigen::Vector3d& direction,
 double
 countSquareTo(const Eigen::Vector3d& direction,
               const Eigen::Vector3d& other,
-              const std::vector<Eigen::Vector3d>& normals)
+              const std::vector<Eigen::Vector3d>& normals,
+              const Priors& priors)
 {
+  const double most = std::sin(priors.same_axis);
   return static_cast<double>(
       std::count_if(normals.begin(), normals.end(), [&](const Eigen::Vector3d& n) {
-        return std::abs(n.dot(direction)) < std::sin(agreement) &&
-               std::abs(n.dot(other)) >= std::sin(agreement);
+        return std::abs(n.dot(direction)) < most && std::abs(n.dot(other)) >= most;
       }));
 }
 
 /** @brief The direction, more upright than level, along which most normals stand. */
 Eigen::Vector3d
-commonUp(const std::vector<Eigen::Vector3d>& normals)
+commonUp(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
   constexpr std::size_t most_tried = 400;
-  constexpr double least_cosine = 0.7071;
   std::vector<Eigen::Vector3d> level;
   for (const auto& n : normals)
-    if (n.z() > least_cosine)
+    if (n.z() > 0.7071)
       level.push_back(n);
   Eigen::Vector3d best = Eigen::Vector3d::UnitZ();
   double most = 0;
   const std::size_t step = level.size() / most_tried + 1;
   for (std::size_t k = 0; k < level.size(); k += step)
-    if (const double along = countAlong(level[k], level); along > most) {
+    if (const double along = countAlong(level[k], level, priors); along > most) {
       most = along;
       best = level[k];
     }
   for (int round = 0; round < 3; ++round) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto& n : level)
-      if (n.dot(best) > std::cos(agreement))
+      if (n.dot(best) > std::cos(priors.same_axis))
         sum += n;
     if (sum.norm() > 0)
       best = sum.normalized();
@@ -79,9 +74,14 @@ commonUp(const std::vector<Eigen::Vector3d>& normals)
 } // namespace
 
 ScanLean
-leanOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
+leanOf(const PointView& points,
+       const std::vector<int>& indices,
+       unsigned threads,
+       const Priors& priors)
 {
-  constexpr double least_area = 4; // square metres
+  // Twice that once the scan is put right, as thinning makes a plane that leans uneven
+  // over half a metre.
+  const double patch_size = priors.patch;
   constexpr double times_more_level = 3;
   constexpr double times_more_upright = 2;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
@@ -89,22 +89,22 @@ leanOf(const PointView& points, const std::vector<int>& indices, unsigned thread
   std::vector<Eigen::Vector3d> normals;
   const auto turnUp = [&](double patch) {
     normals = normalsOf(points, indices, turn, patch, threads);
-    turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals), z) * turn;
+    turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals, priors), z) * turn;
   };
   const auto isUpright = [&] {
-    return std::acos(std::clamp(turn(2, 2), -1.0, 1.0)) < 2 * agreement;
+    return std::acos(std::clamp(turn(2, 2), -1.0, 1.0)) < 2 * priors.same_axis;
   };
   ScanLean lean;
   turnUp(patch_size);
   if (isUpright())
     return lean; // what agrees with it agrees with z
   turnUp(patch_size);
-  const double level = countAlong(z, normals);
+  const double level = countAlong(z, normals, priors);
   const Eigen::Vector3d was_z = turn * z;
-  if (level * patch_size * patch_size < least_area ||
-      level < times_more_level * countAlong(was_z, normals) ||
-      countSquareTo(z, was_z, normals) <
-          times_more_upright * countSquareTo(was_z, z, normals))
+  if (level * patch_size * patch_size < 4 * priors.min_slab_area ||
+      level < times_more_level * countAlong(was_z, normals, priors) ||
+      countSquareTo(z, was_z, normals, priors) <
+          times_more_upright * countSquareTo(was_z, z, normals, priors))
     return lean;
   turnUp(2 * patch_size);
   if (isUpright())
@@ -116,20 +116,25 @@ leanOf(const PointView& points, const std::vector<int>& indices, unsigned thread
 }
 
 std::string
-leanProblem(const PointView& points, const std::vector<int>& indices, unsigned threads)
+leanProblem(const PointView& points,
+            const std::vector<int>& indices,
+            unsigned threads,
+            const Priors& priors)
 {
-  const ScanLean lean = leanOf(points, indices, threads);
+  const ScanLean lean = leanOf(points, indices, threads, priors);
   if (!(lean.angle > 0))
     return {};
   // A scan whose y is up, turned about it: what stands at an angle to z are walls. But
   // those of a corridor are larger than its floor, too.
-  constexpr double times = 1.5;
-  constexpr double times_of_rooms = 4;
+  const double times = priors.upright_ratio;
+  const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const PlanePair pair = bestPair(points, indices, turn, lowest_room, highest_room);
-  const SidePair side = bestSidePair(points, indices, lean.up, pair.area() / times);
+  const PlanePair pair =
+      bestPair(points, indices, turn, priors.min_headroom, priors.max_room_height);
+  const SidePair side =
+      bestSidePair(points, indices, lean.up, pair.area() / times, 1, priors);
   const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   const double degrees = lean.angle * 180 / M_PI;
   std::array<char, 120> upright{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -24,8 +25,10 @@ struct ScanLean {
  * walls does not lean. For thinned points; patches of half a metre are looked at,
  * O(n log n).
  * @param threads 0: as many as there are processors */
-ScanLean
-leanOf(const PointView& points, const std::vector<int>& indices, unsigned threads = 1);
+ScanLean leanOf(const PointView& points,
+                const std::vector<int>& indices,
+                unsigned threads = 1,
+                const Priors& priors = {});
 
 /** @brief What to do about a scan that leans, a sentence with its numbers; empty if it
  * does not. Walls that stand at an angle to z lean too where y or x is up: then the
@@ -35,7 +38,8 @@ leanOf(const PointView& points, const std::vector<int>& indices, unsigned thread
  * @param threads 0: as many as there are processors */
 std::string leanProblem(const PointView& points,
                         const std::vector<int>& indices,
-                        unsigned threads = 1);
+                        unsigned threads = 1,
+                        const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

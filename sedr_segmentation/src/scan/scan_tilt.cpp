@@ -15,7 +15,6 @@ namespace sedr {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr double least_tilt = 0.3 * degree;
 
 /** @brief Limits of what agrees with a direction, one round of the fit after another:
  * first what may be tilted at all and unevenly scanned besides. */
@@ -23,14 +22,20 @@ constexpr double limits[] = {5 * degree, 2.5 * degree, 1.5 * degree, 1 * degree,
                              1 * degree};
 
 /** @brief Patches that a direction is taken from, at least: 4 square metres. */
-constexpr std::size_t fewest = 16;
+std::size_t
+fewestPatches(const Priors& priors)
+{
+  return static_cast<std::size_t>(4 * priors.min_slab_area /
+                                  (priors.patch * priors.patch));
+}
 
 /** @brief The direction that vertical patches are square to; z where they do not tell:
  * too few, or all along one direction in plan. */
 Eigen::Vector3d
-upOfWalls(const std::vector<Eigen::Vector3d>& normals)
+upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
-  constexpr double least_share = 0.05; // of squared normals, across the main direction
+  // Of squared normals, across the main direction.
+  const double least_share = priors.share_unseen;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   for (const double limit : limits) {
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -41,7 +46,7 @@ upOfWalls(const std::vector<Eigen::Vector3d>& normals)
         ++count;
       }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
-    if (count < fewest ||
+    if (count < fewestPatches(priors) ||
         solver.eigenvalues()[1] < least_share * static_cast<double>(count))
       return Eigen::Vector3d::UnitZ();
     up = solver.eigenvectors().col(0);
@@ -53,7 +58,7 @@ upOfWalls(const std::vector<Eigen::Vector3d>& normals)
 /** @brief The mean normal of level patches, about a direction; that itself where there
  * are few. */
 Eigen::Vector3d
-upOfSlabs(const std::vector<Eigen::Vector3d>& normals)
+upOfSlabs(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   for (const double limit : limits) {
@@ -64,7 +69,7 @@ upOfSlabs(const std::vector<Eigen::Vector3d>& normals)
         sum += n;
         ++count;
       }
-    if (count < fewest)
+    if (count < fewestPatches(priors))
       return Eigen::Vector3d::UnitZ();
     up = sum.normalized();
   }
@@ -91,36 +96,40 @@ look(const PointView& points,
      const std::vector<int>& indices,
      const Eigen::Matrix3d& turn,
      double patch,
-     unsigned threads)
+     unsigned threads,
+     const Priors& priors)
 {
   const std::vector<Eigen::Vector3d> here =
       normalsOf(points, indices, turn, patch, threads);
   const std::vector<Eigen::Vector3d> beside =
       normalsOf(points, indices, turn, patch, threads, 0.5);
   const auto& normals = beside.size() < here.size() ? beside : here;
-  return {upOfWalls(normals), upOfSlabs(normals)};
+  return {upOfWalls(normals, priors), upOfSlabs(normals, priors)};
 }
 
 } // namespace
 
 ScanTilt
-tiltOf(const PointView& points, const std::vector<int>& indices, unsigned threads)
+tiltOf(const PointView& points,
+       const std::vector<int>& indices,
+       unsigned threads,
+       const Priors& priors)
 {
-  constexpr double patch = 0.5; // metres
+  const double patch = priors.patch;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   const PatchView scan =
-      look(points, indices, Eigen::Matrix3d::Identity(), patch, threads);
+      look(points, indices, Eigen::Matrix3d::Identity(), patch, threads, priors);
   const double angle = angleBetween(scan.up_of_walls, z);
   // Nearer to what the slabs say than to z.
-  if (angle < least_tilt ||
+  if (angle < radians(priors.min_tilt) ||
       2 * angleBetween(scan.up_of_walls, scan.up_of_slabs) > angle)
     return {};
   // Once it is level, larger patches tell the rest: thinning makes smaller ones uneven.
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(scan.up_of_walls, z).toRotationMatrix();
   ScanTilt tilt;
-  tilt.up =
-      turn.transpose() * look(points, indices, turn, 2 * patch, threads).up_of_walls;
+  tilt.up = turn.transpose() *
+            look(points, indices, turn, 2 * patch, threads, priors).up_of_walls;
   tilt.angle = angleBetween(tilt.up, z);
   return tilt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -23,8 +24,10 @@ struct ScanTilt {
  * plumb between level floors. For thinned points; patches of half a metre are looked
  * at, O(n log n).
  * @param threads 0: as many as there are processors; any number gives the same */
-ScanTilt
-tiltOf(const PointView& points, const std::vector<int>& indices, unsigned threads = 1);
+ScanTilt tiltOf(const PointView& points,
+                const std::vector<int>& indices,
+                unsigned threads = 1,
+                const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

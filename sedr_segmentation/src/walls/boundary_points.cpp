@@ -3,6 +3,7 @@
 
 #include "neighbour_cells.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -18,8 +19,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr float two_pi = 2 * static_cast<float>(M_PI);
 
 /** Neighbours asked for first: an inner point has directions all around among so few.
  */
@@ -115,7 +114,7 @@ problemOf(const BoundaryOptions& options)
   if (options.neighbours < 3)
     return "the number of neighbors must be at least 3, it is " +
            std::to_string(options.neighbours);
-  if (!(options.angle > 0 && options.angle < two_pi))
+  if (!(options.angle > 0 && options.angle < full_turn))
     return "the angle threshold must be above 0 and below 2 pi radians, it is " +
            numberText(options.angle);
   return {};
@@ -155,9 +154,9 @@ float
 widestGap(std::vector<float>& directions)
 {
   if (directions.empty())
-    return two_pi;
+    return full_turn;
   std::sort(directions.begin(), directions.end());
-  float widest = two_pi - directions.back() + directions.front();
+  float widest = full_turn - directions.back() + directions.front();
   for (std::size_t i = 1; i < directions.size(); ++i)
     widest = std::max(widest, directions[i] - directions[i - 1]);
   return widest;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "direction_sectors.h"
 
+#include "sedr_filters/src/base/exactness.h"
+
 #include <cmath>
 
 namespace pcl {
@@ -10,8 +12,6 @@ namespace {
 
 /** @brief Gaps that differ by less from the angle are not told by sectors, radians. */
 constexpr float margin = 1e-3f;
-
-constexpr auto full_turn = static_cast<float>(2 * M_PI);
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "neighbour_cells.h"
 
 #include "boundary_points.h"
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ constexpr std::size_t most_crowded = 16;
 float
 completeWithin(double cell_size, int reach)
 {
-  constexpr double rounding = 1e-5;
-  return static_cast<float>(reach * reach * cell_size * cell_size * (1 - rounding));
+  return static_cast<float>(reach * reach * cell_size * cell_size *
+                            (1 - 10 * same_place));
 }
 
 } // namespace

@@ -13,19 +13,20 @@ namespace sedr {
 
 namespace {
 
-// Metres.
-constexpr double top_band = 0.4; ///< below the ceiling, where no board hangs
-constexpr double reach = 0.08;   ///< to both sides of the line: thinner than partitions
-constexpr double least_length = 0.5;
-constexpr double part = 0.2;           ///< along the wall, looked at as one
-constexpr double corner = 0.1;         ///< whose points may be those of the next wall
-constexpr double least_behind = 0.012; ///< of the wall, from the line
-constexpr double least_depth = 0.02;   ///< of a board
-constexpr double most_scatter = 0.012; ///< of the parts of a straight wall
+/** @brief How far to both sides of a line its wall is looked for: less than partitions
+ * of stone are thick. */
+double
+reachOf(const Priors& priors)
+{
+  return 2 * priors.min_wall;
+}
 
-constexpr std::size_t least_points = 3; ///< of a part
-constexpr double least_share = 0.6;     ///< of the wall that was seen below the ceiling
-constexpr double least_covered = 0.3;   ///< of that before which a board hangs
+/** @brief The length of wall that is looked at as one. */
+double
+partOf(const Priors& priors)
+{
+  return 2 * priors.evidence_cell;
+}
 
 /** @brief A place near a wall: how far along it and before it. */
 struct Beside {
@@ -35,8 +36,12 @@ struct Beside {
 };
 
 std::vector<Beside>
-placesBeside(const PlanElement& wall, const std::vector<UprightPlace>& places)
+placesBeside(const PlanElement& wall,
+             const std::vector<UprightPlace>& places,
+             const Priors& priors)
 {
+  const double reach = reachOf(priors);
+  const double corner = priors.evidence_cell; // which may be of the next wall
   const double length = wall.length();
   const Eigen::Vector2d middle = wall.pointAt(length / 2);
   const double far = length / 2 + reach;
@@ -50,7 +55,7 @@ placesBeside(const PlanElement& wall, const std::vector<UprightPlace>& places)
       continue;
     const double before = (p - wall.pointAt(s)).dot(wall.normalAt(s));
     if (std::abs(before) <= reach)
-      beside.push_back({i, static_cast<std::size_t>(s / part), before});
+      beside.push_back({i, static_cast<std::size_t>(s / partOf(priors)), before});
   }
   return beside;
 }
@@ -64,12 +69,12 @@ middleOf(std::vector<double> values)
 /** @brief Whether the room goes on behind a wall: it is a face of a thin partition in
  * it, and what is behind it may be the other face. */
 bool
-isOfPartition(const PlanElement& wall, const PlanLoop& boundary)
+isOfPartition(const PlanElement& wall, const PlanLoop& boundary, const Priors& priors)
 {
-  constexpr double thickest = 0.3;
+  const double reach = reachOf(priors);
   for (const double share : {0.25, 0.5, 0.75}) {
     const double s = share * wall.length();
-    for (double d = reach; d < thickest; d += 0.05)
+    for (double d = reach; d < priors.max_wall / 2; d += priors.evidence_cell / 2)
       if (boundary.contains(wall.pointAt(s) - d * wall.normalAt(s)))
         return true;
   }
@@ -94,13 +99,17 @@ bool
 hasBoard(const PlanElement& wall,
          const std::vector<UprightPlace>& places,
          const std::vector<Beside>& beside,
+         const Priors& priors,
          double& from)
 {
+  const double part = partOf(priors);
+  const auto least_points = static_cast<std::size_t>(priors.min_evidence);
   const auto parts = static_cast<std::size_t>(wall.length() / part) + 1;
   std::vector<std::vector<double>> above(parts);
   std::vector<std::vector<double>> under(parts);
   for (const Beside& b : beside)
-    (places[b.index].below < top_band ? above : under)[b.part].push_back(b.before);
+    (places[b.index].below < priors.board_clearance ? above : under)[b.part].push_back(
+        b.before);
   std::vector<double> walls;
   std::vector<double> boards;
   std::ptrdiff_t above_boards = 0;
@@ -113,7 +122,7 @@ hasBoard(const PlanElement& wall,
       continue;
     const double before = middleOf(under[k]);
     const double depth = before - walls.back();
-    if (depth <= least_depth)
+    if (depth <= priors.min_board_depth)
       continue;
     boards.push_back(before);
     above_boards += static_cast<std::ptrdiff_t>(above[k].size());
@@ -122,15 +131,15 @@ hasBoard(const PlanElement& wall,
   const auto count = [](const std::vector<double>& values) {
     return static_cast<double>(values.size());
   };
-  if (count(walls) * part < least_share * wall.length() ||
-      count(boards) < least_covered * count(walls) || 4 * surplus > above_boards)
+  if (count(walls) * part < priors.share_clear * wall.length() ||
+      count(boards) < priors.share_some * count(walls) || 4 * surplus > above_boards)
     return false;
   const double behind = middleOf(walls);
   std::vector<double> off;
   off.reserve(walls.size());
   for (const double w : walls)
     off.push_back(std::abs(w - behind));
-  if (behind > -least_behind || middleOf(off) > most_scatter)
+  if (behind > -priors.wall_noise || middleOf(off) > priors.wall_noise)
     return false;
   from = (behind + middleOf(boards)) / 2;
   return true;
@@ -140,13 +149,14 @@ hasBoard(const PlanElement& wall,
 std::vector<std::size_t>
 boardBefore(const PlanElement& wall,
             const PlanLoop& boundary,
-            const std::vector<UprightPlace>& places)
+            const std::vector<UprightPlace>& places,
+            const Priors& priors)
 {
-  if (wall.length() < least_length || isOfPartition(wall, boundary))
+  if (wall.length() < priors.min_wall_length || isOfPartition(wall, boundary, priors))
     return {};
-  const std::vector<Beside> beside = placesBeside(wall, places);
+  const std::vector<Beside> beside = placesBeside(wall, places, priors);
   double from = 0;
-  if (!hasBoard(wall, places, beside, from))
+  if (!hasBoard(wall, places, beside, priors, from))
     return {};
   std::vector<std::size_t> board;
   for (const Beside& b : beside)
@@ -160,12 +170,13 @@ boardBefore(const PlanElement& wall,
 bool
 leaveOutBoards(const PlanLoop& boundary,
                std::vector<UprightPlace>& places,
-               unsigned threads)
+               unsigned threads,
+               const Priors& priors)
 {
   const std::vector<PlanElement>& walls = boundary.elements;
   std::vector<std::vector<std::size_t>> boards(walls.size());
   parallelBlocks(walls.size(), 1, threads, [&](std::size_t w, std::size_t) {
-    boards[w] = boardBefore(walls[w], boundary, places);
+    boards[w] = boardBefore(walls[w], boundary, places, priors);
   });
   std::vector<std::uint8_t> is_board(places.size(), 0);
   for (const auto& board : boards)

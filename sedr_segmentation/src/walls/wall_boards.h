@@ -4,6 +4,7 @@
 #include "wall_evidence.h"
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -23,7 +24,8 @@ namespace sedr {
  * @return whether any were taken out. O(n m) for n places and m walls. */
 bool leaveOutBoards(const PlanLoop& boundary,
                     std::vector<UprightPlace>& places,
-                    unsigned threads = 1);
+                    unsigned threads = 1,
+                    const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

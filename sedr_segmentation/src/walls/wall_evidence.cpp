@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_evidence.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -14,10 +15,13 @@ namespace {
 /** @brief Whether a point is part of something upright: its column is occupied without
  * a gap over at least 20 cm there. */
 bool
-isUpright(const ColumnTable& columns, const CellGrid& grid, const Eigen::Vector3f& p)
+isUpright(const ColumnTable& columns,
+          const CellGrid& grid,
+          const Eigen::Vector3f& p,
+          const Priors& priors)
 {
-  constexpr double gap = 0.15;
-  constexpr double least_length = 0.2;
+  const double gap = priors.run_gap;
+  const double least_length = 2 * priors.evidence_cell;
   const Cell cell = grid.at(p.x(), p.y());
   const ColumnTable::Entry* const begin = columns.begin(cell);
   const ColumnTable::Entry* const end = columns.end(cell);
@@ -45,9 +49,8 @@ appendThose(const std::vector<int>& indices,
             unsigned threads,
             std::vector<int>& those)
 {
-  constexpr std::size_t indices_a_block = 8192;
   std::vector<std::uint8_t> is_asked(indices.size());
-  parallelBlocks(indices.size(), indices_a_block, threads,
+  parallelBlocks(indices.size(), points_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t k = begin; k < end; ++k)
                      is_asked[k] = asked(indices[k]) ? 1 : 0;
@@ -67,7 +70,8 @@ uprightPlaces(const PointView& points,
               const PlanRoom& room,
               const ColumnTable& columns,
               const CellGrid& grid,
-              unsigned threads)
+              unsigned threads,
+              const Priors& priors)
 {
   const auto placeOf = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
@@ -76,7 +80,8 @@ uprightPlaces(const PointView& points,
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     const double top = room.ceiling.heightAt(placeOf(i));
     const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
-    return p.z() > middle && p.z() < top - 0.05 && isUpright(columns, grid, p);
+    return p.z() > middle && p.z() < top - priors.wall_band &&
+           isUpright(columns, grid, p, priors);
   };
   std::vector<int> on_walls;
   appendThose(indices, isWall, threads, on_walls);
@@ -108,8 +113,7 @@ wallEvidence(const PointView& points,
              double tolerance,
              unsigned threads)
 {
-  constexpr double reach = 1; // cells
-  const CellMask edge = subtract(dilated(room, reach), eroded(room, reach));
+  const CellMask edge = subtract(dilated(room, 1), eroded(room, 1));
   std::vector<int> walls = evidence.walls;
   const auto place = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "../curves/plan_points.h"
+
 #include "../plan/room_fit.h"
 #include "../profiles/column_table.h"
+#include <pcl/sedr_filters/priors.h>
 
 #include <vector>
 
@@ -23,7 +25,8 @@ std::vector<UprightPlace> uprightPlaces(const PointView& points,
                                         const PlanRoom& room,
                                         const ColumnTable& columns,
                                         const CellGrid& grid,
-                                        unsigned threads);
+                                        unsigned threads,
+                                        const Priors& priors = {});
 
 /** @brief The same, heights forgotten. */
 PlanPoints inPlan(const std::vector<UprightPlace>& places);

@@ -26,10 +26,10 @@ voxelProblem(double voxel_size, double grid_size)
 }
 
 std::string
-cloudProblem(const PointView& points, const pcl::Indices& indices)
+cloudProblem(const PointView& points, const pcl::Indices& indices, const Priors& priors)
 {
   const std::string problem = indicesProblem(indices, points.size());
-  return problem.empty() ? scanProblem(points, indices) : problem;
+  return problem.empty() ? scanProblem(points, indices, priors) : problem;
 }
 
 std::size_t

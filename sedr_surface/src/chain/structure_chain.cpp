@@ -42,6 +42,17 @@ StructureChain::setGridSize(double size)
 }
 
 void
+StructureChain::setPriors(const Priors& priors)
+{
+  priors_ = priors;
+  room_segmentation.setHeadroom(priors.min_headroom);
+  room_segmentation.setWidestDoor(priors.max_door_width);
+  plane_detection.setPriors(priors);
+  slice_detail.setPriors(priors);
+  floorplan_fitting.setPriors(priors);
+}
+
+void
 StructureChain::setCells(double size)
 {
   plane_detection.setGridSize(size);

@@ -30,9 +30,10 @@ StructureChain::checkScan()
   const PointView points(*cloud);
   const pcl::IndicesPtr all = allIndices(cloud->size());
   const unsigned threads = room_segmentation.getNumberOfThreads();
-  std::string reason = upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads);
+  std::string reason =
+      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads, priors_);
   if (reason.empty())
-    reason = leanProblem(points, *all, threads);
+    reason = leanProblem(points, *all, threads, priors_);
   return reason.empty() || fail(reason);
 }
 
@@ -59,7 +60,7 @@ StructureChain::partRooms(StageReport& report)
   const auto turned = [&](RoomsAlongZ known, double area) {
     return trust_up ? std::string()
                     : upProblem(PointView(*cloud), *allIndices(cloud->size()), known,
-                                area, room_segmentation.getNumberOfThreads());
+                                area, room_segmentation.getNumberOfThreads(), priors_);
   };
   if (!room_segmentation.segment(unused)) {
     const std::string hint = turned(RoomsAlongZ::None, 0);
@@ -98,7 +99,7 @@ StructureChain::cellSizeThatFills() const
   std::vector<CellSet> ceilings;
   for (const ChainRoom& room : regions_)
     ceilings.emplace_back(grid, PointView(*cloud), room.ceiling);
-  return cellSizeFor(ceilings, size);
+  return cellSizeFor(ceilings, size, priors_);
 }
 
 bool
@@ -247,7 +248,7 @@ StructureChain::scopes() const
 RoomTerritory
 StructureChain::territory() const
 {
-  return territory(RoomTerritory::farthest_wall);
+  return territory(wallReach(priors_));
 }
 
 RoomTerritory
@@ -258,10 +259,10 @@ StructureChain::territory(double reach) const
     std::vector<float> ceilings;
     for (const RoomColumn& column : room.columns)
       ceilings.push_back(column.ceiling);
-    heights.push_back(heightsFrom(room.floor, std::move(ceilings)));
+    heights.push_back(heightsFrom(room.floor, std::move(ceilings), priors_));
   }
   return RoomTerritory(CellGrid(plane_detection.getGridSize()), scopes(), heights,
-                       reach);
+                       reach, priors_);
 }
 
 std::vector<pcl::IndicesPtr>

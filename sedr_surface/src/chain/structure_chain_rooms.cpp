@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/label_values.h"
+#include "all_indices.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include <pcl/sedr_surface/room_jobs.h>
-#include "all_indices.h"
 
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/plan/plan_evidence.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -349,7 +349,8 @@ StructureChain::fitPlan(StageReport& report)
   giveStoreys(getBuilding(), *plan);
   warnOfCeilings();
   for (const std::string& doubt :
-       {footProblem(*plan), inchProblem(PointView(*cloud), plan->storeys.size())})
+       {footProblem(*plan, priors_),
+        inchProblem(PointView(*cloud), plan->storeys.size())})
     if (!doubt.empty())
       warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
@@ -387,7 +388,7 @@ StructureChain::labelNiches()
   if (std::count(recessed.begin(), recessed.end(), nullptr) ==
       static_cast<std::ptrdiff_t>(recessed.size()))
     return;
-  const RoomTerritory niches = territory(nicheReach());
+  const RoomTerritory niches = territory(nicheReach({priors_}));
   for (std::size_t at = 0; at < cloud->size(); ++at) {
     const Eigen::Vector3f place = (*cloud)[at].getVector3fMap();
     const std::int32_t region = niches.roomAt(place);

@@ -35,7 +35,7 @@ StructureChain::levelScan()
   if (trust_up)
     return;
   const ScanTilt tilt = tiltOf(PointView(*cloud), *allIndices(cloud->size()),
-                               room_segmentation.getNumberOfThreads());
+                               room_segmentation.getNumberOfThreads(), priors_);
   if (!(tilt.angle > 0))
     return;
   levelling = Levelling::of(tilt.up, middleOf(*cloud));

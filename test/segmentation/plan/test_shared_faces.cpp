@@ -90,4 +90,16 @@ TEST(SharedFaces, OneThatRunsAlongTwoRoomsAndTheWallBetweenThemIsTheirs)
   EXPECT_EQ(facesOfOthers(plan, 0).size(), 2u);
 }
 
+TEST(SharedFaces, HowThickThePartitionIsAtLeastCanBeSet)
+{
+  // The middle of the left room's wall comes within 5 cm of the other room's face.
+  const PlanLoop left =
+      polygon({{0, 0}, {4, 0}, {4, 1}, {4.05, 1}, {4.05, 2}, {4, 2}, {4, 3}, {0, 3}});
+  const Floorplan plan = planOf({left, rectangle(4.1, 0, 8, 3)});
+  EXPECT_TRUE(facesOfOthers(plan, 0).empty());
+  Priors thick;
+  thick.min_wall = 0.06;
+  EXPECT_EQ(facesOfOthers(plan, 0, thick).size(), 1u);
+}
+
 } // namespace

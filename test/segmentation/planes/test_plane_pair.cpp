@@ -28,7 +28,7 @@ public:
   PlanePair best(std::size_t least_cells = 0) const
   {
     return bestPair(points_.view(), points_.all(), Eigen::Matrix3d::Identity(),
-                    lowest_room, highest_usual_room, least_cells);
+                    Priors().min_headroom, Priors().usual_room_height, least_cells);
   }
 
 private:

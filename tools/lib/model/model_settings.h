@@ -5,6 +5,7 @@
 #include "options.h"
 #include "scan_options.h"
 
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <cstddef>
@@ -45,6 +46,9 @@ struct ModelSettings {
   bool partial = false; ///< take what there is, however little
   bool pictures = false;
   bool report = false;
+  bool explain = false;   ///< print the priors
+  std::string priors;     ///< name=value, with commas between them
+  std::string prior_file; ///< lines of name = value
   IfcOptions ifc;
 };
 
@@ -56,6 +60,9 @@ std::string joinedNames(const std::vector<std::string>& paths);
 
 /** @brief Sets the chain as the command line says. */
 void apply(const ModelSettings& s, Reconstruction& chain);
+
+/** @brief The priors in use as a table of text: value, unit, range, source, where. */
+std::string explained(const Priors& priors);
 
 } // namespace tools
 } // namespace sedr

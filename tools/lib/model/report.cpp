@@ -38,6 +38,22 @@ roundNumbers(Json& json)
       roundNumbers(part);
 }
 
+/** @brief What was believed before the scan was looked at. */
+Json
+priorsOf(const Reconstruction& chain)
+{
+  Json priors = Json::array();
+  for (const Prior& prior : priorTable())
+    priors.push_back({{"name", prior.name},
+                      {"value", chain.getPriors().*prior.member},
+                      {"unit", prior.unit},
+                      {"low", prior.low},
+                      {"high", prior.high},
+                      {"source", prior.source},
+                      {"where", prior.where}});
+  return priors;
+}
+
 /** @brief Every parameter used, in the order of the stages. */
 Json
 parametersOf(const RunRecord& run, const Reconstruction& chain)
@@ -253,6 +269,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"version", format_version},
             {"input", inputOf(run)},
             {"parameters", parametersOf(run, chain)},
+            {"priors", priorsOf(chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
             {"origin", nullptr}, // has its place here

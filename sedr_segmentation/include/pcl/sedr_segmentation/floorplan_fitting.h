@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/stage_error.h>
 
@@ -30,6 +31,7 @@ struct LoopParameters {
   double minimum_length = 0.2; ///< of an element that has a curve of its own
   double minimum_radius = 0.15; ///< of an arc
   double maximum_radius = 25.0; ///< of an arc; flatter ones are segments
+  Priors priors;
   std::uint64_t seed = 1;
   unsigned threads = 1; ///< that share a loop; 0: as many as there are processors
 };
@@ -208,6 +210,11 @@ public:
    * 0.25. */
   void setMinimumDetailArea(double area) { parameters_.minimum_detail_area = area; }
   double getMinimumDetailArea() const { return parameters_.minimum_detail_area; }
+
+  /** @brief What is believed of buildings, furniture and scanners before the scan is
+   * looked at. */
+  void setPriors(const sedr::Priors& priors) { parameters_.loop.priors = priors; }
+  const sedr::Priors& getPriors() const { return parameters_.loop.priors; }
 
   /** @brief Seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.loop.seed = seed; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/PointIndices.h>
@@ -22,11 +23,13 @@ struct SliceParameters {
   std::size_t minimum_cells = 20; ///< smallest detail region (paper, Table 1)
   int trials = 3;               ///< 1/4; then 1/2; then 1/8 and 3/8 of the room height
   double slice_thickness = 0.1; ///< of the slab of points that a slice is
-  double widest_niche = 1.6;    ///< a narrower straight opening to a lower head is a
-                                ///< door's or a window's
+  double widest_niche =
+      Priors().max_door_width; ///< a narrower straight opening to a lower head is a
+                               ///< door's or a window's
   double minimum_island_area = 0.5; ///< square metres; what hangs free of the walls and
                                     ///< is smaller is a lamp or a vent
-  unsigned threads = 0;             ///< 0: as many as there are processors
+  Priors priors;
+  unsigned threads = 0; ///< 0: as many as there are processors
 };
 
 /** @brief What one trial saw (paper, Figure 4b). */
@@ -126,6 +129,14 @@ public:
    * square metres, >= 0. Default 0.5. */
   void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
   double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
+
+  /** @brief What is believed of buildings; the widest door with them. */
+  void setPriors(const sedr::Priors& priors)
+  {
+    parameters_.priors = priors;
+    parameters_.widest_niche = priors.max_door_width;
+  }
+  const sedr::Priors& getPriors() const { return parameters_.priors; }
 
   /** @brief Number of threads; 0 (default): all processors. Never changes the result.
    */

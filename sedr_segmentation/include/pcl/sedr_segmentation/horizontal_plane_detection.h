@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/ModelCoefficients.h>
@@ -23,10 +24,12 @@ enum class LevelKind { Other, Ceiling, Floor };
 struct LevelParameters {
   double tolerance = 0.07; ///< distance of an inlier from its plane (paper, Table 1)
   double cell_size = 0.05; ///< cell of the grid in which sizes are counted
-  double maximum_tilt = M_PI / 60;  ///< a plane leans at most so much, 3 degrees
-  double minimum_area = 1.0;        ///< square metres of occupied cells
-  double minimum_room_height = 1.8; ///< from a floor to its ceiling
-  double least_step = 0.06; ///< rooms whose slabs differ by less may share a level
+  double maximum_tilt = radians(Priors().max_slab_tilt); ///< a plane leans no more
+  double minimum_area = 1.0; ///< square metres of occupied cells
+  double minimum_room_height = Priors().min_headroom; ///< from a floor to its ceiling
+  double least_step =
+      Priors().min_floor_step; ///< rooms whose slabs differ by less may share a level
+  Priors priors;
   std::uint64_t seed = 1;
   unsigned threads = 0; ///< 0: as many as there are processors
 };
@@ -103,6 +106,16 @@ public:
   /** @brief Smallest height of a ceiling above its floor, metres, > 0. Default 1.8. */
   void setMinimumRoomHeight(double height) { parameters_.minimum_room_height = height; }
   double getMinimumRoomHeight() const { return parameters_.minimum_room_height; }
+
+  /** @brief What is believed of buildings; headroom, tilt and steps with them. */
+  void setPriors(const sedr::Priors& priors)
+  {
+    parameters_.priors = priors;
+    parameters_.maximum_tilt = sedr::radians(priors.max_slab_tilt);
+    parameters_.minimum_room_height = priors.min_headroom;
+    parameters_.least_step = priors.min_floor_step;
+  }
+  const sedr::Priors& getPriors() const { return parameters_.priors; }
 
   /** @brief Seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.seed = seed; }

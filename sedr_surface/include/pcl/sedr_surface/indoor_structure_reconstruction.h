@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
@@ -151,6 +152,11 @@ public:
    * depend on it. */
   void setNumberOfThreads(unsigned threads = 0);
   unsigned getNumberOfThreads() const { return threads_; }
+
+  /** @brief What is believed of buildings, furniture and scanners before the scan is
+   * looked at, see StructureChain::setPriors(). */
+  void setPriors(const sedr::Priors& priors) { chain_.setPriors(priors); }
+  const sedr::Priors& getPriors() const { return chain_.getPriors(); }
 
   /** @brief Seed of all random samples. Default 1. */
   void setSeed(std::uint64_t seed);

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/sight_lines.h>
 #include <pcl/sedr_filters/straightening.h>
@@ -129,6 +130,11 @@ public:
 
   /** @brief The cells of all stages, metres. */
   void setGridSize(double size);
+
+  /** @brief What all stages believe of buildings, furniture and scanners before they
+   * look at the scan; headroom, steps, tilts and door widths of the stages with it. */
+  void setPriors(const Priors& priors);
+  const Priors& getPriors() const { return priors_; }
 
   /** @brief Finds the structure: all stages but the mesh.
    * @return false where a stage found nothing; failed_stage and problem say which and
@@ -334,6 +340,7 @@ private:
    */
   void labelNiches();
 
+  Priors priors_;
   double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
   /** @brief What is known of a room before its plan is fitted. */
   struct ChainRoom {

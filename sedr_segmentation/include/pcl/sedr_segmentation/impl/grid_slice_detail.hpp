@@ -5,6 +5,7 @@
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 
 #include <pcl/impl/pcl_base.hpp>
+#include <pcl/sedr_filters/priors.h>
 
 #include <string>
 

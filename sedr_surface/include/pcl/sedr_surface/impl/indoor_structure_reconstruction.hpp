@@ -16,7 +16,9 @@ std::string voxelProblem(double voxel_size, double grid_size);
 
 /** @brief What is wrong with a scan and its indices, a sentence; empty if nothing is.
  */
-std::string cloudProblem(const PointView& points, const pcl::Indices& indices);
+std::string cloudProblem(const PointView& points,
+                         const pcl::Indices& indices,
+                         const Priors& priors);
 
 /** @brief Of a scan of so many points, every which is in its excerpt. */
 std::size_t excerptStep(std::size_t points);
@@ -126,7 +128,8 @@ bool
 IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
 {
   // Before thinning: a scan in millimetres would not get any smaller.
-  const std::string problem = sedr::cloudProblem(sedr::PointView(*input_), *indices_);
+  const std::string problem =
+      sedr::cloudProblem(sedr::PointView(*input_), *indices_, getPriors());
   if (!problem.empty())
     return refuseInput(problem);
   if (!beginThinning())

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/priors.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace pcl {
+namespace sedr {
+
+namespace {
+
+// Group, unit, range, source, and the folders of the sources in which it acts, which a
+// test compares with these.
+const std::vector<Prior> table = {
+    {"min_headroom", &Priors::min_headroom, "rooms", "m", 1.2, 3,
+     "building codes ask 2.0 to 2.4 m; less for cellars and attics",
+     "chain, planes, scan"},
+    {"usual_room_height", &Priors::usual_room_height, "rooms", "m", 2.5, 20,
+     "building practice", "planes, scan"},
+    {"max_room_height", &Priors::max_room_height, "rooms", "m", 10, 1000,
+     "the highest atria", "scan"},
+    {"max_building_height", &Priors::max_building_height, "rooms", "m", 10, 2000,
+     "building practice", "scan"},
+    {"max_building_extent", &Priors::max_building_extent, "rooms", "m", 100, 100000,
+     "building practice", "scan"},
+    {"min_home_height", &Priors::min_home_height, "rooms", "m", 1.8, 3,
+     "7 ft, the least that the International Residential Code allows", "scan"},
+    {"max_home_height", &Priors::max_home_height, "rooms", "m", 2.5, 6,
+     "12 ft, building practice", "scan"},
+    {"max_home_area", &Priors::max_home_area, "rooms", "m2", 5, 200,
+     "300 square feet, building practice", "scan"},
+    {"max_door_height", &Priors::max_door_height, "rooms", "m", 1.8, 6,
+     "8.5 ft, building practice", "scan"},
+    {"max_unseen_area", &Priors::max_unseen_area, "rooms", "m2", 0.5, 100,
+     "smallest courts and cores", "plan"},
+    {"small_area", &Priors::small_area, "rooms", "m2", 0, 1, "a column of 32 cm",
+     "loop, plan"},
+    {"min_wall", &Priors::min_wall, "walls", "m", 0.005, 0.2,
+     "plates of glass and board, with their noise",
+     "columns, links, loop, niches, plan, walls"},
+    {"max_wall", &Priors::max_wall, "walls", "m", 0.1, 3,
+     "walls of stone with facing; castles have more",
+     "details, links, loop, plan, planes, walls"},
+    {"min_wall_length", &Priors::min_wall_length, "walls", "m", 0.1, 2,
+     "chosen on the proving ground", "walls"},
+    {"short_wall", &Priors::short_wall, "walls", "m", 0.1, 5,
+     "chosen on the proving ground", "details, loop"},
+    {"max_pilaster", &Priors::max_pilaster, "walls", "m", 0.05, 2, "building practice",
+     "loop, plan"},
+    {"low_wall", &Priors::low_wall, "walls", "m", 0.1, 1.2, "lowest parapets", "loop"},
+    {"door_width", &Priors::door_width, "walls", "m", 0.5, 2,
+     "building practice, 0.6 to 1.3 m", "plan"},
+    {"min_niche_depth", &Priors::min_niche_depth, "walls", "m", 0.02, 0.5,
+     "niches built 0.1 m deep, as measured", "loop, niches"},
+    {"max_niche_depth", &Priors::max_niche_depth, "walls", "m", 0.2, 3,
+     "building practice", "niches"},
+    {"max_door_recess", &Priors::max_door_recess, "walls", "m", 0, 1,
+     "leaf in the middle of a wall", "niches"},
+    {"max_door_width", &Priors::max_door_width, "walls", "m", 0.6, 5, "double doors",
+     "chain, details"},
+    {"min_column_area", &Priors::min_column_area, "walls", "m2", 0.003, 1,
+     "thinnest columns of concrete", "plan"},
+    {"min_column_radius", &Priors::min_column_radius, "walls", "m", 0.01, 0.5,
+     "steel columns", "columns"},
+    {"assumed_partition", &Priors::assumed_partition, "walls", "m", 0.001, 0.2,
+     "two faces must not touch", "plan"},
+    {"max_slab_tilt", &Priors::max_slab_tilt, "slabs", "degrees", 0, 45,
+     "falls of floors and ceilings, up to 5 %", "details, plan, planes"},
+    {"min_ceiling_step", &Priors::min_ceiling_step, "slabs", "m", 0.005, 0.3,
+     "chosen on the proving ground", "columns, details, loop"},
+    {"max_platform_height", &Priors::max_platform_height, "slabs", "m", 0.1, 1.5,
+     "stages; tables are higher", "planes"},
+    {"max_step_height", &Priors::max_step_height, "slabs", "m", 0.1, 0.6,
+     "two steps of stairs", "planes"},
+    {"min_platform_area", &Priors::min_platform_area, "slabs", "m2", 0.1, 20,
+     "larger than a bed's half", "planes"},
+    {"min_platform_width", &Priors::min_platform_width, "slabs", "m", 0.1, 3,
+     "a person stands on it", "planes"},
+    {"min_tread", &Priors::min_tread, "slabs", "m", 0.05, 1,
+     "building codes ask 0.22 to 0.3 m", "planes"},
+    {"max_soffit_reach", &Priors::max_soffit_reach, "slabs", "m", 0.5, 50,
+     "building practice", "details"},
+    {"min_floor_step", &Priors::min_floor_step, "slabs", "m", 0.01, 0.3,
+     "rugs on floors, panels on ceilings", "details, planes"},
+    {"min_slab_area", &Priors::min_slab_area, "slabs", "m2", 0.1, 20,
+     "lamps and panels are smaller", "details, planes, scan"},
+    {"min_recess", &Priors::min_recess, "slabs", "m", 0.05, 2, "spacing of ribs",
+     "details, niches"},
+    {"min_drop", &Priors::min_drop, "slabs", "m", 0.02, 1,
+     "chosen on the proving ground", "details"},
+    {"max_head_depth", &Priors::max_head_depth, "slabs", "m", 0.1, 2,
+     "walls with reveals", "details"},
+    {"min_furniture_depth", &Priors::min_furniture_depth, "furniture", "m", 0.02, 1,
+     "shelves", "niches"},
+    {"max_furniture_depth", &Priors::max_furniture_depth, "furniture", "m", 0.2, 3,
+     "wardrobes with what stands before them", "niches"},
+    {"max_furniture_length", &Priors::max_furniture_length, "furniture", "m", 0.5, 20,
+     "fitted wardrobes", "niches"},
+    {"max_corner_depth", &Priors::max_corner_depth, "furniture", "m", 0.2, 3,
+     "a wardrobe of 2 m across a corner", "loop"},
+    {"max_furniture_area", &Priors::max_furniture_area, "furniture", "m2", 1, 20,
+     "two beds side by side", "planes"},
+    {"max_shaft_area", &Priors::max_shaft_area, "furniture", "m2", 0.1, 10, "cabinets",
+     "columns"},
+    {"min_board_depth", &Priors::min_board_depth, "furniture", "m", 0.005, 0.2,
+     "boards and panels", "walls"},
+    {"board_clearance", &Priors::board_clearance, "furniture", "m", 0, 2,
+     "chosen on the proving ground", "walls"},
+    {"lamp_clearance", &Priors::lamp_clearance, "furniture", "m", 0, 1,
+     "beams and soffits start from walls", "details"},
+    {"min_slit", &Priors::min_slit, "scanner", "m", 0.02, 0.2,
+     "a slit of 5 cm and the noise of its edges", "niches"},
+    {"chance", &Priors::chance, "scanner", "", 1e-09, 0.05,
+     "one in a hundred storeys of a hundred faces", "niches"},
+    {"unevenness", &Priors::unevenness, "scanner", "m", 0.0001, 0.02,
+     "chosen on the proving ground", "links, loop, plan"},
+    {"slab_noise", &Priors::slab_noise, "scanner", "m", 0.001, 0.1,
+     "chosen on the proving ground", "levels, niches"},
+    {"wall_noise", &Priors::wall_noise, "scanner", "m", 0.001, 0.1,
+     "chosen on the proving ground", "walls"},
+    {"surface_band", &Priors::surface_band, "scanner", "m", 0.02, 0.5,
+     "ten standard deviations of 1 cm", "details, loop, niches, plan"},
+    {"wall_band", &Priors::wall_band, "scanner", "m", 0.01, 0.2, "paper, Table 1",
+     "curves, details, loop, niches, plan, walls"},
+    {"place_accuracy", &Priors::place_accuracy, "scanner", "m", 1e-05, 0.01,
+     "data sheets of terrestrial scanners", "curves"},
+    {"min_tilt", &Priors::min_tilt, "scanner", "degrees", 0.05, 5,
+     "chosen on tilted scenes of the simulator", "scan"},
+    {"sigmas", &Priors::sigmas, "scanner", "", 1, 6, "normal distribution",
+     "links, niches"},
+    {"correlated_sigmas", &Priors::correlated_sigmas, "scanner", "", 1, 10,
+     "chosen on the proving ground", "links, loop"},
+    {"run_gap", &Priors::run_gap, "sampling", "m", 0.05, 1, "three voxels of 5 cm",
+     "columns, details, links, loop, niches, plan, planes, walls"},
+    {"evidence_cell", &Priors::evidence_cell, "sampling", "m", 0.02, 0.5,
+     "two voxels of 5 cm", "columns, details, links, loop, niches, plan, walls"},
+    {"patch", &Priors::patch, "sampling", "m", 0.1, 2,
+     "a hundred points in voxels of 5 cm", "curves, links, niches, plan, planes, scan"},
+    {"riser_cells", &Priors::riser_cells, "sampling", "cells", 1, 20,
+     "noise of 3 cm in cells of 5 cm", "details, levels"},
+    {"cell_fill", &Priors::cell_fill, "sampling", "", 0.5, 0.999,
+     "grid-slices need closed ceilings", "scan"},
+    {"max_enlargement", &Priors::max_enlargement, "sampling", "", 1, 10,
+     "chosen on the proving ground", "scan"},
+    {"min_scan_points", &Priors::min_scan_points, "sampling", "", 3, 1000000,
+     "a room in voxels of 20 cm", "scan"},
+    {"coarse_cell", &Priors::coarse_cell, "sampling", "m", 0.05, 1, "legs and chairs",
+     "levels"},
+    {"min_evidence", &Priors::min_evidence, "sampling", "points", 1, 100,
+     "a line needs two", "columns, levels, links, walls"},
+    {"min_points", &Priors::min_points, "sampling", "points", 3, 1000,
+     "five for each number of a line", "columns, levels, links, loop, niches, planes"},
+    {"blur", &Priors::blur, "sampling", "samples", 1, 20, "0.2 m in samples of 5 cm",
+     "links"},
+    {"share_unseen", &Priors::share_unseen, "shares", "", 0, 0.3,
+     "chosen on the proving ground", "curves, links, loop, plan, scan"},
+    {"share_few", &Priors::share_few, "shares", "", 0.02, 0.5,
+     "chosen on the proving ground", "loop, plan"},
+    {"share_little", &Priors::share_little, "shares", "", 0.05, 0.5,
+     "chosen on the proving ground", "links, niches"},
+    {"share_some", &Priors::share_some, "shares", "", 0.05, 0.9,
+     "chosen on the proving ground", "columns, walls"},
+    {"share_part", &Priors::share_part, "shares", "", 0.1, 0.9,
+     "half of a thing is in view", "links, niches, plan"},
+    {"share_half", &Priors::share_half, "shares", "", 0.1, 0.95, "majority",
+     "columns, details, loop, niches, plan, planes"},
+    {"share_clear", &Priors::share_clear, "shares", "", 0.1, 1,
+     "chosen on the proving ground", "plan, walls"},
+    {"share_closed", &Priors::share_closed, "shares", "", 0.1, 1,
+     "chosen on the proving ground", "niches"},
+    {"share_most", &Priors::share_most, "shares", "", 0.3, 1,
+     "chosen on the proving ground", "levels, planes, scan"},
+    {"upright_ratio", &Priors::upright_ratio, "shares", "", 1, 10,
+     "chosen on the proving ground", "scan"},
+    {"corridor_ratio", &Priors::corridor_ratio, "shares", "", 1, 50,
+     "a corridor of 1 m", "scan"},
+    {"clearly", &Priors::clearly, "shares", "", 1, 3, "chosen on the proving ground",
+     "loop"},
+    {"same_axis", &Priors::same_axis, "directions", "radians", 0.002, 0.2,
+     "chosen on tilted scenes of the simulator", "planes, scan"},
+    {"same_direction", &Priors::same_direction, "directions", "sine", 0.002, 0.2,
+     "chosen on the proving ground", "curves, loop"},
+    {"smooth_joint", &Priors::smooth_joint, "directions", "sine", 0.02, 0.7,
+     "chosen on the proving ground", "links"},
+    {"other_direction", &Priors::other_direction, "directions", "sine", 0.1, 0.7,
+     "chosen on the proving ground", "loop"},
+    {"element_cost", &Priors::element_cost, "costs", "m", 0.005, 1,
+     "the shortest wall that may pay", "links, loop"},
+    {"change_cost", &Priors::change_cost, "costs", "", 0.1, 100,
+     "chosen on the proving ground", "links"},
+    {"far_cost", &Priors::far_cost, "costs", "1/m", 0.1, 1000,
+     "chosen on the proving ground", "links"},
+    {"max_detour", &Priors::max_detour, "costs", "m", 0.2, 20, "time of the search",
+     "loop"},
+};
+
+std::string
+rangeProblem(const Prior& prior, double value)
+{
+  if (value >= prior.low && value <= prior.high)
+    return {};
+  char text[200];
+  std::snprintf(text, sizeof text, "the prior %s must be from %g to %g%s%s, not %g",
+                prior.name, prior.low, prior.high, *prior.unit ? " " : "", prior.unit,
+                value);
+  return text;
+}
+
+} // namespace
+
+const std::vector<Prior>&
+priorTable()
+{
+  return table;
+}
+
+std::string
+setPrior(const std::string& name, double value, Priors& priors)
+{
+  const auto prior = std::find_if(table.begin(), table.end(),
+                                  [&](const Prior& one) { return one.name == name; });
+  if (prior == table.end())
+    return "there is no prior " + name;
+  std::string problem = rangeProblem(*prior, value);
+  if (problem.empty())
+    priors.*prior->member = value;
+  return problem;
+}
+
+std::string
+problemOf(const Priors& priors)
+{
+  for (const Prior& prior : table)
+    if (std::string problem = rangeProblem(prior, priors.*prior.member);
+        !problem.empty())
+      return problem;
+  return {};
+}
+
+} // namespace sedr
+} // namespace pcl
