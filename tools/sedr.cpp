@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_scan.h"
 #include "model/model_run.h"
+#include "prior_values.h"
 #include "run_tool.h"
 
 #include <iostream>

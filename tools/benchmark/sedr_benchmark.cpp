@@ -6,11 +6,12 @@
 #include "benchmark/table/csv_file.h"
 #include "benchmark/table/formatted.h"
 #include "benchmark/table/table.h"
+#include "bytes/whole_file.h"
+#include "prior_values.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "simulator/scene/scenes.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,6 +38,7 @@ struct Settings {
   std::string table;
   std::string from;
   std::string keep;
+  std::string priors;
   bool resume = false;
   bool no_mesh = false;
   std::size_t rays = 0;
@@ -60,6 +62,8 @@ addOptions(Options& options, Settings& s)
                "make the table of these CSV files, with commas, and run nothing");
   options.text("part", s.part, "do every N-th run only, such as 1/2 and 2/2");
   options.text("keep", s.keep, "folder in which to keep the files of every run");
+  options.text("prior", s.priors,
+               "what is believed before a scan is looked at, name=value, with commas");
   options.number("rays", s.rays, "rays",
                  "rays a scanner position, 0 for the scene's own",
                  Range::between(0, 1e8));
@@ -95,6 +99,7 @@ std::vector<Task>
 tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
 {
   const Part part = partOf(settings.part, "part");
+  const pcl::sedr::Priors priors = priorsOf(settings.priors);
   std::vector<Task> tasks;
   std::size_t index = 0;
   for (const sim::Scene& scene : scenes)
@@ -103,7 +108,7 @@ tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
         if (part.holds(index++))
           tasks.push_back({&scene,
                            {noise, seed, !settings.no_mesh, settings.rays,
-                            settings.threads, settings.keep}});
+                            settings.threads, settings.keep, priors}});
   return tasks;
 }
 

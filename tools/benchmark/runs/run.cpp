@@ -143,6 +143,7 @@ simulateAndReconstruct(const sim::Scene& scene,
 
   Reconstruction chain;
   const LabelledPoints cloud = labelled(scan.points);
+  chain.setPriors(settings.priors);
   chain.setNumberOfThreads(settings.threads);
   chain.setInputCloud(cloud.points);
   row.failure = reconstruct(chain, settings.with_mesh);

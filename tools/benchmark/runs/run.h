@@ -5,6 +5,8 @@
 
 #include "simulator/scene/scene.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,14 +24,15 @@ struct RunSettings {
   unsigned threads = 0;  ///< 0: all processors
   std::filesystem::path
       keep; ///< folder to keep the files of every run in; may be empty
+  Priors priors;
 };
 
 /** @brief What a run is, before it has run: scene, noise, seed and kind. */
 RunRow rowOf(const sim::Scene& scene, const RunSettings& settings);
 
-/** @brief Simulates the scene, reconstructs it with the chain's defaults and compares
- * the result with the truth. Whatever goes wrong is the row's failure; nothing is
- * thrown. */
+/** @brief Simulates the scene, reconstructs it with the chain's defaults, but for
+ * the priors, and compares the result with the truth. Whatever goes wrong is the row's
+ * failure; nothing is thrown. */
 RunRow runScene(const sim::Scene& scene, const RunSettings& settings);
 
 } // namespace benchmark

@@ -1,69 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_settings.h"
-#include "tool_error.h"
+#include "prior_values.h"
 
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <pcl/common/angles.h>
-#include <sstream>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
-
-namespace {
-
-std::string
-trimmed(const std::string& text)
-{
-  const char* const blank = " \t\r";
-  const std::size_t first = text.find_first_not_of(blank);
-  return first == std::string::npos
-             ? std::string()
-             : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
-/** @brief Sets one prior of "name = value"; what is wrong is thrown. */
-void
-readPrior(const std::string& line, Priors& priors)
-{
-  const std::size_t equals = line.find('=');
-  const std::string name = trimmed(line.substr(0, equals));
-  const std::string number =
-      equals == std::string::npos ? "" : trimmed(line.substr(equals + 1));
-  char* end = nullptr;
-  const double value = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !std::isfinite(value))
-    throw ToolError("a prior is given as name=value, not '" + line + "'");
-  const std::string problem = setPrior(name, value, priors);
-  if (!problem.empty())
-    throw ToolError(problem + "; --explain lists all");
-}
-
-/** @brief The priors that the command line asks for. */
-Priors
-priorsOf(const ModelSettings& s)
-{
-  Priors priors;
-  if (!s.prior_file.empty()) {
-    std::ifstream file(s.prior_file);
-    if (!file)
-      throw ToolError("cannot read the priors in '" + s.prior_file + "'");
-    for (std::string line; std::getline(file, line);) {
-      line = trimmed(line.substr(0, line.find('#')));
-      if (!line.empty())
-        readPrior(line, priors);
-    }
-  }
-  std::istringstream given(s.priors);
-  for (std::string one; std::getline(given, one, ',');)
-    readPrior(one, priors);
-  return priors;
-}
-
-} // namespace
 
 ModelSettings::ModelSettings(const Reconstruction& chain)
     : voxel(chain.getVoxelSize())
@@ -145,7 +88,7 @@ joinedNames(const std::vector<std::string>& paths)
 void
 apply(const ModelSettings& s, Reconstruction& chain)
 {
-  chain.setPriors(priorsOf(s));
+  chain.setPriors(priorsOf(s.priors, s.prior_file));
   chain.setVoxelSize(static_cast<float>(s.voxel));
   chain.getVoxelGrid().setRemoveStrays(!s.keep_strays);
   chain.setPlaneTolerance(s.plane_tolerance);
@@ -160,20 +103,6 @@ apply(const ModelSettings& s, Reconstruction& chain)
   chain.getChain().trust_up = s.z_up;
   chain.getChain().keep_levelled = s.levelled;
   chain.getChain().mesh_from_plan = s.mesh_from_plan;
-}
-
-std::string
-explained(const Priors& priors)
-{
-  std::string text;
-  for (const Prior& prior : priorTable()) {
-    char line[400];
-    std::snprintf(line, sizeof line, "%-10s %-22s %-8g %-8s %g to %g; %s; %s\n",
-                  prior.group, prior.name, priors.*prior.member, prior.unit, prior.low,
-                  prior.high, prior.source, prior.where);
-    text += line;
-  }
-  return text;
 }
 
 } // namespace tools

@@ -5,7 +5,6 @@
 #include "options.h"
 #include "scan_options.h"
 
-#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <cstddef>
@@ -60,9 +59,6 @@ std::string joinedNames(const std::vector<std::string>& paths);
 
 /** @brief Sets the chain as the command line says. */
 void apply(const ModelSettings& s, Reconstruction& chain);
-
-/** @brief The priors in use as a table of text: value, unit, range, source, where. */
-std::string explained(const Priors& priors);
 
 } // namespace tools
 } // namespace sedr
