@@ -23,7 +23,7 @@ struct SheetCracks {
 
   Eigen::Vector2d placeOf(const CrackVertex& v) const
   {
-    return sheet.grid.origin + sheet.grid.size * Eigen::Vector2d(v.x, v.y);
+    return sheet.grid.placeOf(v.x, v.y);
   }
 
   const PlanSlab& facetOf(std::int32_t piece) const;

@@ -333,10 +333,7 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
       return;
     SheetParameters parameters;
     parameters.threads = threads;
-    Eigen::AlignedBox2d box;
-    for (const PlanElement& element : room->boundary.elements)
-      box.extend(boxAround(element));
-    const SheetGrid grid = sheetGrid(box, parameters);
+    const SheetGrid grid = gridWithin(room->boundary, parameters);
     Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
                            wallDirections(room->boundary), parameters);
     if (!hasSlope(sheet))

@@ -88,10 +88,11 @@ public:
   {
     constexpr double least_share = 0.6;
     constexpr int rounds = 3;
-    const std::vector<std::size_t> window = cells_.window(seed, reach);
+    std::vector<std::size_t> window = cells_.window(seed, reach);
     // Half of it may lie beside the room.
     if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
       return false;
+    leaveOutUnreachable(seed, window);
     if (isCurve(kind) && isFlat(window))
       return false;
     FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
@@ -112,6 +113,23 @@ public:
   }
 
 private:
+  /** @brief Takes out the cells that no ceiling leads to from the seed: they lie higher
+   * or lower than the steepest one does. */
+  void leaveOutUnreachable(std::size_t seed, std::vector<std::size_t>& window) const
+  {
+    const double slope = std::tan(evidence_.parameters.steepest);
+    const CellBall& first = cells_.ball(seed);
+    window.erase(std::remove_if(window.begin(), window.end(),
+                                [&](std::size_t cell) {
+                                  const Eigen::Vector3d off =
+                                      cells_.ball(cell).centre - first.centre;
+                                  return std::abs(off.z()) >
+                                         slope * off.head<2>().norm() +
+                                             proposal_band * deviation_;
+                                }),
+                 window.end());
+  }
+
   /** @brief Whether a plane explains all of some cells. */
   bool isFlat(const std::vector<std::size_t>& window) const
   {
@@ -137,8 +155,10 @@ growFromSeeds(const FacetEvidence& evidence,
 {
   constexpr std::size_t most_seeds = 600;
   const SheetGrid& grid = evidence.cells.grid();
-  const int stride = std::max(
-      4, static_cast<int>(std::sqrt(static_cast<double>(grid.count()) / most_seeds)));
+  // No window's own half lies between two seeds: a beam is not much wider.
+  const int stride = std::min(
+      reach + 1, std::max(4, static_cast<int>(std::sqrt(
+                                 static_cast<double>(grid.count()) / most_seeds))));
   const Grower grower(evidence);
   std::vector<std::uint8_t> is_covered(grid.count(), 0);
   const auto cover = [&](const FacetProposal& facet) {
@@ -215,7 +235,7 @@ proposeFacets(const FacetEvidence& evidence)
     ShapeKind kind;
     std::vector<int> reaches; // cells, one search after the other
   };
-  const std::vector<Search> searches{{ShapeKind::Plane, {3}},
+  const std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
                                      {ShapeKind::Cylinder, {5, 10, 16}},
                                      {ShapeKind::Sphere, {10, 16}}};
   std::vector<std::vector<FacetProposal>> found(searches.size());

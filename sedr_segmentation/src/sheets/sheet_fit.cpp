@@ -184,7 +184,7 @@ finishFacets(const CellPoints& cells,
 double
 Sheet::heightAt(const Eigen::Vector2d& p) const
 {
-  const Eigen::Vector2d place = (p - grid.origin) / grid.size;
+  const Eigen::Vector2d place = grid.cellsTo(p);
   const int x =
       std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
   const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, grid.rows - 1);
@@ -192,18 +192,34 @@ Sheet::heightAt(const Eigen::Vector2d& p) const
 }
 
 SheetGrid
-sheetGrid(const Eigen::AlignedBox2d& box, const SheetParameters& parameters)
+sheetGrid(const Eigen::AlignedBox2d& box,
+          const SheetParameters& parameters,
+          double direction)
 {
   constexpr int spare = 3;
   SheetGrid grid;
   const double fitting =
       std::sqrt(box.volume() / static_cast<double>(parameters.most_cells));
   grid.size = std::max(parameters.cell_size, fitting);
-  grid.origin = box.min() - Eigen::Vector2d::Constant(spare * grid.size);
+  const Eigen::Rotation2Dd turn(direction);
+  grid.axis = turn * Eigen::Vector2d::UnitX();
+  grid.origin = turn * (box.min() - Eigen::Vector2d::Constant(spare * grid.size));
   const Eigen::Vector2d extent = box.sizes() / grid.size;
   grid.columns = static_cast<int>(std::ceil(extent.x())) + 2 * spare;
   grid.rows = static_cast<int>(std::ceil(extent.y())) + 2 * spare;
   return grid;
+}
+
+SheetGrid
+gridWithin(const PlanLoop& loop, const SheetParameters& parameters)
+{
+  const std::vector<double> directions = wallDirections(loop);
+  const double direction = directions.empty() ? 0 : directions.front();
+  const Eigen::Rotation2Dd turn(-direction);
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& place : loop.polygon(parameters.cell_size))
+    box.extend(turn * place);
+  return sheetGrid(box, parameters, direction);
 }
 
 std::vector<std::uint8_t>
@@ -282,11 +298,14 @@ reliefOf(const Sheet& sheet, double spacing)
   SlabCurve relief;
   relief.kind = CurveKind::Relief;
   relief.spacing = spacing;
-  relief.centre = sheet.grid.origin;
-  const double width = sheet.grid.size * sheet.grid.columns;
-  const double depth = sheet.grid.size * sheet.grid.rows;
-  relief.columns = static_cast<std::size_t>(std::ceil(width / spacing)) + 1;
-  const auto rows = static_cast<std::size_t>(std::ceil(depth / spacing)) + 1;
+  Eigen::AlignedBox2d box;
+  for (const int x : {0, sheet.grid.columns})
+    for (const int y : {0, sheet.grid.rows})
+      box.extend(sheet.grid.placeOf(x, y));
+  relief.centre = box.min();
+  const Eigen::Vector2d extent = box.sizes() / spacing;
+  relief.columns = static_cast<std::size_t>(std::ceil(extent.x())) + 1;
+  const auto rows = static_cast<std::size_t>(std::ceil(extent.y())) + 1;
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < relief.columns; ++column)
       relief.heights.push_back(sheet.heightAt(

@@ -29,7 +29,7 @@ struct SheetParameters {
                            ///< counts once
   double outlier = 4.5;    ///< cost of a patch that no facet explains: three deviations
   double crease = 0.5;     ///< cost of a metre along which facets meet
-  double step = 2;         ///< cost of a metre along which they miss each other by
+  double step = 1;         ///< cost of a metre along which they miss each other by
                            ///< `full_step` or more
   double full_step = 0.2;  ///< metres
   double least_area = 0.4; ///< of a facet, square metres
@@ -42,9 +42,11 @@ struct SheetParameters {
   unsigned threads = 1;
 };
 
-/** @brief A part of the plan in square cells. */
+/** @brief A part of the plan in square cells, which lie along the walls: steps and
+ * beams mostly do, and a border of cells is straight along its rows only. */
 struct SheetGrid {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of the first cell's corner
+  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit, along a row
   double size = 0.1;                                ///< of a cell, metres
   int columns = 0;
   int rows = 0;
@@ -72,15 +74,28 @@ struct SheetGrid {
 
   bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < columns && y < rows; }
 
+  /** @brief The place that lies so many cells from the origin. */
+  Eigen::Vector2d placeOf(double x, double y) const
+  {
+    return origin + size * (x * axis + y * Eigen::Vector2d(-axis.y(), axis.x()));
+  }
+
+  /** @brief How many cells a place lies from the origin. */
+  Eigen::Vector2d cellsTo(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2d off = (p - origin) / size;
+    return {axis.dot(off), axis.x() * off.y() - axis.y() * off.x()};
+  }
+
   Eigen::Vector2d centre(std::size_t cell) const
   {
-    return origin + size * Eigen::Vector2d(columnOf(cell) + 0.5, rowOf(cell) + 0.5);
+    return placeOf(columnOf(cell) + 0.5, rowOf(cell) + 0.5);
   }
 
   /** @brief Index of the cell around a place; count() beside the grid. */
   std::size_t at(const Eigen::Vector2d& p) const
   {
-    const Eigen::Vector2d place = (p - origin) / size;
+    const Eigen::Vector2d place = cellsTo(p);
     if (!(place.x() >= 0 && place.y() >= 0 && place.x() < columns && place.y() < rows))
       return count();
     return indexOf(static_cast<int>(place.x()), static_cast<int>(place.y()));
@@ -142,8 +157,16 @@ void refitToScan(Sheet& sheet,
                  const std::vector<int>& indices,
                  const SheetParameters& parameters = {});
 
-/** @brief A grid over a box in plan, with three cells to spare on every side. */
-SheetGrid sheetGrid(const Eigen::AlignedBox2d& box, const SheetParameters& parameters);
+/** @brief A grid over a part of the plan, with three cells to spare on every side.
+ * @param box       around it, in the frame turned by `direction` about the origin
+ * @param direction of the rows, radians, counter-clockwise from x */
+SheetGrid sheetGrid(const Eigen::AlignedBox2d& box,
+                    const SheetParameters& parameters,
+                    double direction = 0);
+
+/** @brief A grid over what a loop encloses, along the most frequent direction of its
+ * walls. */
+SheetGrid gridWithin(const PlanLoop& loop, const SheetParameters& parameters);
 
 /** @brief The cells of a grid that lie within a loop, by their centres, or at most half
  * a cell beside it. */

@@ -24,7 +24,24 @@ struct Scene {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> risers; ///< points of upright faces
   PlanRoom room;
+  double turn = 0; ///< of the room about the origin, radians
 };
+
+/** The room and its points turned about the origin. */
+inline Scene
+turned(Scene scene, double radians)
+{
+  const Eigen::Rotation2Dd turn(radians);
+  for (auto* points : {&scene.points, &scene.risers})
+    for (Eigen::Vector3d& p : *points)
+      p.head<2>() = turn * p.head<2>();
+  for (auto& element : scene.room.boundary.elements) {
+    element.start = turn * element.start;
+    element.end = turn * element.end;
+  }
+  scene.turn += radians;
+  return scene;
+}
 
 /** Points of a ceiling every 4 cm, noise along the normal. */
 inline Scene
@@ -55,9 +72,7 @@ sceneOf(double width, double depth, Height height, double noise = 0.01, int seed
 inline Sheet
 fitted(const Scene& scene, const pcl::sedr::SheetParameters& parameters = {})
 {
-  Eigen::AlignedBox2d box(Eigen::Vector2d(0, 0),
-                          Eigen::Vector2d(scene.width, scene.depth));
-  const auto grid = pcl::sedr::sheetGrid(box, parameters);
+  const auto grid = pcl::sedr::gridWithin(scene.room.boundary, parameters);
   return pcl::sedr::fitSheet(
       scene.points, grid, pcl::sedr::cellsWithin(grid, scene.room.boundary),
       pcl::sedr::wallDirections(scene.room.boundary), parameters);
@@ -83,6 +98,7 @@ inline Off
 offBy(const Scene& scene, const PlanRoom& room)
 {
   constexpr double step = 0.021;
+  const Eigen::Rotation2Dd turn(scene.turn);
   Off off;
   int count = 0;
   for (double y = step / 2; y < scene.depth; y += step)
@@ -90,8 +106,8 @@ offBy(const Scene& scene, const PlanRoom& room)
       const double truth = scene.height(x, y);
       const double dx = (scene.height(x + 1e-4, y) - scene.height(x - 1e-4, y)) / 2e-4;
       const double dy = (scene.height(x, y + 1e-4) - scene.height(x, y - 1e-4)) / 2e-4;
-      const double d =
-          std::abs(room.ceilingAt({x, y}) - truth) / std::sqrt(1 + dx * dx + dy * dy);
+      const double d = std::abs(room.ceilingAt(turn * Eigen::Vector2d(x, y)) - truth) /
+                       std::sqrt(1 + dx * dx + dy * dy);
       off.mean += d;
       off.beyond += d > 0.01 ? 1 : 0;
       ++count;

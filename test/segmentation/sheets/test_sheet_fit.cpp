@@ -201,6 +201,32 @@ TEST(FitSheet, AStepIsWhereItsRiserWasSeen)
   EXPECT_NEAR(room.ceilingAt({3.08, 2}), 3, 0.005);
 }
 
+TEST(FitSheet, StepsAreAsExactHoweverTheRoomIsTurned)
+{
+  const Scene scene = sceneOf(6, 4, [](double x, double y) {
+    return x > 1.42 && x < 2.63 && y > 1.17 && y < 2.81 ? 3.25 : 3.0;
+  });
+  for (const double degrees : {0, 17, 30, 45, 62}) {
+    const Scene other = turned(scene, degrees * M_PI / 180);
+    const PlanRoom room = fittedRoom(other);
+    EXPECT_EQ(room.details.size(), 1U) << degrees;
+    EXPECT_LT(offBy(other, room).beyond, 0.002) << degrees;
+  }
+}
+
+TEST(FitSheet, ABeamNarrowerThanTheWindowsOfVaultsIsFound)
+{
+  const Scene scene = sceneOf(6, 4, [](double x, double y) {
+    return std::abs(x - 2.9) < 0.15 || std::abs(x - 4.4) < 0.15
+               ? 2.7
+               : 3 + tangent(10) * (y - 2);
+  });
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_NEAR(room.ceilingAt({2.9, 1}), 2.7, 0.005);
+  EXPECT_NEAR(room.ceilingAt({4.4, 3}), 2.7, 0.005);
+  EXPECT_LT(offBy(scene, room).beyond, 0.01);
+}
+
 TEST(SlopingArea, TellsWhatSlopesFromLevelCeilings)
 {
   EXPECT_GT(slopingArea(sceneOf(6, 4, jackArches).points), 1);
