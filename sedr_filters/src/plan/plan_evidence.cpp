@@ -22,7 +22,7 @@ namespace {
 
 // Metres.
 constexpr double cell_size = 0.1;
-constexpr double rim = 0.03;    ///< of a wall, where points may be those of a slab
+constexpr double rim = 0.03;        ///< of a wall, where points may be those of a slab
 constexpr double fill_reach = 0.08; ///< of a point from the place that it fills
 constexpr double beside_corner = 0.06; ///< where points may be those of the next wall
 constexpr double reach_before = 1.0;   ///< of what hides a cell
@@ -179,26 +179,19 @@ sumOf(const CellCount& a, const CellCount& b)
           a.proved + b.proved};
 }
 
-/** @brief Shares of counted cells. */
+/** @brief Shares of counted cells. Of a surface that was not in view all is hidden that
+ * no ray went through. */
 ElementEvidence
-countedShares(const ElementEvidence& count)
+sharesOf(const CellCount& count)
 {
   const double all = count.seen + count.hidden + count.opening;
   if (all == 0)
     return {};
-  return {count.seen / all, count.hidden / all, count.opening / all};
-}
-
-/** @brief The same, but of a surface that was not in view all is hidden that no ray
- * went through. */
-ElementEvidence
-sharesOf(const CellCount& count)
-{
-  const ElementEvidence shares = countedShares(count);
-  if (!shares.isKnown() || shares.seen >= least_seen)
-    return shares;
-  const double open = count.proved / (count.seen + count.hidden + count.opening);
-  return {shares.seen, 1 - shares.seen - open, open};
+  const double seen = count.seen / all;
+  if (seen >= least_seen)
+    return {seen, count.hidden / all, count.opening / all};
+  const double open = count.proved / all;
+  return {seen, 1 - seen - open, open};
 }
 
 using Counts = std::map<const PlanElement*, CellCount>;
@@ -319,22 +312,6 @@ measureEvidence(Floorplan& plan,
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     measureRoom(plan.rooms[r], points, shares[r], tolerance, threads, sight);
   });
-}
-
-ElementEvidence
-countedEvidence(const PlanRoom& room,
-                std::size_t wall,
-                const PointView& points,
-                const std::vector<int>& indices,
-                double tolerance)
-{
-  const PointCubes cubes(points, indices, boxOf(room), cell_size, 1);
-  const RoomEvidence evidence(room, cubes, tolerance, nullptr);
-  CellCount sum;
-  for (const UprightSurface& surface : uprightSurfaces(room))
-    if (surface.element == &room.boundary.elements[wall])
-      sum = sumOf(sum, evidence.countOf(surface));
-  return countedShares(sum);
 }
 
 } // namespace sedr

@@ -36,16 +36,5 @@ void measureEvidence(Floorplan& plan,
                      unsigned threads = 0,
                      const SightLines* sight = nullptr);
 
-/** @brief What a scan shows of one wall of a room, as measureEvidence() tells it, but
- * with the shares as they were counted: of a wall that nobody could see, because the
- * scanner never stood on its side, nearly all is an opening, of one that a wardrobe
- * covers nearly all is hidden.
- * @param wall index into the elements of the room's boundary */
-ElementEvidence countedEvidence(const PlanRoom& room,
-                                std::size_t wall,
-                                const PointView& points,
-                                const std::vector<int>& indices,
-                                double tolerance = 0.05);
-
 } // namespace sedr
 } // namespace pcl

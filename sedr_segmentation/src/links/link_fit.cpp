@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link_fit.h"
+
 #include "../curves/main_directions.h"
+#include "../walls/wall_cells.h"
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
@@ -63,27 +65,6 @@ askew(const LoopChain& chain,
   return least;
 }
 
-/** @brief Share of an element's length beside which some of the points lie on a curve,
- * counted in parts of 5 cm. */
-double
-shareCovered(const PlanElement& element,
-             const PlanCurve& curve,
-             const std::vector<WeightedPoint>& points,
-             double tolerance,
-             double part)
-{
-  const auto parts = static_cast<std::size_t>(std::ceil(element.length() / part));
-  std::vector<std::uint8_t> is_covered(parts, 0);
-  for (const auto& p : points) {
-    const double s = element.project(p.position) / part;
-    if (s >= 0 && s < static_cast<double>(parts) &&
-        curve.distance(p.position) <= tolerance)
-      is_covered[static_cast<std::size_t>(s)] = 1;
-  }
-  return static_cast<double>(std::count(is_covered.begin(), is_covered.end(), 1)) /
-         static_cast<double>(std::max<std::size_t>(1, parts));
-}
-
 /** @brief Whether a fit to little of a line turns it away from where it was and from
  * all other walls: points in a few places tell little of a direction. */
 bool
@@ -99,8 +80,11 @@ turnsAway(const LoopChain& chain,
   if (was.isArc() || line.isCircle() ||
       std::max(line.distance(was.start), line.distance(was.end)) <= tolerance)
     return false;
-  return shareCovered(was, line, points, tolerance, priors.evidence_cell / 2) <
-             priors.share_part &&
+  WallCells cells(0, was.length(), priors.evidence_cell / 2);
+  for (const WeightedPoint& p : points)
+    if (line.distance(p.position) <= tolerance)
+      cells.add(was.project(p.position));
+  return cells.shareSeen() < priors.share_part &&
          askew(chain, link, line, priors) >
              askew(chain, link, chain.links[link].curve, priors);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link_views.h"
 
+#include "../walls/wall_cells.h"
 #include "link_fit.h"
 
 #include <algorithm>
@@ -65,14 +66,11 @@ isSeenInPart(const LoopChain& chain,
              const PlanPoints& evidence,
              const LoopParameters& parameters)
 {
-  const double bin = parameters.priors.evidence_cell;
   const PlanElement e = chain.element(i);
-  std::vector<bool> is_seen(static_cast<std::size_t>(e.length() / bin) + 1, false);
+  WallCells cells(0, e.length(), parameters.priors.evidence_cell);
   for (const WeightedPoint& p : pointsAlong(chain, i, evidence, parameters))
-    is_seen[static_cast<std::size_t>(
-        std::clamp(e.project(p.position), 0.0, e.length()) / bin)] = true;
-  const auto seen = std::count(is_seen.begin(), is_seen.end(), true);
-  return 2 * static_cast<std::size_t>(seen) < is_seen.size();
+    cells.add(e.project(p.position));
+  return cells.shareSeen() < parameters.priors.share_half;
 }
 
 } // namespace sedr

@@ -2,6 +2,7 @@
 #include "loop_recesses.h"
 
 #include "../niches/niche_fit.h"
+#include "../walls/wall_cells.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -14,26 +15,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief A point as a wall sees it, metres: along the wall, out of the room, above the
- * floor. */
-struct WallPlace {
-  WallPlace(const Eigen::Vector3f& point,
-            const PlanElement& wall,
-            const PlanSlab& floor)
-  {
-    const Eigen::Vector3d p = point.cast<double>();
-    const Eigen::Vector2d way = (wall.end - wall.start) / wall.length();
-    const Eigen::Vector2d to = p.head<2>() - wall.start;
-    along = way.dot(to);
-    out = way.y() * to.x() - way.x() * to.y();
-    height = p.z() - floor.heightAt(p.head<2>());
-  }
-
-  double along;
-  double out;
-  double height;
-};
 
 /** @brief Share of the 10 cm cells of an upright rectangle in which a point is on it;
  * a cell at both ends, where other walls are, is left out.
@@ -50,24 +31,13 @@ shareSeen(const PlanElement& e,
           const Priors& priors)
 {
   const double cell = priors.evidence_cell;
-  const double length = e.length() - 2 * cell;
-  if (!(length > 0) || !(high > low))
-    return 0;
-  const auto columns = static_cast<std::size_t>(std::ceil(length / cell));
-  const auto rows = static_cast<std::size_t>(std::ceil((high - low) / cell));
-  std::vector<std::uint8_t> is_seen(columns * rows, 0);
+  WallCells cells(cell, e.length() - cell, low, high, cell);
   for (const int i : indices) {
-    const WallPlace place(points[static_cast<std::size_t>(i)], e, floor);
-    const double s = place.along - cell;
-    const double z = place.height - low;
-    if (std::abs(place.out) > tolerance || !(s >= 0) || !(s < length) || !(z >= 0) ||
-        !(z < high - low))
-      continue;
-    is_seen[std::min(rows - 1, static_cast<std::size_t>(z / cell)) * columns +
-            std::min(columns - 1, static_cast<std::size_t>(s / cell))] = 1;
+    const WallPoint p = seenFrom(e, floor, points[static_cast<std::size_t>(i)]);
+    if (std::abs(p.behind) <= tolerance && p.up < high)
+      cells.add(p.along, p.up);
   }
-  return static_cast<double>(std::count(is_seen.begin(), is_seen.end(), 1)) /
-         static_cast<double>(is_seen.size());
+  return cells.shareSeen();
 }
 
 /** @brief How high the wall below a recess goes, metres above the floor: the middle of
@@ -86,15 +56,15 @@ heightOfSill(const PlanElement& mouth,
       static_cast<std::size_t>(std::ceil(mouth.length() / strip)));
   std::vector<double> behind;
   for (const int i : indices) {
-    const WallPlace place(points[static_cast<std::size_t>(i)], mouth, floor);
-    if (!(place.along >= 0) || !(place.along < mouth.length()) || !(place.height >= 0))
+    const WallPoint place = seenFrom(mouth, floor, points[static_cast<std::size_t>(i)]);
+    if (!(place.along >= 0) || !(place.along < mouth.length()) || !(place.up >= 0))
       continue;
-    if (std::abs(place.out) <= tolerance)
+    if (std::abs(place.behind) <= tolerance)
       on_wall[std::min(on_wall.size() - 1,
                        static_cast<std::size_t>(place.along / strip))]
-          .push_back(place.height);
-    else if (place.out > strip / 2 && place.out < depth - strip / 2)
-      behind.push_back(place.height);
+          .push_back(place.up);
+    else if (place.behind > strip / 2 && place.behind < depth - strip / 2)
+      behind.push_back(place.up);
   }
   std::vector<double> tops;
   for (std::vector<double>& heights : on_wall) {

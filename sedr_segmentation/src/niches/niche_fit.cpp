@@ -67,13 +67,10 @@ unroll(const PointView& points,
       element.pointAt(element.length() / 2) + 0.01 * element.normalAt(0);
   const double floor = room.floorAt(inside);
   wall.height = room.ceilingAt(inside) - floor;
-  const Eigen::Vector2d way = (element.end - element.start).normalized();
-  const Eigen::Vector2d inwards = element.normalAt(0);
+  const PlanSlab base = horizontalSlab(floor);
   const double length = element.length();
   for (const int i : around) {
-    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
-    const Eigen::Vector2d d = p.head<2>() - element.start;
-    const WallPoint seen{d.dot(way), p.z() - floor, -d.dot(inwards)};
+    const WallPoint seen = seenFrom(element, base, points[static_cast<std::size_t>(i)]);
     if (seen.behind >= -wall.tolerance && seen.behind <= farthest && seen.along >= 0 &&
         seen.along <= length && seen.up >= -priors.surface_band &&
         seen.up <= wall.height)

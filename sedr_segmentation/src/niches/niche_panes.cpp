@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "niche_panes.h"
 
-#include "../profiles/cell_count.h"
 #include "../refit/plan_refit.h"
+#include "../walls/wall_cells.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
@@ -24,10 +24,10 @@ constexpr std::size_t most_points = 2000000;
 /** @brief A niche, the wall around its mouth, and their cells along and up the wall. */
 class NicheView {
 public:
-  /** @brief Points of each cell, row by row. */
+  /** @brief What was seen of its back, and of the wall around its mouth. */
   struct Counts {
-    std::vector<std::size_t> back;
-    std::vector<std::size_t> wall;
+    WallCells back;
+    WallCells wall;
   };
 
   NicheView(const PlanNiche& niche, const Priors& priors)
@@ -39,62 +39,47 @@ public:
     const std::vector<PlanElement>& sides = niche.boundary.elements;
     mouth_ = sides.back();
     std::swap(mouth_.start, mouth_.end);
-    way_ = (mouth_.end - mouth_.start).normalized();
-    out_ = {way_.y(), -way_.x()};
     width_ = mouth_.length();
     const Eigen::Vector2d middle = (mouth_.start + mouth_.end) / 2;
-    low_ = niche.bottom.heightAt(middle);
-    high_ = niche.top.heightAt(middle);
-    depth_ = out_.dot(sides[1].start - mouth_.start);
-    columns_ = static_cast<std::size_t>(cellsFor(width_ + 2 * around_, cell_));
-    rows_ = static_cast<std::size_t>(cellsFor(high_ - low_ + 2 * around_, cell_));
+    bottom_ = niche.bottom;
+    height_ = niche.top.heightAt(middle) - bottom_.heightAt(middle);
+    depth_ = mouth_.distance(sides[1].start);
   }
 
   Counts noCounts() const
   {
-    const std::vector<std::size_t> none(columns_ * rows_, 0);
+    const WallCells none(-around_, width_ + around_, -around_, height_ + around_,
+                         cell_);
     return {none, none};
   }
 
   /** @brief Counts a point, if it is on the back or on the wall around the mouth. */
   void count(const Eigen::Vector3f& point, Counts& counts) const
   {
-    const Eigen::Vector2d to = point.head<2>().cast<double>() - mouth_.start;
-    const double along = way_.dot(to);
-    const double up = point.z() - low_;
-    const double height = high_ - low_;
-    if (!(along >= -around_ && along < width_ + around_ && up >= -around_ &&
-          up < height + around_))
-      return;
-    const double behind = out_.dot(to);
+    const WallPoint p = seenFrom(mouth_, bottom_, point);
     const double near = std::min(reach_, depth_ / 3);
-    const auto column = static_cast<std::size_t>((along + around_) / cell_);
-    const auto row = static_cast<std::size_t>((up + around_) / cell_);
-    const std::size_t at =
-        std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
-    if (std::abs(behind - depth_) <= near && along >= reach_ &&
-        along <= width_ - reach_ && up >= reach_ && up <= height - reach_)
-      ++counts.back[at];
-    else if (std::abs(behind) <= near &&
-             (along <= -reach_ || along >= width_ + reach_ || up <= -reach_ ||
-              up >= height + reach_))
-      ++counts.wall[at];
+    // How far it is from the edges of the mouth, inside.
+    const double inside = std::min({p.along, width_ - p.along, p.up, height_ - p.up});
+    if (std::abs(p.behind - depth_) <= near && inside >= reach_)
+      counts.back.add(p.along, p.up);
+    else if (std::abs(p.behind) <= near && inside <= -reach_)
+      counts.wall.add(p.along, p.up);
   }
 
   /** @brief Whether the back is hit far less often than the wall. */
   bool isPane(const Counts& counts) const
   {
     std::vector<double> wall;
-    for (const std::size_t points : counts.wall)
+    for (const std::size_t points : counts.wall.counts())
       if (points > 0)
         wall.push_back(static_cast<double>(points));
     if (static_cast<double>(wall.size()) < 2 * priors_.min_points)
       return false;
-    std::vector<std::size_t> back = counts.back;
+    std::vector<std::size_t> back = counts.back.counts();
     std::sort(back.begin(), back.end(), std::greater<>());
     const double cells =
         std::max(1.0, priors_.share_half / 2 * std::floor(width_ / cell_) *
-                          std::floor((high_ - low_) / cell_));
+                          std::floor(height_ / cell_));
     const auto best =
         std::accumulate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(cells),
                         std::size_t{0});
@@ -108,14 +93,10 @@ private:
   double reach_;  ///< of the points of wall and back; of sides, from the edges
   const Priors& priors_;
   PlanElement mouth_;
-  Eigen::Vector2d way_;
-  Eigen::Vector2d out_; ///< of the room
+  PlanSlab bottom_;
   double width_ = 0;
+  double height_ = 0;
   double depth_ = 0;
-  double low_ = 0;
-  double high_ = 0;
-  std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
 };
 
 /** @brief Whether a niche is no deeper than half of its mouth's width and height:
@@ -143,10 +124,6 @@ countsOf(const std::vector<NicheView>& views,
     sums.push_back(view.noCounts());
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
   const std::size_t step = rawStep(all, most_points);
-  const auto add = [](const std::vector<std::size_t>& more,
-                      std::vector<std::size_t>& sum) {
-    std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
-  };
   std::mutex adding;
   parallelBlocks(
       all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
@@ -162,8 +139,8 @@ countsOf(const std::vector<NicheView>& views,
         }
         const std::lock_guard<std::mutex> lock(adding);
         for (std::size_t v = 0; v < views.size(); ++v) {
-          add(counts[v].back, sums[v].back);
-          add(counts[v].wall, sums[v].wall);
+          sums[v].back.add(counts[v].back);
+          sums[v].wall.add(counts[v].wall);
         }
       });
   return sums;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../walls/wall_cells.h"
 #include "niche_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
@@ -9,13 +10,6 @@
 
 namespace pcl {
 namespace sedr {
-
-/** @brief A point as seen from a wall: metres along it, above its floor, behind it. */
-struct WallPoint {
-  double along;
-  double up;
-  double behind;
-};
 
 /** @brief A straight wall of a room, unrolled. */
 struct UnrolledWall {
