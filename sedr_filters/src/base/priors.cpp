@@ -163,7 +163,7 @@ const std::vector<Prior> table = {
     {"share_part", &Priors::share_part, "shares", "", 0.1, 0.9,
      "half of a thing is in view", "links, niches, plan"},
     {"share_half", &Priors::share_half, "shares", "", 0.1, 0.95, "majority",
-     "columns, details, loop, niches, plan, planes"},
+     "columns, details, links, loop, niches, plan, planes"},
     {"share_clear", &Priors::share_clear, "shares", "", 0.1, 1,
      "chosen on the proving ground", "plan, walls"},
     {"share_closed", &Priors::share_closed, "shares", "", 0.1, 1,
