@@ -110,6 +110,30 @@ AirGaps::overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) 
   return best;
 }
 
+std::uint32_t
+AirGaps::goingOnFrom(const AirGap& gap, std::uint32_t column) const
+{
+  if (column == VoxelColumns::none)
+    return none;
+  const int same = voxels(parameters_.same_surface);
+  const int tall = voxels(parameters_.headroom);
+  std::uint32_t best = none;
+  std::pair<bool, std::int32_t> most(false, 0);
+  for (std::uint32_t g = first_[column]; g < first_[column + 1]; ++g) {
+    const std::int32_t common = overlapOf(gaps_[g], gap);
+    const std::int32_t lower =
+        std::min(gaps_[g].high - gaps_[g].low, gap.high - gap.low);
+    const bool is_same_floor = gaps_[g].high - gaps_[g].low >= tall &&
+                               std::abs(gaps_[g].low - gap.low) <= same;
+    const std::pair here(is_same_floor, common);
+    if (common > 0 && 2 * common >= lower && here > most) {
+      most = here;
+      best = g;
+    }
+  }
+  return best;
+}
+
 double
 AirGaps::occupiedShare(std::uint32_t column, std::int32_t low, std::int32_t high) const
 {
@@ -135,8 +159,8 @@ AirGaps::linkGaps()
   };
   forAll([&](std::size_t g) {
     for (int d = 0; d < 4; ++d)
-      links_[g][static_cast<std::size_t>(d)] = overlapping(
-          columns_.neighbour(gaps_[g].column, d), gaps_[g].low, gaps_[g].high);
+      links_[g][static_cast<std::size_t>(d)] =
+          goingOnFrom(gaps_[g], columns_.neighbour(gaps_[g].column, d));
   });
   const std::vector<Links> wanted = links_;
   forAll([&](std::size_t g) {

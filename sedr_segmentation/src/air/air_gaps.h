@@ -41,7 +41,8 @@ struct AirParameters {
 };
 
 /** @brief The air of a scan: its gaps, linked across the plan (a height field of
- * several layers). Gaps are sorted by column, in it from below. */
+ * several layers), where floors go on before where they overlap most: a void over two
+ * storeys goes on into the lower. Gaps are sorted by column, in it from below. */
 class AirGaps {
 public:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
@@ -101,6 +102,11 @@ public:
   }
 
 private:
+  /** @brief The gap of a column that overlaps another by half of the lower of both at
+   * least: one in which one can stand on the same floor, else that which does so most.
+   */
+  std::uint32_t goingOnFrom(const AirGap& gap, std::uint32_t column) const;
+
   void findGaps();
   void closeSlabs();
   void sortGaps(std::vector<AirGap>&& added);

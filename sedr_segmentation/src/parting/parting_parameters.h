@@ -11,7 +11,9 @@ struct PartingParameters {
   int smallest_lintel = 5;    ///< columns; fewer are points in the air below a ceiling
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
   double thickest_wall = 0.6; ///< between two rooms
+  double least_way = 0.5;     ///< narrower openings nobody walks through
   double widest_door = 1.6;
+  double widest_leaf = 0.8; ///< of that: a door without a lintel, which one leaf closes
   double least_lintel = 0.15; ///< mean dip of what is a door's
   double widest_passage = 4;  ///< of one below a deep lintel
   double deep_lintel = 0.2;
@@ -29,9 +31,10 @@ struct PartingParameters {
   double widest_share = 0.8;  ///< of the width of the wider room that is open, but for
                               ///< doors with a lintel
   double least_open = 0.5;    ///< share of the wall between that joins two rooms
-  double least_open_of_small = 0.3; ///< the same if one is no room by its size
-  double most_open = 0.5;           ///< share of a room's outline that doors may be
-  double smallest_room = 1.0;       ///< square metres
+  double least_open_of_part = 0.3; ///< the same if one is too small or too open to be a
+                                   ///< room
+  double most_open = 0.5;          ///< share of a room's outline that doors may be
+  double smallest_room = 1.0;      ///< square metres
 };
 
 } // namespace sedr

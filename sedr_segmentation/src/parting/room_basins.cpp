@@ -2,6 +2,7 @@
 #include "room_basins.h"
 
 #include "gap_distance.h"
+#include "jamb_lines.h"
 #include "room_labels.h"
 
 #include "sedr_filters/src/grids/disjoint_sets.h"
@@ -29,13 +30,17 @@ isLevelApart(const AirGaps& air, std::uint32_t g, std::uint32_t o)
              air.parameters().highest_step;
 }
 
-/** @brief Basins of the distance from the rim, from their middles outwards. */
+/** @brief Basins of the distance from the rim, from their middles outwards, which end
+ * at jamb lines. */
 std::vector<std::int32_t>
-basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_basin)
+basinsOf(const AirGaps& air,
+         const std::vector<float>& distance,
+         const std::vector<std::uint8_t>& is_jamb_line,
+         double same_basin)
 {
   std::vector<std::uint32_t> order;
   for (std::uint32_t g = 0; g < air.size(); ++g)
-    if (distance[g] > 0)
+    if (distance[g] > 0 && is_jamb_line[g] == 0)
       order.push_back(g);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return distance[a] > distance[b];
@@ -72,9 +77,12 @@ basinsOf(const AirGaps& air, const std::vector<float>& distance, double same_bas
   return basin;
 }
 
-/** @brief Takes labels outwards, step by step, to gaps that have none. */
+/** @brief Takes labels outwards, step by step, to gaps that have none and are not to be
+ * left out. */
 void
-growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
+growLabels(const AirGaps& air,
+           const std::vector<std::uint8_t>& is_left_out,
+           std::vector<std::int32_t>& label)
 {
   std::vector<std::uint32_t> front;
   for (std::uint32_t g = 0; g < air.size(); ++g)
@@ -85,7 +93,8 @@ growLabels(const AirGaps& air, std::vector<std::int32_t>& label)
     for (const std::uint32_t g : front)
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air.link(g, d);
-        if (o != AirGaps::none && label[o] == no_room && !air.isDrop(g, d)) {
+        if (o != AirGaps::none && label[o] == no_room && is_left_out[o] == 0 &&
+            !air.isDrop(g, d)) {
           label[o] = label[g];
           next.push_back(o);
         }
@@ -104,9 +113,12 @@ roomBasins(const AirGaps& air,
   std::vector<std::uint8_t> is_level(air.size());
   for (std::size_t g = 0; g < air.size(); ++g)
     is_level[g] = dip[g] < parameters.lintel ? 1 : 0;
+  const std::vector<std::uint8_t> is_jamb_line = jambLines(
+      air, distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1)), parameters);
   std::vector<std::int32_t> label =
-      basinsOf(air, distanceToRim(air, is_level), parameters.same_basin);
-  growLabels(air, label);
+      basinsOf(air, distanceToRim(air, is_level), is_jamb_line, parameters.same_basin);
+  growLabels(air, is_jamb_line, label); // rooms meet in doorways
+  growLabels(air, std::vector<std::uint8_t>(air.size(), 0), label);
   return label;
 }
 

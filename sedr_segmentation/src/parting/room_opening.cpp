@@ -231,7 +231,9 @@ isDoor(const MeasuredOpening& opening, const PartingParameters& parameters)
   const bool on_one = std::max(opening.jamb_a, opening.jamb_b) >= parameters.jamb;
   const bool on_both = std::min(opening.jamb_a, opening.jamb_b) >= parameters.jamb;
   if (opening.width <= parameters.widest_door)
-    return on_both || (on_one && has_lintel);
+    return (on_one && has_lintel) ||
+           (on_both &&
+            opening.width <= parameters.widest_leaf * parameters.widest_door);
   return opening.width <= parameters.widest_passage &&
          ((on_both && has_lintel) || (on_one && is_deep));
 }

@@ -95,8 +95,9 @@ private:
   std::uint32_t round_ = 0;
 };
 
-/** @brief Whether an opening is a door or a passage: no wider than one, with walls at
- * both ends, with jambs on both sides, or with a lintel and a jamb on one. */
+/** @brief Whether an opening is a door or a passage, with walls at both ends: as wide
+ * as a leaf with jambs on both sides, or no wider than a door or a passage with a
+ * lintel and a jamb on one. */
 bool isDoor(const MeasuredOpening& opening, const PartingParameters& parameters);
 
 } // namespace sedr

@@ -19,12 +19,13 @@ namespace {
 /** @brief What the border of two rooms says of whether they are one. */
 struct Openness {
   double share = 0;            ///< of the border that is open
-  bool has_doors = false;      ///< and of it all in doors
+  bool are_doors = false;      ///< and of it all between jambs as of doors
+  bool has_doors = false;      ///< and these part two rooms
   bool is_other_level = false; ///< one lies above the other, or a storey's step apart
 };
 
-/** @brief Joins rooms, those with the most open border first, until walls or doors are
- * between all. */
+/** @brief Joins rooms until walls or doors are between all: first where nothing is like
+ * a door, of these first where the border is most open. */
 class RoomJoining {
 public:
   RoomJoining(const AirGaps& air,
@@ -46,7 +47,7 @@ public:
       auto best = openness_.end();
       for (auto it = openness_.begin(); it != openness_.end(); ++it)
         if (isOneSpace(it->first, it->second) && !it->second.is_other_level &&
-            (best == openness_.end() || it->second.share > best->second.share))
+            (best == openness_.end() || isBefore(it->second, best->second)))
           best = it;
       if (best == openness_.end())
         return;
@@ -55,6 +56,13 @@ public:
   }
 
 private:
+  /** @brief Which of two borders to open first: where no doors are, then the more open
+   * one. */
+  static bool isBefore(const Openness& a, const Openness& b)
+  {
+    return a.are_doors != b.are_doors ? !a.are_doors : a.share > b.share;
+  }
+
   Openness opennessOf(const RoomPair& pair)
   {
     constexpr double cells_a_length = 1.2; // of a slanting line, in the mean
@@ -64,15 +72,20 @@ private:
     double open = 0;
     double length = static_cast<double>(border.walls) * cell / cells_a_length;
     bool are_doors = true;
-    bool are_plain = true; // no wider than one door, below a lintel
+    bool are_plain = true; // no wider than one door
     bool have_lintels = true;
-    double beside = 0; // how far the wider room goes on beside a single opening
+    double beside = 0; // of an opening with how far the wider room goes on beside it
     const std::vector<MeasuredOpening> openings = openingsIn(border);
+    const bool has_way =
+        std::any_of(openings.begin(), openings.end(),
+                    [&](const MeasuredOpening& m) { return isWay(m); });
     for (const MeasuredOpening& m : openings) {
       length += m.width;
       open += m.width * m.open_height;
+      if (has_way && !isWay(m))
+        continue; // a gap in what was seen of a wall
       are_doors = are_doors && isDoor(m, parameters_);
-      beside = openings.size() == 1 ? m.beside : 0;
+      beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.least_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
       openness.is_other_level =
@@ -88,12 +101,19 @@ private:
         openness.is_other_level || static_cast<double>(border.stacked) * cell * cell >
                                        parameters_.most_stacked * larger;
     const double of_width =
-        have_lintels ? open / std::max(length, open + beside) : openness.share;
+        have_lintels ? open / std::max(length, beside) : openness.share;
+    openness.are_doors = are_doors;
     openness.has_doors = are_doors &&
                          (are_plain || of_width <= parameters_.widest_share) &&
                          smaller >= parameters_.smallest_room && isPlace(pair.first) &&
                          isPlace(pair.second);
     return openness;
+  }
+
+  /** @brief Whether an opening is as wide as someone who walks through it. */
+  bool isWay(const MeasuredOpening& opening) const
+  {
+    return opening.width >= parameters_.least_way;
   }
 
   /** @brief The openings of a border: doors one by one, but a wide opening as one that
@@ -122,11 +142,12 @@ private:
                              rooms_.room(pair.second).floors.highestCount()));
   }
 
-  /** @brief Whether a room has an outline of its own: what is open on most sides is a
-   * place between columns or furniture. */
+  /** @brief Whether a room has an outline of its own and takes someone in: what is open
+   * on most sides is a place between columns or furniture, what is narrower a ledge. */
   bool isPlace(std::uint32_t room) const
   {
-    return rooms_.openShare(room) <= parameters_.most_open;
+    return rooms_.openShare(room) <= parameters_.most_open &&
+           rooms_.room(room).depth >= parameters_.least_way / 2;
   }
 
   /** @brief Whether a room has the size of a level, as a gallery has: more than a
@@ -140,12 +161,13 @@ private:
   /** @brief Whether no wall and no door is between two rooms. */
   bool isOneSpace(const RoomPair& pair, const Openness& openness) const
   {
-    const bool is_small =
-        std::min(rooms_.room(pair.first).area, rooms_.room(pair.second).area) <
-        parameters_.smallest_room;
+    const bool are_rooms =
+        std::min(rooms_.room(pair.first).area, rooms_.room(pair.second).area) >=
+            parameters_.smallest_room &&
+        isPlace(pair.first) && isPlace(pair.second);
     return !openness.has_doors &&
            openness.share >
-               (is_small ? parameters_.least_open_of_small : parameters_.least_open);
+               (are_rooms ? parameters_.least_open : parameters_.least_open_of_part);
   }
 
   /** @brief Joins two rooms and judges all borders of the joined one anew. */

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <map>
 
@@ -324,6 +325,62 @@ TEST(PartRooms, OfNoAirThereAreNone)
   const Parted air(scene);
   EXPECT_EQ(air.parted.rooms, 0u);
   EXPECT_TRUE(air.parted.room.empty());
+}
+
+/** A corridor of 8 m x 1 m beside a room of 3 m x 3 m, with an opening up to the
+ * ceiling at the end of the room's wall. */
+void
+addCorridor(AirScene& scene, double opening)
+{
+  scene.slab(0.05, 0.05, 1.05, 8.05, 0.01);
+  scene.slab(0.05, 0.05, 1.05, 8.05, 2.51);
+  scene.slab(1.15, 5.05, 4.15, 8.05, 0.01);
+  scene.slab(1.15, 5.05, 4.15, 8.05, 2.51);
+  scene.wall(0.05, 0.05, 1.05, 0.05, 0.01, 2.51);
+  scene.wall(0.05, 8.05, 4.15, 8.05, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 2.51);
+  scene.wall(1.05, 0.05, 1.05, 5.05, 0.01, 2.51);
+  scene.wall(1.05, 5.05, 4.15, 5.05, 0.01, 2.51);
+  scene.wall(4.15, 5.05, 4.15, 8.05, 0.01, 2.51);
+  scene.partition(1.05, 5.05, 8.05, 0.01, 2.51, {5.35, 5.35 + opening, 2.51});
+}
+
+TEST(PartRooms, ADoorwayAsWideAsTheCorridorPartsThem)
+{
+  forBothTurns([](AirScene& scene) {
+    addCorridor(scene, 1.0);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    EXPECT_EQ(air.roomAt(0.55, 1), air.roomAt(0.55, 7.5)) << "the corridor stays one";
+    EXPECT_NE(air.roomAt(0.55, 5.85), air.roomAt(2.5, 6.5));
+  });
+}
+
+TEST(PartRooms, AnOpeningWiderThanALeafPartsNothingWithoutALintel)
+{
+  forBothTurns([](AirScene& scene) {
+    addCorridor(scene, 2.0);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, AVoidOverTwoStoreysIsOfTheLower)
+{
+  forBothTurns([](AirScene& scene) { // 6 m x 6 m, with a hole of 2 m x 2 m in the slab
+    scene.slab(0.05, 0.05, 6.05, 6.05, 0.01);
+    scene.slab(0.05, 0.05, 6.05, 6.05, 6.01);
+    scene.sides(0.05, 0.05, 6.05, 6.05, 0.01, 6.01);
+    for (const double z : {2.71, 3.01})
+      for (const auto& [x0, y0, x1, y1] :
+           {std::array{0.05, 0.05, 6.05, 2.05}, std::array{0.05, 4.05, 6.05, 6.05},
+            std::array{0.05, 2.05, 2.05, 4.05}, std::array{4.05, 2.05, 6.05, 4.05}})
+        scene.slab(x0, y0, x1, y1, z);
+    scene.sides(2.05, 2.05, 4.05, 4.05, 2.71, 3.01);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    EXPECT_EQ(air.roomAt(3, 3, 1), air.roomAt(1, 1, 1));
+    EXPECT_NE(air.roomAt(3, 3, 1), air.roomAt(1, 1, 4));
+  });
 }
 
 } // namespace

@@ -120,11 +120,11 @@ TEST(RoomSegmentation, AnOpeningWiderThanThePassagesAskedForPartsNothing)
             1u);
 }
 
-TEST(RoomSegmentation, AnOpeningWithoutALintelPartsUpToTheWidestDoor)
+TEST(RoomSegmentation, AnOpeningWithoutALintelPartsUpToFourFifthsOfTheWidestDoor)
 {
   using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
   EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation&) {}), 1u);
-  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation& s) { s.setWidestDoor(2.4); }),
+  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation& s) { s.setWidestDoor(2.8); }),
             2u);
 }
 
