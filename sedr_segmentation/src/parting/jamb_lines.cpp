@@ -17,7 +17,7 @@ namespace sedr {
 
 namespace {
 
-constexpr std::size_t gaps_a_block = 16384;
+constexpr std::size_t rim_gaps_a_block = 16384;
 constexpr int directions = 16; // of half a turn
 
 class JambLines {
@@ -36,7 +36,7 @@ public:
   {
     // Of each gap the direction in which it is in the middle of such a line.
     std::vector<std::int8_t> line(air_.size(), -1);
-    parallelBlocks(air_.size(), gaps_a_block, air_.parameters().threads,
+    parallelBlocks(air_.size(), rim_gaps_a_block, air_.parameters().threads,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t g = begin; g < end; ++g)
                        line[g] = lineThrough(static_cast<std::uint32_t>(g));

@@ -20,7 +20,6 @@ struct PartingParameters {
   double widest_pier = 0.6;   ///< a pier or column makes two openings of one no more
   double jamb = 0.25;         ///< a room goes on beside a door by so much
   double jamb_reach = 2;      ///< as far as it is followed there
-  double jamb_depth = 0.5;    ///< from the middle of a wall: the room begins before
   double end_reach = 0.25;    ///< from the end of an opening to the wall there
   double floor_reach = 1;     ///< the floor near an opening is that within
   double same_floor = 1.0;    ///< floors of one room differ by less at an opening

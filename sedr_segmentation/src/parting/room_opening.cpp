@@ -205,7 +205,7 @@ OpeningMeasures::besideOf(const Ends& ends,
     const std::uint32_t g = air_.overlapping(columnAt(place), like.low, like.high);
     return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
   };
-  const int depth = static_cast<int>(std::ceil(parameters_.jamb_depth / cell_));
+  const int depth = static_cast<int>(std::ceil(parameters_.thickest_wall / cell_));
   std::array<double, 2> farthest{0, 0};
   for (std::size_t end = 0; end < 2; ++end)
     for (int away = 1; away <= depth; ++away) {
