@@ -2,6 +2,7 @@
 #include "room_borders.h"
 
 #include "gap_distance.h"
+#include "walked_floors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ RoomBorders::RoomBorders(const AirGaps& air, double thickest_wall, RoomLabels& l
     : labels_(labels)
     , rooms_(labels.sizes().size())
 {
-  measureRooms(air);
+  measureRooms(air, thickest_wall);
   for (auto& [pair, crossings] : crossingsOf(air, labels, true))
     borders_[pair].crossings = std::move(crossings);
   countWalls(air,
@@ -84,6 +85,7 @@ RoomBorders::join(const RoomPair& pair)
   RoomExtent& into = rooms_[a];
   RoomExtent& joined = rooms_[b];
   into.area += joined.area;
+  into.over_floor += joined.over_floor;
   into.depth = std::max(into.depth, joined.depth);
   into.ends += joined.ends;
   into.floors.add(joined.floors);
@@ -108,16 +110,18 @@ RoomBorders::join(const RoomPair& pair)
 }
 
 void
-RoomBorders::measureRooms(const AirGaps& air)
+RoomBorders::measureRooms(const AirGaps& air, double thickest_wall)
 {
   const double cell = air.columns().cellSize();
   for (std::size_t r = 0; r < rooms_.size(); ++r)
     rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * cell * cell;
   const std::vector<float> free =
       distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1));
+  const std::vector<std::uint8_t> is_over_floor = standOnFloor(air, thickest_wall);
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
       RoomExtent& own = rooms_[labels_.roomOf(g)];
+      own.over_floor += is_over_floor[g] * cell * cell;
       own.depth = std::max<double>(own.depth, free[g] * cell);
       own.floors.add(air.columns().heightOf(air[g].low));
     }

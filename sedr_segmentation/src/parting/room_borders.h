@@ -34,6 +34,7 @@ crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops);
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {
   double area = 0;                ///< square metres
+  double over_floor = 0;          ///< square metres of it, see standOnFloor()
   double depth = 0;               ///< of the place farthest from its rim, metres
   std::size_t ends = 0;           ///< where its air ends
   HeightCounts floors;            ///< of its gaps
@@ -59,7 +60,7 @@ public:
   void join(const RoomPair& pair);
 
 private:
-  void measureRooms(const AirGaps& air);
+  void measureRooms(const AirGaps& air, double thickest_wall);
   void countWalls(const AirGaps& air, int reach);
   void countStacked(const AirGaps& air);
 

@@ -80,17 +80,20 @@ private:
         std::any_of(openings.begin(), openings.end(),
                     [&](const MeasuredOpening& m) { return isWay(m); });
     for (const MeasuredOpening& m : openings) {
+      const bool is_apart = floorStep(pair, m) > parameters_.same_floor;
+      const bool is_above_furniture =
+          is_apart && !(hasFloor(pair.first) && hasFloor(pair.second));
       length += m.width;
-      open += m.width * m.open_height;
+      open += m.width * (is_above_furniture ? 1 : m.open_height);
       if (has_way && !isWay(m))
         continue; // a gap in what was seen of a wall
-      are_doors = are_doors && isDoor(m, parameters_);
+      are_doors = are_doors && !is_above_furniture && isDoor(m, parameters_);
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.least_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
       openness.is_other_level =
-          openness.is_other_level || (floorStep(pair, m) > parameters_.same_floor &&
-                                      isLevel(pair.first) && isLevel(pair.second));
+          openness.is_other_level ||
+          (is_apart && isLevel(pair.first) && isLevel(pair.second));
     }
     if (open <= 0)
       return openness;
@@ -150,12 +153,18 @@ private:
            rooms_.room(room).depth >= parameters_.least_way / 2;
   }
 
-  /** @brief Whether a room has the size of a level, as a gallery has: more than a
-   * landing, a stage or the top of furniture. */
+  /** @brief Whether one walks in a room; else it is the air above furniture. */
+  bool hasFloor(std::uint32_t room) const
+  {
+    return rooms_.room(room).over_floor >=
+           parameters_.least_floor * rooms_.room(room).area;
+  }
+
+  /** @brief Whether a room is a level of its own, as a gallery is: more than a landing.
+   */
   bool isLevel(std::uint32_t room) const
   {
-    return rooms_.room(room).depth > parameters_.deepest_shelf / 2 &&
-           rooms_.room(room).area >= parameters_.smallest_level;
+    return hasFloor(room) && rooms_.room(room).area >= parameters_.smallest_level;
   }
 
   /** @brief Whether no wall and no door is between two rooms. */

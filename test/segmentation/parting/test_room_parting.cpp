@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/parting/room_borders.h"
 #include "sedr_segmentation/src/parting/room_parting.h"
+#include "sedr_segmentation/src/parting/walked_floors.h"
 
 #include "segmentation/air/air_scene.h"
 
@@ -431,6 +432,57 @@ TEST(OpeningMeasures, FindTheJambsWhereverInAWallTwoRoomsMeet)
       EXPECT_NEAR(jambs[0], 1, 0.3) << "the wall beside the door is 1 m, " << x;
       EXPECT_NEAR(jambs[1], 1, 0.3) << x;
     });
+}
+
+/** A room of 6 m x 5 m, 4.3 m high, with cupboards of 3 m x 2 m in a corner. */
+void
+addRoomWithCupboards(AirScene& scene, double height)
+{
+  scene.slab(3.05, 0.05, 6.05, 5.05, 0.01); // the cupboards hide the floor
+  scene.slab(0.05, 2.05, 3.05, 5.05, 0.01);
+  scene.slab(0.05, 0.05, 6.05, 5.05, 4.31);
+  scene.sides(0.05, 0.05, 6.05, 5.05, 0.01, 4.31);
+  scene.slab(0.05, 0.05, 3.05, 2.05, height);
+  scene.wall(3.05, 0.05, 3.05, 2.05, 0.01, height);
+  scene.wall(0.05, 2.05, 3.05, 2.05, 0.01, height);
+}
+
+TEST(PartRooms, TheAirOnFurnitureIsOfTheRoomHoweverHighItIs)
+{
+  for (const double height : {1.51, 2.01, 2.41})
+    forBothTurns([height](AirScene& scene) {
+      addRoomWithCupboards(scene, height);
+      const Parted air(scene);
+      EXPECT_EQ(air.rooms(), 1u) << height;
+      EXPECT_EQ(air.roomAt(1.5, 1, 3), air.roomAt(4.5, 3)) << height;
+    });
+}
+
+TEST(StandOnFloor, IsSoOnAFloorAndOnAGalleryButNotOnFurniture)
+{
+  forBothTurns([](AirScene& scene) {
+    addRoomWithCupboards(scene, 2.01);
+    scene.slab(4.05, 0.05, 6.05, 2.05, 2.01); // a gallery
+    const SceneAir air(scene);
+    const std::vector<std::uint8_t> is_on_floor = standOnFloor(air.gaps, 0.6);
+    EXPECT_EQ(is_on_floor[air.at(4.5, 4, 1)], 1);
+    EXPECT_EQ(is_on_floor[air.at(5, 1, 3)], 1);
+    EXPECT_EQ(is_on_floor[air.at(5, 1, 1)], 1);
+    EXPECT_EQ(is_on_floor[air.at(1.5, 1, 3)], 0);
+  });
+}
+
+TEST(StandOnFloor, IsSoOnTreadsThatLeadToIt)
+{
+  AirScene scene; // a stage up to which stairs lead
+  scene.room(0.05, 0.05, 8.05, 5.05, 0.01, 4.31);
+  scene.slab(5.05, 0.05, 8.05, 5.05, 1.51);
+  for (int k = 1; k < 8; ++k)
+    scene.slab(5.05 - 0.3 * k, 0.05, 5.35 - 0.3 * k, 1.05, 1.51 - 0.19 * k);
+  const SceneAir air(scene);
+  const std::vector<std::uint8_t> is_on_floor = standOnFloor(air.gaps, 0.6);
+  EXPECT_EQ(is_on_floor[air.at(7, 3, 3)], 1);
+  EXPECT_EQ(is_on_floor[air.at(2, 3, 3)], 1);
 }
 
 } // namespace
