@@ -44,32 +44,43 @@ struct FacePlace {
   double off = 0;
 };
 
+/** @brief A face's lines, which go as the wall at its start does up to `first`, as that
+ * at its end from `last` on, and turn evenly in between. */
 class FaceFrame {
 public:
-  explicit FaceFrame(const LeaningFace& face)
+  template <typename Ends>
+  FaceFrame(const LeaningFace& face, const Ends& ends)
       : face_(face)
       , way_(directionOf(face))
       , left_(leftOf(way_))
       , length_((face.end - face.start).norm())
-      , turn_((face.skew_end - face.skew_start) / length_)
+      , first_(ends[0].along)
+      , last_(ends[1].along)
+      , skew_first_(ends[0].skew)
+      , skew_last_(ends[1].skew)
+      , turn_((skew_last_ - skew_first_) / (last_ - first_))
   {}
 
   FacePlace placeOf(const Eigen::Vector2d& p) const
   {
+    constexpr double least_stretch = 0.1; // lines that cross are of no use
     const Eigen::Vector2d from = p - face_.start;
-    FacePlace place;
-    place.off = from.dot(left_);
-    const double stretch = 1 + place.off * turn_;
-    place.along = (from.dot(way_) - place.off * face_.skew_start) /
-                  (std::abs(stretch) > 0.1 ? stretch : 0.1);
-    return place;
+    const double off = from.dot(left_);
+    const double along = from.dot(way_);
+    const double stretch = std::max(least_stretch, 1 + off * turn_);
+    double at = first_ + (along - off * skew_first_ - first_) / stretch;
+    if (at < first_)
+      at = along - off * skew_first_;
+    else if (at > last_)
+      at = along - off * skew_last_;
+    return {at, off};
   }
 
   /** @brief Way in plan for a metre to the left. */
   Eigen::Vector2d wayOff(double along) const
   {
-    const double at = std::clamp(along, 0.0, length_);
-    return left_ + (face_.skew_start + turn_ * at) * way_;
+    const double at = std::clamp(along, first_, last_);
+    return left_ + (skew_first_ + turn_ * (at - first_)) * way_;
   }
 
   Eigen::Vector2d pointAt(double along) const { return face_.start + along * way_; }
@@ -79,13 +90,15 @@ public:
     return along >= -face_.before_start && along <= length_ + face_.beyond_end;
   }
 
-  const Eigen::Vector2d& left() const { return left_; }
-
 private:
   const LeaningFace& face_;
   Eigen::Vector2d way_;
   Eigen::Vector2d left_;
   double length_;
+  double first_;
+  double last_;
+  double skew_first_;
+  double skew_last_;
   double turn_;
 };
 
@@ -94,6 +107,12 @@ struct Anchor {
   double scan = 0;
   double straight = 0;
 };
+
+bool
+areParallel(const LeaningFace& a, const LeaningFace& b)
+{
+  return std::abs(directionOf(a).dot(directionOf(b))) > parallel;
+}
 
 /** @brief Where a face crosses the line p + off * way at a height.
  * @return whether it does, within its ends */
@@ -106,7 +125,7 @@ anchorOn(const LeaningFace& face,
 {
   const Eigen::Vector2d left = leftOf(directionOf(face));
   const double across = way.dot(left);
-  if (std::abs(across) < parallel * way.norm() || z < face.low || z > face.head)
+  if (z < face.low || z > face.head)
     return false;
   const double straight = (face.start - p).dot(left);
   anchor.straight = straight / across;
@@ -134,14 +153,61 @@ Straightening::Straightening(std::vector<LeaningFace> faces)
       continue;
     const auto group =
         std::find_if(groups_.begin(), groups_.end(), [&](const Group& other) {
-          return std::abs(directionOf(faces_[f]).dot(
-                     directionOf(faces_[other.front()]))) > parallel;
+          return areParallel(faces_[f], faces_[other.front()]);
         });
     if (group == groups_.end())
       groups_.push_back({f});
     else
       group->push_back(f);
   }
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    ends_.push_back(endsOf(f));
+}
+
+std::array<Straightening::End, 2>
+Straightening::endsOf(std::size_t face) const
+{
+  constexpr double least_turn = 0.2; // sine
+  constexpr double farthest = 0.5;   // of a corner from the ends of both, metres
+  constexpr double most = 1.0 / 3;   // of a face whose lines go as those at one end
+  const LeaningFace& own = faces_[face];
+  const Eigen::Vector2d way = directionOf(own);
+  const Eigen::Vector2d left = leftOf(way);
+  const double length = (own.end - own.start).norm();
+  std::array<End, 2> ends{End{0, 0}, End{0, length}};
+  std::array<double, 2> nearest{farthest, farthest};
+  for (const LeaningFace& other : faces_) {
+    const Eigen::Vector2d beside = directionOf(other);
+    const double sine = beside.dot(left);
+    if (std::abs(sine) < least_turn || other.low > own.head || other.head < own.low)
+      continue;
+    const double skew = beside.dot(way) / sine;
+    const auto crossing = [&](double z) {
+      const Eigen::Vector2d at = other.start + shiftAt(other, z) * leftOf(beside);
+      return (at - own.start).dot(way) - (at - own.start).dot(left) * skew;
+    };
+    // Where it is at its head, and at the foot of both.
+    const double high = crossing(other.head);
+    const double low = crossing(std::max(own.low, other.low));
+    const Eigen::Vector2d corner = own.start + high * way;
+    const double leaning = std::abs(shiftAt(own, std::max(own.low, other.low)) / sine);
+    const double off_other = std::max(
+        0.0,
+        std::min((corner - other.start).norm(), (corner - other.end).norm()) - leaning);
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const double at = end == 0 ? 0 : length;
+      const double off_own =
+          std::max({0.0, std::min(low, high) - at, at - std::max(low, high)});
+      if (off_own + off_other >= nearest[end])
+        continue;
+      nearest[end] = off_own + off_other;
+      ends[end].skew = skew;
+      ends[end].along =
+          end == 0 ? std::clamp(std::max(low, high), 0.0, most * length)
+                   : std::clamp(std::min(low, high), (1 - most) * length, length);
+    }
+  }
+  return ends;
 }
 
 Eigen::Vector3d
@@ -155,7 +221,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
     const LeaningFace& face = faces_[f];
     if (p.z() < face.low || p.z() >= face.head)
       continue;
-    const FaceFrame frame(face);
+    const FaceFrame frame(face, ends_[f]);
     const FacePlace here = frame.placeOf(p.head<2>());
     const double off = std::abs(here.off - (is_forth ? shiftAt(face, p.z()) : 0));
     if (!frame.covers(here.along) || (nearest < faces_.size() && off >= least))
@@ -167,7 +233,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   if (nearest == faces_.size())
     return p;
   const LeaningFace& face = faces_[nearest];
-  const FaceFrame frame(face);
+  const FaceFrame frame(face, ends_[nearest]);
   const Eigen::Vector2d origin = frame.pointAt(place.along);
   const Eigen::Vector2d way = frame.wayOff(place.along);
   const Anchor own{shiftAt(face, p.z()), 0};
@@ -181,7 +247,8 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   Anchor behind{high, high};
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Anchor other;
-    if (f == nearest || !anchorOn(faces_[f], origin, way, p.z(), other))
+    if (f == nearest || !areParallel(face, faces_[f]) ||
+        !anchorOn(faces_[f], origin, way, p.z(), other))
       continue;
     const bool is_below = other.scan < own.scan && other.straight < own.straight;
     const bool is_above = other.scan > own.scan && other.straight > own.straight;

@@ -174,24 +174,6 @@ straightened(const Floorplan& plan, const WallTilts& tilts)
   return straight;
 }
 
-namespace {
-
-/** @brief How far along a face its neighbour goes for a metre to its left. */
-double
-skewOf(const PlanElement& face, const PlanElement& beside, bool at_start)
-{
-  constexpr double least_turn = 0.2; // sine
-  const Eigen::Vector2d way = (face.end - face.start).normalized();
-  const Eigen::Vector2d left(-way.y(), way.x());
-  const Eigen::Vector2d along = at_start
-                                    ? (beside.start - beside.end).normalized().eval()
-                                    : (beside.end - beside.start).normalized().eval();
-  const double off = along.dot(left);
-  return beside.isArc() || std::abs(off) < least_turn ? 0 : along.dot(way) / off;
-}
-
-} // namespace
-
 std::vector<LeaningFace>
 leaningFaces(const Floorplan& plan, const WallTilts& tilts)
 {
@@ -213,12 +195,9 @@ leaningFaces(const Floorplan& plan, const WallTilts& tilts)
       face.start = wall.start;
       face.end = wall.end;
       face.run = runs[i];
-      const std::size_t n = foot.size();
       const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);
       face.low = room.floor.heightAt(middle) - beside;
       face.head = has_tilts ? head : room.ceilingAt(middle) + beside;
-      face.skew_start = skewOf(wall, top.elements[(i + n - 1) % n], true);
-      face.skew_end = skewOf(wall, top.elements[(i + 1) % n], false);
       const Eigen::Vector2d way = (wall.end - wall.start).normalized();
       face.before_start += std::max(0.0, (wall.start - foot[i].start).dot(way));
       face.beyond_end += std::max(0.0, (foot[i].end - wall.end).dot(way));

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace pcl {
@@ -19,9 +21,6 @@ struct LeaningFace {
   double head = 0; ///< z of its top, above which all stays
   double before_start = 0.1; ///< how far beyond its start it reaches, metres
   double beyond_end = 0.1;   ///< how far beyond its end
-  /** @brief Where the walls at its ends go: metres along it for a metre to its left. */
-  double skew_start = 0;
-  double skew_end = 0;
 };
 
 /** @brief The map between space as it was scanned, with walls that lean, and a frame in
@@ -29,7 +28,8 @@ struct LeaningFace {
  *
  * At every height a wall that leans moves to where it is at its head, and what is
  * between it and the walls parallel to it, or a metre and more off, is stretched or
- * squeezed in between. So all that is known of vertical walls holds in that frame.
+ * squeezed in between, at its ends along the walls that it meets there: they stay
+ * planes. So all that is known of vertical walls holds in that frame.
  *
  * @code
  * const Straightening map(leaningFaces(plan, tilts));
@@ -60,10 +60,20 @@ private:
   /** @brief Faces that lean, all about parallel. */
   using Group = std::vector<std::size_t>;
 
+  /** @brief The way that a face's surroundings give way in at one of its ends. */
+  struct End {
+    double skew = 0;  ///< metres along the face for a metre to its left
+    double along = 0; ///< of the face: from there on outwards
+  };
+
+  /** @brief The ways of the walls that a face meets at its start and its end. */
+  std::array<End, 2> endsOf(std::size_t face) const;
+
   Eigen::Vector3d
   move(const Group& group, const Eigen::Vector3d& p, bool is_forth) const;
 
   std::vector<LeaningFace> faces_;
+  std::vector<std::array<End, 2>> ends_; ///< of each face
   std::vector<Group> groups_;
 };
 
