@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace pcl {
@@ -71,19 +72,37 @@ BorderSteps::append(const std::vector<Place>& vertices,
   }
 }
 
-bool
-BorderSteps::hasRiser(const Place& place, const CrackChain& chain) const
+std::vector<bool>
+BorderSteps::risersAlong(const std::vector<Place>& places,
+                         const CrackChain& chain) const
 {
-  constexpr std::ptrdiff_t least_points = 10;
-  const std::size_t cell = cracks_.sheet.grid.at(place);
-  if (cell >= cracks_.sheet.grid.count())
-    return false;
-  std::ptrdiff_t between = 0;
-  for (const std::size_t near : risers_.window(cell, 2))
-    between +=
-        std::count_if(risers_.begin(near), risers_.end(near),
-                      [&](const Eigen::Vector3d& p) { return isBetween(p, chain); });
-  return between >= least_points;
+  constexpr int reach = 2; // cells
+  constexpr std::size_t least_points = 10;
+  const SheetGrid& grid = cracks_.sheet.grid;
+  std::map<std::size_t, std::vector<std::size_t>> near; // places about a cell
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (const std::size_t cell = grid.at(places[k]); cell < grid.count())
+      for (const std::size_t about : risers_.window(cell, reach))
+        near[about].push_back(k);
+  std::vector<std::size_t> counts(places.size(), 0);
+  for (const auto& [cell, about] : near)
+    for (const Eigen::Vector3d* p = risers_.begin(cell); p != risers_.end(cell); ++p) {
+      if (!isBetween(*p, chain))
+        continue;
+      ++counts[*std::min_element(about.begin(), about.end(),
+                                 [&](std::size_t a, std::size_t b) {
+                                   return (p->head<2>() - places[a]).squaredNorm() <
+                                          (p->head<2>() - places[b]).squaredNorm();
+                                 })];
+    }
+  std::vector<bool> has_riser;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    std::size_t sum = counts[k];
+    sum += k > 0 ? counts[k - 1] : 0;
+    sum += k + 1 < counts.size() ? counts[k + 1] : 0;
+    has_riser.push_back(sum >= least_points);
+  }
+  return has_riser;
 }
 
 /** @brief Whether a point lies above one facet and below another, farther than the

@@ -35,9 +35,11 @@ public:
               const CrackChain& chain,
               std::vector<BorderPart>& parts) const;
 
-  /** @brief Whether points between the heights of two facets show a riser near a place:
-   * they do not meet there, though their surfaces would. */
-  bool hasRiser(const Eigen::Vector2d& place, const CrackChain& chain) const;
+  /** @brief At which places along a chain points between the heights of its two facets
+   * show a riser: they do not meet there, though their surfaces would. A point counts
+   * for the place that it is nearest to, so that a riser round the corner does not. */
+  std::vector<bool> risersAlong(const std::vector<Eigen::Vector2d>& places,
+                                const CrackChain& chain) const;
 
 private:
   bool isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const;

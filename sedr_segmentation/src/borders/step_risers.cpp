@@ -41,6 +41,22 @@ heightsAbout(const Sheet& sheet, std::size_t cell)
   return heights;
 }
 
+/** @brief Whether a cell lies off the walls, whose points are no riser's. */
+bool
+isOffWalls(const Sheet& sheet, std::size_t cell)
+{
+  constexpr int border = 2; // cells
+  const SheetGrid& grid = sheet.grid;
+  for (int dy = -border; dy <= border; ++dy)
+    for (int dx = -border; dx <= border; ++dx) {
+      const int x = grid.columnOf(cell) + dx;
+      const int y = grid.rowOf(cell) + dy;
+      if (!grid.holds(x, y) || !sheet.is_inside[grid.indexOf(x, y)])
+        return false;
+    }
+  return true;
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -50,7 +66,7 @@ pointsOfRisers(const Sheet& sheet,
 {
   std::vector<std::pair<double, double>> heights(sheet.grid.count());
   for (std::size_t cell = 0; cell < heights.size(); ++cell)
-    if (sheet.is_inside[cell])
+    if (isOffWalls(sheet, cell))
       heights[cell] = heightsAbout(sheet, cell);
   std::vector<Eigen::Vector3d> points;
   const std::size_t size = indices.empty() ? scan.size() : indices.size();

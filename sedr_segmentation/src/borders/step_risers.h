@@ -13,7 +13,7 @@ namespace sedr {
 struct Sheet;
 
 /** @brief The points of a scan between the heights of two facets, near where these may
- * step: most are of the riser between them.
+ * step, and off the walls: most are of the riser between them.
  * @param indices those of the scan's points that count; empty: all. O(n). */
 std::vector<Eigen::Vector3d> pointsOfRisers(const Sheet& sheet,
                                             const PointView& scan,

@@ -221,7 +221,7 @@ costOf(const std::vector<Eigen::Vector3d>& points,
 
 /** @brief The normal equations of a step towards less. */
 struct StepSums {
-  Normal normal;
+  Normal normal; ///< its lower half
   Parameters right;
 };
 
@@ -238,7 +238,9 @@ sumsOf(const std::vector<Eigen::Vector3d>& points,
     const double weight = biweight(off / band);
     if (weight <= 0)
       continue;
-    sums.normal.noalias() += weight * row * row.transpose();
+    for (Eigen::Index column = 0; column < count; ++column)
+      for (Eigen::Index line = column; line < count; ++line)
+        sums.normal(line, column) += weight * row[line] * row[column];
     sums.right -= weight * off * row;
   }
   return sums;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_scenes.h"
 
+#include "sedr_segmentation/src/borders/step_risers.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -225,6 +230,59 @@ TEST(FitSheet, ABeamNarrowerThanTheWindowsOfVaultsIsFound)
   EXPECT_NEAR(room.ceilingAt({2.9, 1}), 2.7, 0.005);
   EXPECT_NEAR(room.ceilingAt({4.4, 3}), 2.7, 0.005);
   EXPECT_LT(offBy(scene, room).beyond, 0.01);
+}
+
+TEST(FitSheet, ADormerMeetsTheRoofUpToItsCheeks)
+{
+  // Near its upper corners its cheeks are low, and beside the line where it meets the
+  // roof: they part nothing there.
+  const double slope = 0.8;
+  const double head = 1.4 / slope;
+  Scene scene = sceneOf(6, 4, [&](double x, double y) {
+    return x > 2 && x < 4 && y < head ? 2.3 : 0.9 + slope * y;
+  });
+  for (const double x : {2.0, 4.0})
+    for (double y = 0.01; y < head; y += 0.01)
+      for (double z = 0.9 + slope * y; z < 2.3; z += 0.02)
+        scene.risers.emplace_back(x + 0.005 * std::sin(97 * y + 31 * z), y, z);
+  const PlanRoom room = fittedRoom(scene);
+  for (const double x : {2.03, 2.2, 2.4, 3.0, 3.6, 3.8, 3.97}) {
+    EXPECT_NEAR(room.ceilingAt({x, head - 0.02}), 2.3, 0.005) << x;
+    EXPECT_NEAR(room.ceilingAt({x, head + 0.06}), 2.3 + slope * 0.06, 0.005) << x;
+  }
+  EXPECT_LT(offBy(scene, room).beyond, 0.004);
+}
+
+TEST(FitSheet, ACoveGoesOverIntoTheLevelCeiling)
+{
+  // They touch: by the noise their surfaces may cross, or miss each other.
+  for (const int seed : {1, 2, 3, 4}) {
+    const Scene scene = sceneOf(
+        6, 4,
+        [](double x, double) {
+          const double off = std::max(0.0, 0.6 - x);
+          return 2.3 + std::sqrt(0.49 - off * off);
+        },
+        0.01, seed);
+    const Off off = offBy(scene, fittedRoom(scene));
+    EXPECT_LT(off.mean, 0.0015) << seed;
+    EXPECT_LT(off.beyond, 0.001) << seed;
+  }
+}
+
+TEST(PointsOfRisers, AreNoneOfTheWalls)
+{
+  const Scene scene = sceneOf(6, 4, [](double x, double) { return x < 3 ? 2.2 : 2.8; });
+  const Sheet sheet = fitted(scene);
+  pcl::PointCloud<pcl::PointXYZ> riser;
+  pcl::PointCloud<pcl::PointXYZ> wall;
+  for (float z = 2.25F; z < 2.77F; z += 0.05F)
+    for (float at = 0.5F; at < 3.5F; at += 0.05F) {
+      riser.push_back({3, at, z});
+      wall.push_back({at, 0.02F, z});
+    }
+  EXPECT_EQ(pointsOfRisers(sheet, PointView(riser), {}).size(), riser.size());
+  EXPECT_TRUE(pointsOfRisers(sheet, PointView(wall), {}).empty());
 }
 
 TEST(SlopingArea, TellsWhatSlopesFromLevelCeilings)
