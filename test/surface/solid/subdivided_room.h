@@ -3,6 +3,8 @@
 
 #include "plan_loops.h"
 
+#include <pcl/sedr_surface/room_solid.h>
+
 #include "sedr_surface/src/solid/plan_subdivision.h"
 
 #include <gtest/gtest.h>
