@@ -3,6 +3,7 @@
 
 #include "gap_distance.h"
 #include "walked_floors.h"
+#include "wall_beside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,11 @@ pairOf(std::uint32_t a, std::uint32_t b)
   return std::minmax(a, b);
 }
 
-/** @brief The gap that is first met behind what ends another, `none` where there is
- * nothing within `reach` columns. */
+/** @brief The gap behind the wall at which another ends, `none` if there is none within
+ * `reach` columns, or no wall as seen from either of the two: where air ends at stairs,
+ * at furniture or at the edge of a gallery there is none. */
 std::uint32_t
-facedFrom(const AirGaps& air, RoomLabels& labels, std::uint32_t g, int d, int reach)
+facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
 {
   std::uint32_t column = air[g].column;
   for (int step = 0; step <= reach; ++step) {
@@ -29,8 +31,11 @@ facedFrom(const AirGaps& air, RoomLabels& labels, std::uint32_t g, int d, int re
     if (column == VoxelColumns::none)
       return AirGaps::none;
     const std::uint32_t o = air.overlapping(column, air[g].low, air[g].high);
-    if (o != AirGaps::none && (step > 0 || !labels.isSameRoom(o, g)))
-      return o;
+    if (o != AirGaps::none) {
+      const bool is_wall =
+          step > 0 && (isWallBeside(air, g, d) || isWallBeside(air, o, (d + 2) % 4));
+      return is_wall ? o : AirGaps::none;
+    }
   }
   return AirGaps::none;
 }
@@ -139,7 +144,7 @@ RoomBorders::countWalls(const AirGaps& air, int reach)
       if (air.link(g, d) != AirGaps::none)
         continue;
       ++rooms_[labels_.roomOf(g)].ends;
-      const std::uint32_t faced = facedFrom(air, labels_, g, d, reach);
+      const std::uint32_t faced = facedFrom(air, g, d, reach);
       if (faced != AirGaps::none && labels_.hasRoom(faced) &&
           !labels_.isSameRoom(faced, g))
         ++faces[pairOf(labels_.roomOf(g), labels_.roomOf(faced))];
