@@ -7,8 +7,6 @@
 
 #include "sedr_surface/src/solid/plan_subdivision.h"
 
-#include <pcl/sedr_surface/room_solid.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
