@@ -5,8 +5,9 @@ IFC file that SEDR wrote against the truth of the scan, as a table.
 
     ifc_round_trip.py MODEL.ifc TRUTH_DIR
 
-TRUTH_DIR has truth_spaces.json: `rooms`, and `spaces` where rooms without a wall between them are parted. Of
-both readings of a room the one counts that more of the model agrees with.
+TRUTH_DIR has truth_spaces.json: `rooms`, and `spaces` where rooms without a wall between them are parted. Such
+spaces may be one room or several: of all ways to put them together the one counts that more of the model agrees
+with. True walls are those of the rooms.
 """
 
 import json
@@ -150,16 +151,38 @@ def matches(true, found):
     return pairs
 
 
+def partitions(parts):
+    """All ways to put things into groups."""
+    if not parts:
+        yield []
+        return
+    for groups in partitions(parts[1:]):
+        yield [[parts[0]], *groups]
+        for k, group in enumerate(groups):
+            yield [*groups[:k], [parts[0], *group], *groups[k + 1:]]
+
+
+def together(spaces):
+    """Spaces without a wall between them as one."""
+    return {"name": " + ".join(s["name"] for s in spaces), "cells": set().union(*(s["cells"] for s in spaces)),
+            "area": sum(s["area"] for s in spaces), "volume": sum(s["volume"] for s in spaces),
+            "low": min(s["low"] for s in spaces), "high": max(s["high"] for s in spaces)}
+
+
+def scanned_rooms(truth):
+    return [room for room in truth["rooms"] if room["scanned"] and not room["shaft"]]
+
+
 def readings(truth, found):
     """The true spaces: each room as one, or in the parts that more of the model agrees with."""
     parts = {p["id"]: p for p in truth["spaces"]}
     spaces = []
-    for room in truth["rooms"]:
-        if not room["scanned"] or room["shaft"]:
-            continue
-        whole = [true_space(room)]
+    for room in scanned_rooms(truth):
+        ways = [[true_space(room)]]
         pieces = [true_space(parts[k]) for k in room["space_ids"] if k in parts]
-        spaces += max(whole, pieces, key=lambda s: sum(p[2] for p in matches(s, found)))
+        if len(pieces) > 1:
+            ways += [[together(group) for group in groups] for groups in partitions(pieces) if len(groups) > 1]
+        spaces += max(ways, key=lambda way: sum(p[2] * len(way[p[0]]["cells"]) for p in matches(way, found)))
     return spaces
 
 
@@ -256,7 +279,7 @@ def figures(path, folder):
     def error(key):
         return [abs(found[j][key] - true[i][key]) / true[i][key] for i, j, _ in pairs]
 
-    compared = compare_walls(true, walls)
+    compared = compare_walls([true_space(room) for room in scanned_rooms(truth)], walls)
     return {
         "spaces true / found / matched": "%d / %d / %d" % (len(true), len(found), len(pairs)),
         "plan in common, median": "%.3f" % median(shares) if shares else "-",

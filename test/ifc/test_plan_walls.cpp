@@ -107,6 +107,39 @@ TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
   EXPECT_NEAR(pairs[0].stretch.length(), 3 * M_PI, 0.05);
 }
 
+TEST(PlanWalls, AColumnIsNeitherLongNorLow)
+{
+  struct Case {
+    double width, depth, height;
+    bool is_island;
+  };
+  for (const Case& c : {Case{0.5, 0.5, 2.5, false}, Case{0.9, 0.9, 2.5, true},
+                        Case{0.9, 0.9, 2.8, false}, Case{0.2, 0.75, 2.5, false},
+                        Case{0.2, 0.85, 2.7, true}}) {
+    const PlanRoom room = roomOf(rectangle(0, 0, 9, 9), c.height);
+    EXPECT_EQ(isIsland(room, reversed(rectangle(3, 3, 3 + c.width, 3 + c.depth))),
+              c.is_island)
+        << c.width << " x " << c.depth << " x " << c.height;
+    // The same, turned by 45 degrees.
+    const Eigen::Vector2d u = Eigen::Vector2d(1, 1).normalized() * c.width;
+    const Eigen::Vector2d v = Eigen::Vector2d(-1, 1).normalized() * c.depth;
+    const Eigen::Vector2d o(4, 4);
+    const PlanLoop turned{{segment(o, o + v), segment(o + v, o + v + u),
+                           segment(o + v + u, o + u), segment(o + u, o)}};
+    EXPECT_EQ(isIsland(room, turned), c.is_island) << "turned";
+  }
+}
+
+TEST(PlanWalls, OneThatStandsFreeHasTwoFaces)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 9, 9), 2.5);
+  room.columns = {reversed(rectangle(3, 3, 3.2, 6))};
+  const auto pairs = pairsOf(findWalls({{room}}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(pairs[0].thickness, 0.2, 1e-12);
+  EXPECT_NEAR(pairs[0].stretch.length(), 3, 1e-12);
+}
+
 TEST(PlanWalls, StandAroundTheIslandsOfARoomButNotAroundItsColumns)
 {
   // A ring about a core with a room in it, 10 cm behind one side of the core.

@@ -3,6 +3,7 @@
 
 #include "../base/parallel.h"
 #include "mirrored_points.h"
+#include "true_places.h"
 
 #include <Eigen/Geometry>
 
@@ -163,8 +164,16 @@ findMirroredPoints(const PointView& thinned,
   for (std::size_t i = 0; i < thinned.size(); ++i)
     if (thinned.isFinite(i))
       filled.add(filled.at(thinned[i].cast<double>()));
-  const std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, most_a_cube);
+  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, most_a_cube);
   const PiercedSurfaces surfaces(thinned);
+  MirroredPoints found;
+  found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);
+  rays.erase(std::remove_if(rays.begin(), rays.end(),
+                            [&](const ScanRay& ray) {
+                              return std::find(found.untrue.begin(), found.untrue.end(),
+                                               ray.from) != found.untrue.end();
+                            }),
+             rays.end());
   const std::vector<std::uint32_t> pierced = surfaces.firstPierced(rays, threads);
   const std::vector<Pane> panes = panesOf(surfaces, pierced);
   const std::vector<const Pane*> before =
@@ -176,7 +185,6 @@ findMirroredPoints(const PointView& thinned,
       mirrorsAmong(panes, surfaces, rays, pierced, filled, threads);
   const std::vector<std::uint8_t> is_mirrored =
       mirroredAmong(rays, MirroredRays(mirrors, surfaces.cubes(), filled), threads);
-  MirroredPoints found;
   found.rays = rays.size();
   found.mirrors = mirrors.size();
   const auto chosen = cubesOfOnly(is_mirrored, rays, filled.size());

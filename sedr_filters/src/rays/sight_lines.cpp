@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/sight_lines.h>
 
+#include "direction_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,58 +12,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-/** @brief Number of a part of [0, 1). */
-std::size_t
-partOf(double share, std::size_t parts)
-{
-  const double at = std::floor(share * static_cast<double>(parts));
-  return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(parts - 1)));
-}
-
-/** @brief Height of a direction, 0 to 1 from straight down to straight up. */
-double
-heightOf(const Eigen::Vector3d& direction)
-{
-  return std::asin(std::clamp(direction.z(), -1.0, 1.0)) / M_PI + 0.5;
-}
-
-/** @brief Where in a turn around z a direction is, 0 to 1. */
-double
-turnOf(const Eigen::Vector3d& direction)
-{
-  return std::atan2(direction.y(), direction.x()) / (2 * M_PI) + 0.5;
-}
-
-/** @brief Calls `see(cell)` for all cells of directions, `rows` by twice as many, that
- * lead to within `radius` of a place. */
-template <typename See>
-void
-forEachCellAround(const Eigen::Vector3d& place,
-                  double radius,
-                  std::size_t rows,
-                  See see)
-{
-  const double distance = place.norm();
-  const Eigen::Vector3d direction = place / distance;
-  // As heights are counted; next to the scanner it is every direction.
-  const double reach = distance > radius ? std::asin(radius / distance) / M_PI : 1;
-  const double height = heightOf(direction);
-  const double level =
-      std::cos(M_PI * std::min(std::abs(height - 0.5) + reach, 0.5)); // the least
-  const double width = level > 2 * reach ? reach / level : 0.5;       // of a turn
-  const auto columns = static_cast<std::ptrdiff_t>(2 * rows);
-  const auto columnAt = [&](double turn) {
-    return static_cast<std::ptrdiff_t>(std::floor(turn * static_cast<double>(columns)));
-  };
-  const double turn = turnOf(direction);
-  const std::ptrdiff_t first = columnAt(turn - width);
-  const std::ptrdiff_t last = std::min(columnAt(turn + width), first + columns - 1);
-  const std::size_t last_row = partOf(height + reach, rows);
-  for (std::size_t row = partOf(height - reach, rows); row <= last_row; ++row)
-    for (std::ptrdiff_t c = first; c <= last; ++c)
-      see(row * 2 * rows + static_cast<std::size_t>((c % columns + columns) % columns));
-}
 
 auto
 keyOf(const Eigen::Vector3f& p)
@@ -74,14 +24,12 @@ keyOf(const Eigen::Vector3f& p)
 std::size_t
 SightLines::cellOf(const Station& station, const Eigen::Vector3d& direction)
 {
-  return partOf(heightOf(direction), station.rows) * 2 * station.rows +
-         partOf(turnOf(direction), 2 * station.rows);
+  return DirectionGrid(station.rows).cellOf(direction);
 }
 
 SightLines::SightLines(const std::vector<SightLine>& lines)
 {
   constexpr double lines_a_cell = 4;
-  constexpr double most_rows = 60; // of 3 degrees
   std::vector<SightLine> sorted;
   for (const SightLine& line : lines)
     if (line.from.allFinite() && line.to.allFinite() && line.from != line.to)
@@ -96,14 +44,13 @@ SightLines::SightLines(const std::vector<SightLine>& lines)
       ++end;
     Station station;
     station.from = sorted[begin].from;
-    const double rows =
-        std::sqrt(static_cast<double>(end - begin) / (2 * lines_a_cell));
-    station.rows = static_cast<std::size_t>(std::clamp(rows, 1.0, most_rows));
+    const auto grid = DirectionGrid::forDirections(end - begin, lines_a_cell);
+    station.rows = grid.rows();
     std::vector<std::size_t> cell_of;
     for (std::size_t k = begin; k < end; ++k)
       cell_of.push_back(
           cellOf(station, (sorted[k].to - station.from).cast<double>().normalized()));
-    station.first.assign(2 * station.rows * station.rows + 1, 0);
+    station.first.assign(grid.size() + 1, 0);
     for (const std::size_t cell : cell_of)
       ++station.first[cell + 1];
     station.first[0] = static_cast<std::uint32_t>(begin);
@@ -148,7 +95,7 @@ SightLines::across(const Eigen::Vector3d& place,
       }
     };
     if (std::abs(start) > clear)
-      forEachCellAround(whole, radius, station.rows, countIn);
+      DirectionGrid(station.rows).forEachAround(whole, radius, countIn);
   }
   return crossings;
 }

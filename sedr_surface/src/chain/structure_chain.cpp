@@ -172,6 +172,12 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +
         std::to_string(stray_limit) + " points were left out");
+  if (mirrored.untrue > 0)
+    warnings.push_back(std::to_string(mirrored.untrue) + " of " +
+                       std::to_string(mirrored.positions) +
+                       " positions of the scanner are not where the points were taken "
+                       "from: rays from there go through walls that were seen; what "
+                       "they would tell was left out");
   if (mirrored.points > 0)
     warnings.push_back(std::to_string(mirrored.mirrors) +
                        " surfaces mirror, as the scanner's "

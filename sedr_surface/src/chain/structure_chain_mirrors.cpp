@@ -21,9 +21,15 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
   mirrored.positions = static_cast<std::size_t>(
       std::count_if(positions.begin(), positions.end(),
                     [](const ScanPosition& position) { return position.isKnown(); }));
+  mirrored.untrue = static_cast<std::size_t>(std::count_if(
+      positions.begin(), positions.end(), [&](const ScanPosition& position) {
+        return std::find(found.untrue.begin(), found.untrue.end(), position.place) !=
+               found.untrue.end();
+      }));
   mirrored.rays = found.rays;
   mirrored.mirrors = found.mirrors;
-  mirrored.lines = std::make_shared<SightLines>(found.lines);
+  mirrored.lines =
+      found.lines.empty() ? nullptr : std::make_shared<SightLines>(found.lines);
   mirrored.behind.clear();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < thinned.size(); ++i)

@@ -171,7 +171,8 @@ drawnElements(const Floorplan& plan)
     };
     add(room.boundary, DrawnLayer::Wall, false);
     for (const PlanLoop& column : room.columns)
-      add(column, isIsland(column) ? DrawnLayer::Wall : DrawnLayer::Column, false);
+      add(column, isIsland(room, column) ? DrawnLayer::Wall : DrawnLayer::Column,
+          false);
     for (const PlanDetail& detail : room.details)
       addAll(detail,
              [&](const PlanElement& piece) { addDetail(piece, detail.is_facet); });

@@ -65,7 +65,7 @@ public:
         if (line.room == room.id && lookOf(line.layer))
           sheet_.add(SheetPath{lookOf(line.layer), {{{frame_(line.element)}}}});
       for (const PlanLoop& column : room.columns)
-        if (!isIsland(column))
+        if (!isIsland(room, column))
           addArea("column", {column});
       addArea("wall", wallLoops(room));
       sheet_.add(SheetGroup{});

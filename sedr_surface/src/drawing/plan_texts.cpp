@@ -59,7 +59,7 @@ PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
     for (const PlanElement& wall : room.boundary.elements)
       writeAlong(wall, "level", eavesText(room, wall));
     for (const PlanLoop& column : room.columns)
-      if (!isIsland(column))
+      if (!isIsland(room, column))
         writeColumn(column);
   }
   writeWays(plan);

@@ -110,7 +110,7 @@ writeDetails(IfcDocument& document)
     const IfcRoom& written = document.rooms[r];
     const PlanRoom& room = *written.room;
     for (std::size_t c = 0; c < room.columns.size(); ++c)
-      if (!isIsland(room.columns[c]))
+      if (!isIsland(room, room.columns[c]))
         writeColumn(document, r, c);
     for (std::size_t d = 0; d < room.details.size(); ++d) {
       const std::string name = nameIn(room, "detail_" + std::to_string(d + 1));

@@ -172,13 +172,29 @@ private:
 } // namespace
 
 bool
-isIsland(const PlanLoop& column)
+isIsland(const PlanRoom& room, const PlanLoop& column)
 {
-  constexpr double widest_column = 2.5;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : column.polygon(0.01))
-    box.extend(corner);
-  return !box.isEmpty() && box.sizes().maxCoeff() > widest_column;
+  constexpr double most_widths = 4;  // that a column is deep
+  constexpr double least_depths = 3; // that it is high
+  const std::vector<Eigen::Vector2d> corners = column.polygon(0.01);
+  if (corners.size() < 3)
+    return false;
+  Eigen::Vector2d sides = Eigen::Vector2d::Constant(1e9);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Eigen::Vector2d way = corners[(k + 1) % corners.size()] - corners[k];
+    if (way.norm() < touching)
+      continue;
+    const Eigen::Rotation2Dd turn(-std::atan2(way.y(), way.x()));
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : corners)
+      box.extend(turn * corner);
+    if (box.volume() < sides.prod())
+      sides = box.sizes();
+  }
+  const Eigen::Vector2d& foot = corners.front();
+  const double height = room.ceiling.heightAt(foot) - room.floor.heightAt(foot);
+  return sides.maxCoeff() > most_widths * sides.minCoeff() ||
+         height < least_depths * sides.maxCoeff();
 }
 
 std::vector<PlanLoop>
@@ -186,7 +202,7 @@ wallLoops(const PlanRoom& room)
 {
   std::vector<PlanLoop> loops{room.boundary};
   std::copy_if(room.columns.begin(), room.columns.end(), std::back_inserter(loops),
-               isIsland);
+               [&](const PlanLoop& column) { return isIsland(room, column); });
   return loops;
 }
 
@@ -209,7 +225,7 @@ wallFaces(const Floorplan& plan)
   std::vector<WallFace> faces;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     for (std::size_t l = 0; l <= plan.rooms[r].columns.size(); ++l)
-      if (l == 0 || isIsland(plan.rooms[r].columns[l - 1]))
+      if (l == 0 || isIsland(plan.rooms[r], plan.rooms[r].columns[l - 1]))
         for (std::size_t e = 0; e < wallLoop(plan, {r, 0, l}).elements.size(); ++e)
           faces.push_back({r, e, l});
   return faces;

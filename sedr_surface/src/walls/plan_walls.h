@@ -15,9 +15,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether a loop within a room is an island: larger across than a column is,
- * 2.5 m, so that there are walls around it, as about the core of an office floor. */
-bool isIsland(const PlanLoop& column);
+/** @brief Whether a loop within a room is an island, so that there are walls around it,
+ * as about the core of an office floor, and no column: a column is at most four times
+ * as deep as it is wide, and at least three times as high as it is deep (EN 1992-1-1,
+ * 5.3.1). Width and depth are those of the smallest rectangle along one of its sides.
+ */
+bool isIsland(const PlanRoom& room, const PlanLoop& column);
 
 /** @brief The boundary of a room, and its islands. */
 std::vector<PlanLoop> wallLoops(const PlanRoom& room);

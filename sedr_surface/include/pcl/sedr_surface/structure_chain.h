@@ -46,7 +46,9 @@ struct StageReport {
 
 /** @brief What the positions of the scanner told. */
 struct MirrorFigures {
-  std::size_t positions = 0;               ///< that are known
+  std::size_t positions = 0; ///< that are known
+  std::size_t untrue = 0;    ///< of these, that the points were not taken from, as the
+                          ///< scan shows
   std::size_t rays = 0;                    ///< that were followed
   std::size_t mirrors = 0;                 ///< surfaces that showed rooms a second time
   std::size_t points = 0;                  ///< thinned points that were left out

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Positions of a scanner that the scan contradicts.
+#include "sedr_filters/src/rays/mirrored_points.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using pcl::sedr::findMirroredPoints;
+using pcl::sedr::MirroredPoints;
+using pcl::sedr::PointView;
+using pcl::sedr::ScanPositions;
+
+/** Two rooms of 6 x 5 x 2.6 m side by side, with a pane of 3.4 x 2 m between them, or
+ * none, and a scanner in the middle of each. */
+class TwoRooms {
+public:
+  /** @param returned share of the rays that the pane returns; 1: a wall */
+  explicit TwoRooms(double returned)
+      : returned_(returned)
+  {
+    for (const double x : {3., 9.2})
+      scanFrom({x, 2.4, 1.5});
+  }
+
+  MirroredPoints found(const ScanPositions& positions) const
+  {
+    const PointView view(rows_.data(), sizeof(Vector3f), rows_.size());
+    return findMirroredPoints(view, view, 1, positions, 2);
+  }
+
+  ScanPositions positions;
+
+private:
+  void scanFrom(const Vector3d& place)
+  {
+    positions.push_back({rows_.size(), place.cast<float>()});
+    for (int i = 0; i < 100000; ++i) {
+      const double up = 2 * uniform_(random_) - 1;
+      const double around = 2 * M_PI * uniform_(random_);
+      const double level = std::sqrt(1 - up * up);
+      see(place, {level * std::cos(around), level * std::sin(around), up});
+    }
+  }
+
+  void see(Vector3d from, const Vector3d& direction)
+  {
+    bool is_first = from.x() < middle;
+    Vector3d hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
+    const bool is_pane = std::abs(hit.x() - middle) < 0.11 && hit.y() > 0.8 &&
+                         hit.y() < 4.2 && hit.z() > 0.4 && hit.z() < 2.4;
+    if (is_pane && uniform_(random_) >= returned_) {
+      is_first = !is_first;
+      from = hit + 0.2 / std::abs(direction.x()) * direction;
+      hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
+    }
+    rows_.push_back(hit.cast<float>());
+  }
+
+  static Eigen::AlignedBox3d roomOf(bool is_first)
+  {
+    return is_first ? Eigen::AlignedBox3d(Vector3d(0, 0, 0), Vector3d(6, 5, 2.6))
+                    : Eigen::AlignedBox3d(Vector3d(6.2, 0, 0), Vector3d(12.2, 5, 2.6));
+  }
+
+  static double exitFrom(const Eigen::AlignedBox3d& box,
+                         const Vector3d& from,
+                         const Vector3d& direction)
+  {
+    double exit = 100;
+    for (int axis = 0; axis < 3; ++axis)
+      if (direction[axis] != 0)
+        exit =
+            std::min(exit, ((direction[axis] > 0 ? box.max()[axis] : box.min()[axis]) -
+                            from[axis]) /
+                               direction[axis]);
+    return exit;
+  }
+
+  static constexpr double middle = 6.1;
+  double returned_;
+  std::vector<Vector3f> rows_;
+  std::mt19937 random_{1};
+  std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+TEST(TruePlaces, WhereTheScannerStoodIsTrueAlsoBesideGlass)
+{
+  for (const double returned : {0.05, 0.2, 1.}) {
+    const TwoRooms rooms(returned);
+    const MirroredPoints found = rooms.found(rooms.positions);
+    EXPECT_TRUE(found.untrue.empty()) << returned;
+    EXPECT_GT(found.rays, 1000u);
+    EXPECT_EQ(found.mirrors, 0u);
+  }
+}
+
+TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
+{
+  const TwoRooms rooms(1);
+  const MirroredPoints found = rooms.found({rooms.positions[0]});
+  ASSERT_EQ(found.untrue.size(), 1u);
+  EXPECT_EQ(found.untrue[0], rooms.positions[0].place);
+  EXPECT_EQ(found.rays, 0u);
+  EXPECT_TRUE(found.lines.empty());
+}
+
+TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
+{
+  const TwoRooms rooms(1);
+  ScanPositions swapped = rooms.positions;
+  std::swap(swapped[0].place, swapped[1].place);
+  EXPECT_EQ(rooms.found(swapped).untrue.size(), 2u);
+  ScanPositions outside = rooms.positions;
+  outside[1].place = Vector3f(9, -20, 1.5F);
+  const MirroredPoints found = rooms.found(outside);
+  ASSERT_EQ(found.untrue.size(), 1u);
+  EXPECT_EQ(found.untrue[0], outside[1].place);
+  EXPECT_GT(found.rays, 1000u); // those of the other
+}
+
+} // namespace
