@@ -70,6 +70,7 @@ StructureChain::straightenScan()
         straightening.straighten(p.getVector3fMap().cast<double>()).cast<float>();
   floorplan_fitting.moveRawPoints(
       [&](const Eigen::Vector3d& p) { return straightening.straighten(p); });
+  sight_ = nullptr; // rays are not straight there
 }
 
 void

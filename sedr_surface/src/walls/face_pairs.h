@@ -42,6 +42,14 @@ private:
   /** @brief Takes what is free of a stretch of both faces. */
   void take(const FacePair& candidate);
 
+  /** @brief How deep the reveal of a doorway with a lintel is that a face is at the end
+   * of, as the rooms were parted at one side of their wall; 0 where it is none. */
+  double revealDepth(const WallFace& face, const WallFace& other) const;
+
+  /** @brief Adds the wall of a doorway whose reveal is part of one of two rooms that
+   * touch. */
+  void addWallOfReveal(FacePair pair);
+
   /** @brief What a stretch of a face is on the other one. */
   Stretch
   mapped(const WallFace& from, const Stretch& stretch, const WallFace& to) const;

@@ -104,8 +104,11 @@ private:
       const Eigen::Vector2d a = frame.toLocal(other.start);
       const Eigen::Vector2d b = frame.toLocal(other.end);
       const double slope = (b.y() - a.y()) / (b.x() - a.x());
-      at_start = std::min(a.y() - slope * a.x(), -parameters_.least_thickness / 2);
-      at_end = std::min(at_start + slope * length, -parameters_.least_thickness / 2);
+      const double behind = -(a.y() + b.y()) / 2;
+      if (behind >= parameters_.least_thickness) { // else it is at the end of a reveal
+        at_start = std::min(a.y() - slope * a.x(), -parameters_.least_thickness / 2);
+        at_end = std::min(at_start + slope * length, -parameters_.least_thickness / 2);
+      }
     }
     return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
   }

@@ -89,7 +89,9 @@ struct WallParameters {
  * remains of a face at an end of such a wall, up to 0.7 m, is where other walls meet
  * it: the wall goes on there. Straight walls that one room sees at a corner are cut at
  * a mitre. Faces nearer than the least thickness have no wall, nor has a face with
- * another room so near behind it.
+ * another room so near behind it; but where a doorway with a lintel leads from one to
+ * the other, and one of them is the end of a reveal, the wall is as thick as that is
+ * deep.
  * Cost: faces squared. */
 std::vector<PlanWall> findWalls(const Floorplan& plan,
                                 const WallParameters& parameters = {});
