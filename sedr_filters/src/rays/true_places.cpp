@@ -160,8 +160,10 @@ public:
   bool mayBePane(const Patch& patch) const
   {
     constexpr double least = 0.02; // share of the rays that a pane returns
-    constexpr double most = 0.4;
-    constexpr float on = 0.1F; // metres
+    constexpr double most = 0.5;
+    constexpr double fullest = 2.5; // times as many rays as in other directions
+    constexpr double enough = 100;  // rays that tell
+    constexpr float on = 0.1F;      // metres
     const Eigen::Vector3f whole = patch.place - from_;
     const float before = whole.dot(patch.normal);
     const float radius = std::max(0.15F, 0.01F * whole.norm()); // metres
@@ -181,8 +183,12 @@ public:
       }
     });
     const auto all = static_cast<double>(ended + through);
-    return static_cast<double>(ended) >= least * all &&
-           static_cast<double>(ended) <= most * all;
+    // As many as there would be if all directions had the same.
+    const double solid_angle =
+        M_PI * radius * radius * std::abs(before) / std::pow(whole.norm(), 3);
+    const double usual = static_cast<double>(seen_.size()) * solid_angle / (4 * M_PI);
+    return (static_cast<double>(ended) >= least * all || all < enough) &&
+           static_cast<double>(ended) <= most * all && all <= fullest * usual + enough;
   }
 
 private:

@@ -14,8 +14,9 @@ namespace sedr {
 /** @brief Places that a file tells but that its points were not taken from, such as the
  * one pose of a file of several scans that were joined: more than a fiftieth of the
  * rays from there go through flat surfaces in a way that no pane allows. A pane returns
- * some of the rays in its direction; of a wall either all end on it, or, seen from
- * where no scanner stood, none or about as many as beyond.
+ * some of the rays in its direction, and there are no more than in others; of what is
+ * seen through a wall from where no scanner stood, there is more than a scanner casts,
+ * or nothing of the wall, or most.
  *
  * A wrong place whose rays go through nothing is not found, and does no harm.
  * O(n) for n rows, and for some hundred rays of each place their length.

@@ -18,7 +18,7 @@ using pcl::sedr::MirroredPoints;
 using pcl::sedr::PointView;
 using pcl::sedr::ScanPositions;
 
-/** Two rooms of 6 x 5 x 2.6 m side by side, with a pane of 3.4 x 2 m between them, or
+/** Two rooms side by side, with a pane of 3.4 x 2 m between them, or
  * none, and a scanner in the middle of each. */
 class TwoRooms {
 public:
@@ -30,10 +30,10 @@ public:
       scanFrom({x, 2.4, 1.5});
   }
 
-  MirroredPoints found(const ScanPositions& positions) const
+  MirroredPoints found(const ScanPositions& from) const
   {
     const PointView view(rows_.data(), sizeof(Vector3f), rows_.size());
-    return findMirroredPoints(view, view, 1, positions, 2);
+    return findMirroredPoints(view, view, 1, from, 2);
   }
 
   ScanPositions positions;
@@ -67,7 +67,7 @@ private:
   static Eigen::AlignedBox3d roomOf(bool is_first)
   {
     return is_first ? Eigen::AlignedBox3d(Vector3d(0, 0, 0), Vector3d(6, 5, 2.6))
-                    : Eigen::AlignedBox3d(Vector3d(6.2, 0, 0), Vector3d(12.2, 5, 2.6));
+                    : Eigen::AlignedBox3d(Vector3d(6.2, -2, 0), Vector3d(14, 5, 3.1));
   }
 
   static double exitFrom(const Eigen::AlignedBox3d& box,
@@ -98,7 +98,6 @@ TEST(TruePlaces, WhereTheScannerStoodIsTrueAlsoBesideGlass)
     const MirroredPoints found = rooms.found(rooms.positions);
     EXPECT_TRUE(found.untrue.empty()) << returned;
     EXPECT_GT(found.rays, 1000u);
-    EXPECT_EQ(found.mirrors, 0u);
   }
 }
 
