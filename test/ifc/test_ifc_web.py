@@ -151,8 +151,10 @@ class WebIfc(unittest.TestCase):
         for name, v in instances.values():
             if name == "IFCRELVOIDSELEMENT":
                 hosted.setdefault(v[4], []).append(v[5])
-        whole = dict(plan, doorways=[], rooms=[dict(room, niches=[]) for room in plan["rooms"]])
-        without = opened(write(TOOL, whole, self.folder, "--ifc-arcs", "facets", name="without"))["products"]
+        whole = os.path.join(self.folder, "without.ifc")
+        with open(path) as file, open(whole, "w") as copy:
+            copy.writelines(line for line in file if "=IFCRELVOIDSELEMENT(" not in line)
+        without = opened(whole)["products"]
         for host, openings in hosted.items():
             name = "IFCWALL " + instances[host][1][2]
             cut = without[name]["volume"] - products[name]["volume"]
