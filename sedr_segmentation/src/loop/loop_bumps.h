@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 namespace pcl {
 namespace sedr {
@@ -14,7 +15,7 @@ namespace sedr {
  * pilaster or a groove with sides square to the wall stays, however narrow. Where
  * parallel walls are apart, a step is left, at the end of the bump that is squarer.
  * @return how many bumps were dropped. O(n) for n elements, and for each bump */
-int dropBumps(PlanLoop& loop, double narrowest);
+int dropBumps(PlanLoop& loop, double narrowest, const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

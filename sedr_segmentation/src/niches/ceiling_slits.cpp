@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/base/small_angle.h"
 #include "slit_faces.h"
 
 #include "ceiling_slits.h"
@@ -13,9 +14,6 @@ namespace pcl {
 namespace sedr {
 
 namespace {
-
-constexpr double parallel = 0.98;  ///< least cosine: 11 degrees
-constexpr double same_wall = 0.06; ///< between two stretches of it, metres
 
 /** @brief Sides of what stands before a wall. */
 constexpr std::size_t most_sides = 5;
@@ -54,6 +52,7 @@ standsBefore(const PlanLoop& loop,
              std::size_t count,
              const Priors& priors)
 {
+  const double parallel = cosineOf(priors.other_direction / 2);
   const std::size_t n = loop.elements.size();
   if (n < count + 2)
     return false;
@@ -77,7 +76,7 @@ standsBefore(const PlanLoop& loop,
     return false;
   if (wayOf(after).dot(along) > parallel)
     return high.y() <= priors.max_furniture_depth && last.dot(inwards) < -parallel &&
-           std::abs(inwards.dot(after.start - before.end)) < same_wall;
+           std::abs(inwards.dot(after.start - before.end)) < priors.wall_band;
   return high.minCoeff() <= priors.max_furniture_depth && last.dot(along) > parallel &&
          wayOf(after).dot(inwards) > parallel;
 }
@@ -141,9 +140,10 @@ isSame(const PlanElement& a, const PlanElement& b)
 /** @brief Leads an outline past the sides from `first` on: straight on along the wall
  * that they stand before, or to the corner. */
 bool
-leadPast(PlanLoop& loop, std::size_t first, std::size_t count)
+leadPast(PlanLoop& loop, std::size_t first, std::size_t count, const Priors& priors)
 {
   std::vector<PlanElement> rest;
+  const double parallel = cosineOf(priors.other_direction / 2);
   const std::size_t n = loop.elements.size();
   for (std::size_t k = count; k < n; ++k)
     rest.push_back(elementAt(loop, first + k));
@@ -179,7 +179,7 @@ takeOut(const Suspect& suspect, const Priors& priors)
   const std::size_t count = suspect.sides.size();
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
     if (isSame(loop.elements[i], side) && standsBefore(loop, i, count, priors))
-      return leadPast(loop, i, count);
+      return leadPast(loop, i, count, priors);
   return false; // with what stands beside it
 }
 

@@ -139,7 +139,6 @@ SlitFace::lowest() const
 SlitFace::Top
 SlitFace::top() const
 {
-  constexpr double least_expected = 8; // points
   constexpr double sigma = 0.341; // share of the points up to one above: no lamps there
   // Where the face is for sure.
   const double body_low = priors_.surface_band;
@@ -159,7 +158,7 @@ SlitFace::top() const
                       static_cast<double>(binOf(plane + noise));
   const double expected =
       static_cast<double>(body) * bins * Counts::step / (body_high - body_low);
-  if (expected < least_expected)
+  if (expected < priors_.min_points)
     return Top::Unknown;
   const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
   if (static_cast<double>(seen) > priors_.share_part * expected)

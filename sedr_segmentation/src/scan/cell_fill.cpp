@@ -15,10 +15,6 @@ namespace {
 constexpr std::int32_t square_size = 20;
 constexpr std::size_t least_of_square = 10;
 
-/** @brief A scan that fills so much of its middle square is sparse at most in places;
- * below, it is in too many. */
-constexpr double fill_enough = 0.98;
-
 /** @brief Cells between two occupied ones. */
 struct Between {
   std::size_t all = 0;
@@ -76,7 +72,7 @@ double
 cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& priors)
 {
   const std::vector<Weighted> shares = sharesOf(ceilings);
-  if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
+  if (shares.empty() || quantileOf(shares, 0.5) >= priors.cell_fill)
     return size;
   const double fill = std::max(quantileOf(shares, 0.1), 0.01);
   const double enlargement =

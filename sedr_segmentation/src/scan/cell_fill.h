@@ -16,7 +16,7 @@ namespace sedr {
  * in a column, some share is occupied. What hides a ceiling leaves gaps many cells
  * wide, which do not count; a scan with too few points leaves single cells empty all
  * over. Points scattered independently fill 1 - exp(-density * size^2) of the cells.
- * Where the median share is below 98 %, cells are enlarged so that at the share that a
+ * Where the median share is below 97 %, cells are enlarged so that at the share that a
  * tenth of the squares stay below, 97 % would be filled; at most to 2.5 times `size`,
  * and to whole centimetres. Squares count by their occupied cells: the ghosts that a
  * window shows of a ceiling may be larger than it, but few points make them.
